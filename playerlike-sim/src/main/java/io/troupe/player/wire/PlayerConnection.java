@@ -1,0 +1,31 @@
+package io.troupe.player.wire;
+
+import java.util.List;
+
+/**
+ * A client's line to a server.
+ *
+ * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method throws {@link io.troupe.player.PlayerException} once the line is closed.
+ */
+public interface PlayerConnection extends AutoCloseable {
+    List<DeviceAddress> devices();
+
+    /** Name of the driver behind a device, {@code stage} for simulated ones. */
+    String driverName(DeviceAddress device);
+
+    /** From now on the device's data come with every frame; the address may be partial (interface and index count). */
+    void subscribe(DeviceAddress device);
+
+    void unsubscribe(DeviceAddress device);
+
+    /** Never answered; counts from the next tick on. */
+    void command(DeviceAddress device, DeviceCommand command);
+
+    DeviceReply request(DeviceAddress device, DeviceRequest request);
+
+    /** Lock step: this client has done what it wants to do about the frame of that tick and waits for a newer one. */
+    void answered(long tick);
+
+    @Override
+    void close();
+}

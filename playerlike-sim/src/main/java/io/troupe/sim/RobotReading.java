@@ -1,0 +1,18 @@
+package io.troupe.sim;
+
+import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.Odometry;
+import io.troupe.sim.scenario.Pose;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What one robot is and senses at a tick.
+ *
+ * @param pose the true pose, in the world's frame
+ * @param sonarM one range per sonar, in metres; null if it has no sonar
+ * @param blobs null if it has no blobfinder
+ * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies
+ */
+public record RobotReading(
+        Pose pose, Odometry odometry, @Nullable List<Double> sonarM, @Nullable BlobImage blobs, double wallGapM) {}

@@ -1,0 +1,18 @@
+package io.troupe.sim;
+
+import java.util.List;
+
+/**
+ * The whole world at a tick; immutable.
+ *
+ * @param tick 0 before the first interval
+ * @param timeMicros simulated time
+ * @param robots by index, in the order of the world file
+ * @param contacts that began since the last snapshot, ordered by (time, robot, other)
+ */
+public record Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
+    public Snapshot {
+        robots = List.copyOf(robots);
+        contacts = List.copyOf(contacts);
+    }
+}

@@ -1,0 +1,10 @@
+package io.troupe.sim.device;
+
+import java.util.List;
+
+/** What a blobfinder sees, from left to right. */
+public record BlobImage(int widthPx, int heightPx, List<Blob> blobs) {
+    public BlobImage {
+        blobs = List.copyOf(blobs);
+    }
+}

@@ -1,0 +1,32 @@
+package io.troupe.sim.scenario;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A differential-drive robot: the Stage entity {@code position} with what hangs on it.
+ *
+ * @param name the world file's name of it, unique in the world
+ * @param pose start pose in the world's frame
+ * @param colour {@code 0x00RRGGBB}
+ * @param lengthM x extent of the body
+ * @param widthM y extent of the body
+ * @param origin of the body's centre relative to the centre of rotation (Stage's {@code origin})
+ * @param startOdometry what odometry reports at the start: the zero pose in the classic dialect
+ * @param sonar null if it has none
+ * @param blobfinder null if it has none
+ */
+public record RobotSpec(
+        String name,
+        Pose pose,
+        Shape shape,
+        int colour,
+        double lengthM,
+        double widthM,
+        double massKg,
+        Pose origin,
+        Pose startOdometry,
+        @Nullable SonarSpec sonar,
+        @Nullable BlobfinderSpec blobfinder,
+        boolean blocksRangers,
+        boolean visible,
+        SourcePosition where) {}

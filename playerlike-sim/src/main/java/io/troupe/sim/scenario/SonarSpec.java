@@ -1,0 +1,17 @@
+package io.troupe.sim.scenario;
+
+import java.util.List;
+
+/**
+ * A ring of sonars.
+ *
+ * @param mounts where each sonar sits and points, in the robot's frame; index = sonar number
+ * @param minRangeM no reading is below this
+ * @param maxRangeM the reading when nothing is hit
+ * @param fovRad opening angle of one cone (a single ray is cast along the heading, as Stage does)
+ */
+public record SonarSpec(List<Pose> mounts, double minRangeM, double maxRangeM, double fovRad) {
+    public SonarSpec {
+        mounts = List.copyOf(mounts);
+    }
+}
