@@ -84,7 +84,7 @@ public final class World {
         odometryToSet = new AtomicReferenceArray<>(robotCount);
         latched = new Command[robotCount];
         scene = new Scene(spec);
-        physics = new Physics(robotCount, settings.physicsStepMicros(), canPassAWallInOneStep());
+        physics = new Physics(robotCount, settings.physicsStepMicros(), sweepM());
         for (ObstacleSpec obstacle : spec.obstacles()) {
             physics.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
         }
@@ -110,9 +110,11 @@ public final class World {
         }
     }
 
-    /** Whether some point of some robot can travel half the robot's smallest extent in one step. */
-    private boolean canPassAWallInOneStep() {
+    /** How far a point of a robot may travel in one step; 0 if that is less than half of every robot's smallest extent. */
+    private double sweepM() {
         double stepS = settings.physicsStepMicros() / 1e6;
+        double sweepM = 0;
+        boolean fast = false;
         for (RobotSpec robot : spec.robots()) {
             List<Point> points =
                     robot.shape().polygons().stream().flatMap(List::stream).toList();
@@ -120,14 +122,14 @@ public final class World {
             var y = points.stream().mapToDouble(Point::y).summaryStatistics();
             double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
             double radiusM = points.stream()
-                    .mapToDouble(p -> StrictMath.hypot(p.x(), p.y()))
+                    .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
                     .max()
-                    .orElse(0);
-            if ((settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS >= smallestM / 2) {
-                return true;
-            }
+                    .orElseThrow();
+            double travelM = (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS;
+            sweepM = Math.max(sweepM, travelM);
+            fast |= travelM >= smallestM / 2;
         }
-        return false;
+        return fast ? sweepM : 0;
     }
 
     public WorldSpec spec() {

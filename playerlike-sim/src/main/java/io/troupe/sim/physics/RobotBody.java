@@ -106,6 +106,10 @@ final class RobotBody {
         return new Pose(x, y, headingRad);
     }
 
+    double bodyHeadingRad() {
+        return body.m_sweep.a;
+    }
+
     private static double wrap(double angleRad) {
         return StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
     }
