@@ -10,6 +10,7 @@ import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.SourcePosition;
 import io.troupe.sim.scenario.WorldSpec;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -98,7 +99,7 @@ public final class Specs {
     /** Sonars in the robot's centre that look into these directions. */
     public static SonarSpec sonars(double... headingsDeg) {
         return new SonarSpec(
-                java.util.Arrays.stream(headingsDeg)
+                Arrays.stream(headingsDeg)
                         .mapToObj(heading -> new Pose(0, 0, heading * DEGREE))
                         .toList(),
                 0,
@@ -113,7 +114,7 @@ public final class Specs {
             {0.170, -0.025, -10}, {0.150, -0.080, -30}, {0.115, -0.115, -50}, {0.075, -0.130, -90}
         };
         return new SonarSpec(
-                java.util.Arrays.stream(ring)
+                Arrays.stream(ring)
                         .map(mount -> new Pose(mount[0], mount[1], mount[2] * DEGREE))
                         .toList(),
                 0,
