@@ -35,7 +35,7 @@ record Box(double minX, double minY, double maxX, double maxY) {
         return minX <= x && x <= maxX && minY <= y && y <= maxY;
     }
 
-    /** The largest distance of any of its points from zero along x or y; NaN if it holds one. */
+    /** The largest distance of any of its points from zero along x or y. */
     double reach() {
         return Math.max(Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)));
     }

@@ -75,7 +75,7 @@ final class WorldChecks {
 
     private static void checkReach(Body body) {
         double reach = body.box.reach();
-        if (!(reach <= USABLE_WITHIN_M)) {
+        if (reach > USABLE_WITHIN_M) {
             throw new WorldFileException(
                     body.where,
                     body.name + " lies " + inMetres(reach) + " m from the origin along x or y; the limit is 500 m");

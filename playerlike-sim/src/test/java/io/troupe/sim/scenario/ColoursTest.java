@@ -48,6 +48,15 @@ class ColoursTest {
     }
 
     @Test
+    void colour_ofAnInstance_winsOverBothFormsInTheMacro() {
+        String macro = "define both model ( color \"green\" color_rgba [ 0 0 1 1 ] ) ";
+
+        assertThat(worlds.world(macro + "both ()").obstacles().getFirst().colour()).isEqualTo(0x0000ff);
+        assertThat(worlds.world(macro + "both ( color \"red\" )").obstacles().getFirst().colour())
+                .isEqualTo(0xff0000);
+    }
+
+    @Test
     void colour_unknown_suggestsTheNearest() {
         assertThat(worlds.problem("model ( color \"gren\" )"))
                 .isEqualTo("t.world:1:15: unknown colour \"gren\"; did you mean \"green\"?");
