@@ -28,12 +28,22 @@ final class RobotLink implements AutoCloseable {
     private final BlobfinderInterface blobfinder;
     private @Nullable Deferred<Boolean> waiting;
 
-    RobotLink(String host, int port, int robot) {
-        client = new PlayerClient(host, port);
+    private RobotLink(PlayerClient client, int robot) {
+        this.client = client;
         position = client.requestInterfacePosition2D(robot, PlayerConstants.PLAYER_OPEN_MODE);
         sonar = client.requestInterfaceSonar(robot, PlayerConstants.PLAYER_OPEN_MODE);
         blobfinder = client.requestInterfaceBlobfinder(robot, PlayerConstants.PLAYER_OPEN_MODE);
         client.runThreaded(-1, -1);
+    }
+
+    static RobotLink connect(String host, int port, int robot) {
+        var client = new PlayerClient(host, port);
+        try {
+            return new RobotLink(client, robot);
+        } catch (RuntimeException refused) {
+            client.close();
+            throw refused;
+        }
     }
 
     /** True as soon as new data are ready, or false when {@link #wake} is called first. */

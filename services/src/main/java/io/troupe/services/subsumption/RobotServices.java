@@ -134,7 +134,7 @@ public class RobotServices extends Actor {
 
     private Promise<@Nullable Void> start(
             int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Cycle cycle) {
-        RobotLink link = links.computeIfAbsent(robot, index -> new RobotLink(settings.host(), settings.port(), index));
+        RobotLink link = links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
         var loop = new ServiceLoop(space(), robot, service, link, reference, cycle, settings.observer());
         inCharge.put(robot, loop);
         return loop.ended().whenComplete((stopped, error) -> inCharge.remove(robot, loop));
