@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -31,10 +32,12 @@ final class PaperRun {
     private final Scenario scenario;
     private final WorldSettings settings;
     private final long endMicros;
+    private final CornerStyle corners;
     private final boolean realtime;
     private final SubsumptionTable table = SubsumptionTable.ofThePaper();
 
-    PaperRun(Scenario scenario, long seed, double seconds, boolean realtime) {
+    PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
+        this.corners = corners;
         this.scenario = scenario;
         this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
         this.endMicros = StrictMath.round(seconds * 1e6);
@@ -79,6 +82,7 @@ final class PaperRun {
             throws InterruptedException {
         var serviceSettings = RobotServices.Settings.ofThePaper()
                 .withPort(scenario.devices().getFirst().port())
+                .withCornerStyle(corners)
                 .withObserver(ledger);
         RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
         Arbitrator arbitrator = space.spawn(Arbitrator.class, () -> new Arbitrator(services, table, ledger));

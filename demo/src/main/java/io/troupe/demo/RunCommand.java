@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
@@ -37,6 +38,9 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "moves the start poses by up to 2 cm and 2 degrees")
     private long seed = 1;
 
+    @Option(names = "--corners", paramLabel = "STYLE", description = "how the wall follower turns at a wall ahead: FORWARD as the paper says, BACKWARD as its model program does")
+    private CornerStyle corners = CornerStyle.FORWARD;
+
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
@@ -69,7 +73,7 @@ final class RunCommand implements Callable<Integer> {
     private void run(Scenario scenario, AtomicBoolean interrupted) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         var progress = ProgressBar.onTerminal(seconds);
-        var run = new PaperRun(scenario, seed, seconds, realtime);
+        var run = new PaperRun(scenario, seed, seconds, corners, realtime);
         long begin = System.nanoTime();
         RunResult result;
         try (var log = new RunLog(out.resolve("run.jsonl"))) {

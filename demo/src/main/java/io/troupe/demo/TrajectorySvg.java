@@ -113,7 +113,7 @@ final class TrajectorySvg {
             append("<text x=\"%.1f\" y=\"%.1f\">robot %d</text>%n", column + 36, line, robot + 1);
             column += 110;
         }
-        append("<text x=\"16\" y=\"%.1f\">%s s simulated, %d state changes; a numbered disc marks where a robot saw a colour and which state began; faint bodies: start</text>%n", line + 24, Json.seconds(result.endMicros()), result.states().size() - 1);
+        append("<text x=\"16\" y=\"%.1f\">%s s simulated, %d state changes. Disc: here a robot saw that colour, and state n began. Faint body: start.</text>%n", line + 24, Json.seconds(result.endMicros()), result.states().size() - 1);
     }
 
     private void polygons(Shape shape, Pose pose, String style) {

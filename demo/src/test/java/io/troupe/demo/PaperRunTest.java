@@ -3,6 +3,7 @@ package io.troupe.demo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.State;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
@@ -25,7 +26,7 @@ class PaperRunTest {
 
     private RunResult run(long seed, double seconds, Path file) throws Exception {
         try (var log = new RunLog(file)) {
-            return new PaperRun(ScenarioReader.read(WORLD), seed, seconds, false)
+            return new PaperRun(ScenarioReader.read(WORLD), seed, seconds, CornerStyle.FORWARD, false)
                     .run(log, change -> {}, ProgressBar.hidden(), () -> false);
         }
     }
@@ -64,7 +65,7 @@ class PaperRunTest {
         var polls = new int[1];
         RunResult result;
         try (var log = new RunLog(out.resolve("short"))) {
-            result = new PaperRun(ScenarioReader.read(WORLD), 1, 300, false)
+            result = new PaperRun(ScenarioReader.read(WORLD), 1, 300, CornerStyle.FORWARD, false)
                     .run(log, change -> {}, ProgressBar.hidden(), () -> polls[0]++ == 50);
         }
         assertThat(result.endMicros()).isEqualTo(5_000_000);
@@ -90,7 +91,7 @@ class PaperRunTest {
         var one = new Scenario(
                 new WorldSpec(world.name(), world.file(), world.intervalMillis(), world.robots().subList(0, 1), world.obstacles()),
                 two.devices());
-        assertThatThrownBy(() -> new PaperRun(one, 1, 1, false))
+        assertThatThrownBy(() -> new PaperRun(one, 1, 1, CornerStyle.FORWARD, false))
                 .isInstanceOf(WorldFileException.class)
                 .hasMessageContaining("has 1 robots, expected 2");
     }

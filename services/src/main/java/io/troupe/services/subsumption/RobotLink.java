@@ -61,6 +61,11 @@ final class RobotLink implements AutoCloseable {
         }
     }
 
+    /** Whether there has been a reading yet. */
+    boolean hasData() {
+        return sonar.getData() != null && blobfinder.getData() != null;
+    }
+
     /** When the sonar readings were taken, in seconds on the robot's clock. */
     double timeSeconds() {
         return sonar.getTimestamp();

@@ -62,7 +62,7 @@ public class RobotServices extends Actor {
     public Promise<@Nullable Void> wallFollower(int robot, AtomicReference<Integer> reference) {
         var follower = new WallFollower(settings.cornerStyle());
         var memory = new WallFollower.Memory[] {WallFollower.START};
-        return begin(robot, Service.WALL_FOLLOWER, reference, link -> {
+        return begin(robot, Service.WALL_FOLLOWER, reference, (link, first) -> {
             var step = follower.step(memory[0], link.sonar());
             memory[0] = step.memory();
             return step.velocity();
@@ -79,8 +79,9 @@ public class RobotServices extends Actor {
     public Promise<Integer> spaceWanderer(
             int robot, AtomicReference<Integer> reference, AtomicReference<Integer> colourFinder, int stateColour) {
         var seen = new int[] {stateColour};
-        return begin(robot, Service.SPACE_WANDERER, reference, link -> {
-                    OptionalInt colour = colourFinder.get() == ServiceLoop.RUN
+        return begin(robot, Service.SPACE_WANDERER, reference, (link, first) -> {
+                    // the reading at hand has had its say: two robots that each see the other's colour would else switch for ever, and never move
+                    OptionalInt colour = !first && colourFinder.get() == ServiceLoop.RUN
                             ? ColourFinder.find(link.sightings(), each -> each != stateColour && settings.coloursOfInterest().test(each))
                             : OptionalInt.empty();
                     if (colour.isPresent()) {

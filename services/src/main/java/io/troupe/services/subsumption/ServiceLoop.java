@@ -7,7 +7,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A service while it is in charge of a robot: one cycle for each new reading, as long as its reference says so.
+ * A service while it is in charge of a robot: one cycle for each new reading, as long as its reference says so. It takes over with a cycle on the
+ * reading at hand, so that no robot stands still, or rolls on, between two services.
  *
  * <p><b>Order.</b> The reference goes from {@value #RUN} (run) over {@value #STOP} (stop) to {@value #STOPPED} (stopped): when it is {@value #STOPPED}, zero
  * speed has been sent and no cycle follows.
@@ -22,7 +23,12 @@ final class ServiceLoop {
 
     /** One cycle of a service. */
     interface Cycle {
-        Velocity run(RobotLink link);
+        /**
+         * Computes what to do.
+         *
+         * @param first true for the cycle with which the service takes over, on a reading that the service before has seen too
+         */
+        Velocity run(RobotLink link, boolean first);
     }
 
     private final int robot;
@@ -49,6 +55,9 @@ final class ServiceLoop {
         this.cycle = cycle;
         this.observer = observer;
         observer.began(robot, service);
+        if (isToRun() && link.hasData()) {
+            cycle(true);
+        }
         this.ended = space.repeatWhile(this::isToRun, () -> link.nextData().thenAccept(this::react)).whenComplete((done, error) -> halt(error));
     }
 
@@ -75,11 +84,14 @@ final class ServiceLoop {
     }
 
     private void react(boolean dataAreReady) {
-        if (!dataAreReady || !isToRun() || link.timeSeconds() - lastCycleSeconds < CYCLE_SECONDS) {
-            return;
+        if (dataAreReady && isToRun() && link.timeSeconds() - lastCycleSeconds >= CYCLE_SECONDS) {
+            cycle(false);
         }
+    }
+
+    private void cycle(boolean first) {
         lastCycleSeconds = link.timeSeconds();
-        Velocity velocity = cycle.run(link);
+        Velocity velocity = cycle.run(link, first);
         if (isToRun()) {
             link.drive(velocity);
         }

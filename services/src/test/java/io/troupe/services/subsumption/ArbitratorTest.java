@@ -100,6 +100,18 @@ class ArbitratorTest {
     }
 
     @Test
+    void robotsThatSeeEachOthersColours_switchAtEveryReading_butKeepMoving() {
+        robots.show(1, Colours.RED);
+        robots.show(0, Colours.BLUE);
+        for (int i = 0; i < 10; i++) {
+            tick();
+            assertThat(robots.lastCommand(0).vx()).isPositive();
+            assertThat(robots.lastCommand(1).vx()).isPositive();
+        }
+        assertThat(states).hasSize(11);
+    }
+
+    @Test
     void manySwitches_neverLeaveARobotWithoutAService() {
         int[] colours = {Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK};
         var random = new java.util.Random(20260);

@@ -146,8 +146,9 @@ class RobotServicesTest {
         test.crank();
         assertThat(charge.of(0)).containsExactly(Service.SPACE_WANDERER);
         assertThat(first).hasValue(2);
-        robots.tick(100);
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP, WANDERER_AHEAD);
+        robots.tick(100);
+        assertThat(robots.commands(0)).hasSize(4);
     }
 
     @Test
