@@ -26,7 +26,7 @@ final class RepairedTree implements BroadPhaseStrategy {
     public boolean moveProxy(int proxy, AABB box, Vec2 displacement) {
         moveCount++;
         AABB fat = tree.getFatAABB(proxy);
-        if (fat.contains(box)) {
+        if (holds(fat, box)) {
             return false;
         }
         reinsertCount++;
@@ -39,6 +39,14 @@ final class RepairedTree implements BroadPhaseStrategy {
         away.lowerBound.x += aside;
         away.upperBound.x += aside;
         return tree.moveProxy(proxy, away, displacement) && tree.moveProxy(proxy, box, displacement);
+    }
+
+    /** What {@code AABB.contains} is for; in jbox2d 2.2.1.1 that one is the wrong way round, which is the fault. */
+    private static boolean holds(AABB outer, AABB inner) {
+        return outer.lowerBound.x <= inner.lowerBound.x
+                && outer.lowerBound.y <= inner.lowerBound.y
+                && inner.upperBound.x <= outer.upperBound.x
+                && inner.upperBound.y <= outer.upperBound.y;
     }
 
     /** How often a box was moved. */
