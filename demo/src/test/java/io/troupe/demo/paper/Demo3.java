@@ -15,10 +15,10 @@ public class Demo3 extends Actor {
     private final List<String> printed; // [2] instead of System.out, so that a test can read it
     private final AtomicReference<Integer> atomicRefWF1 = new AtomicReference<>(0);
     private AtomicReference<Integer> atomicRefSW1 = new AtomicReference<>(0);
-    private final AtomicReference<Integer> atomicRefBF1 = new AtomicReference<>(0);
+    private AtomicReference<Integer> atomicRefBF1 = new AtomicReference<>(0);
     private final AtomicReference<Integer> atomicRefWF2 = new AtomicReference<>(0);
     private AtomicReference<Integer> atomicRefSW2 = new AtomicReference<>(0);
-    private final AtomicReference<Integer> atomicRefBF2 = new AtomicReference<>(0);
+    private AtomicReference<Integer> atomicRefBF2 = new AtomicReference<>(0);
     private int color2 = 255;
 
     Demo3(RobotServices robot1, RobotServices robot2, List<String> printed) {
@@ -82,7 +82,9 @@ public class Demo3 extends Actor {
         atomicRefSW2.set(0);
         atomicRefBF2.set(0);
         atomicRefSW1 = new AtomicReference<>(0); // [5] one of them may still be on its way from 0 to 2: do not set it to 1 again
+        atomicRefBF1 = new AtomicReference<>(0);
         atomicRefSW2 = new AtomicReference<>(0);
+        atomicRefBF2 = new AtomicReference<>(0);
         ((Demo3) self()).live();
     }
 }

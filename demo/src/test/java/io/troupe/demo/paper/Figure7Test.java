@@ -46,7 +46,7 @@ class Figure7Test {
             while (!blfi1.isDataReady ());
             assertThat(rngi1.getData().getRanges()).hasSize(16);
             assertThat(posi1.getX()).isZero();
-            assertThat(blfi1.getData().getBlobs_count()).isPositive(); // the west wall
+            assertThat(blfi1.getData().getBlobs_count()).isZero(); // nothing within its 2 m
             assertThat(rngi1.isDataReady()).isFalse(); // nothing newer: that is the answer to the tick
             world.join();
             robot.close();
