@@ -130,7 +130,8 @@ final class GradleReader {
                 statement.inner(file).forEach(inner -> dependencies.add(dependency(file, inner)));
             } else if (statement.head().equals("tasks.jar") && named.matches()) {
                 automaticName = named.group(1);
-            } else if (statement.head().equals("plugins") && !statement.body().strip().equals("application")) {
+            } else if (statement.head().equals("plugins")
+                    && !statement.body().strip().equals("application")) {
                 throw notUnderstood(file, statement);
             } else if (statement.block() && statement.head().matches("plugins|application|tasks\\b.*")) {
                 requireNothingTelling(file, statement);
@@ -184,11 +185,13 @@ final class GradleReader {
     private static void requireNothingTelling(String file, Statement statement) {
         var telling = TELLING.matcher(statement.head() + " {" + statement.body());
         if (telling.find()) {
-            throw new BuildFileException(file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
+            throw new BuildFileException(
+                    file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
         }
     }
 
     private static BuildFileException notUnderstood(String file, Statement statement) {
-        return new BuildFileException(file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+        return new BuildFileException(
+                file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
     }
 }
