@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Properties;
+import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
@@ -47,17 +48,30 @@ final class GradleReader {
     }
 
     static Build read(Path root) throws IOException {
-        var reader = new GradleReader(
+        return of(root).readBuild(root);
+    }
+
+    /** The libraries of the catalog that no script asks for. */
+    static Set<String> unusedLibraries(Path root) throws IOException {
+        var reader = of(root);
+        reader.readBuild(root);
+        return reader.catalog.unused();
+    }
+
+    private static GradleReader of(Path root) throws IOException {
+        return new GradleReader(
                 Files.readString(root.resolve("gradle.properties")),
                 Files.readString(root.resolve("gradle/libs.versions.toml")));
-        reader.readRootScript(Files.readString(root.resolve("build.gradle.kts")));
+    }
+
+    private Build readBuild(Path root) throws IOException {
+        readRootScript(Files.readString(root.resolve("build.gradle.kts")));
         Map<String, Module> modules = new LinkedHashMap<>();
         for (String name : modules(Files.readString(root.resolve("settings.gradle.kts")))) {
             var file = name + "/build.gradle.kts";
-            modules.put(name, reader.readModule(file, Files.readString(root.resolve(file))));
+            modules.put(name, readModule(file, Files.readString(root.resolve(file))));
         }
-        reader.catalog.requireAllUsed();
-        return new Build("Gradle", reader.property("group"), reader.property("version"), modules);
+        return new Build("Gradle", property("group"), property("version"), modules);
     }
 
     static List<String> modules(String settings) {
