@@ -3,6 +3,7 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
@@ -160,7 +161,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
         if (thread != null) {
             throw new IllegalStateException("space " + this + " is being cranked already, by " + thread.getName());
         }
-        enter();
+        Home before = enter();
         try {
             boolean working = true;
             while (working && !stopping) {
@@ -171,8 +172,13 @@ public final class ActorSpace extends Home implements AutoCloseable {
             }
         } finally {
             thread = null;
-            leaveThread();
+            leaveThread(before);
         }
+    }
+
+    /** The clock by which this space's timers run. */
+    public Clock clock() {
+        return settings.clock();
     }
 
     /** Whether nothing waits here: no entry in any queue, no timer due. Exact only on the space's thread, or between cranks. */
@@ -376,7 +382,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     // ---- the thread
 
     private void live() {
-        enter();
+        Home before = enter();
         try {
             while (!stopping) {
                 if (!dispatcher.pass() & !settle()) {
@@ -385,7 +391,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
             }
         } finally {
             shut();
-            leaveThread();
+            leaveThread(before);
         }
     }
 
@@ -395,9 +401,9 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return dispatcher.isQuiet() ? dispatcher.runIdleActions() : true;
     }
 
-    private void enter() {
+    private @Nullable Home enter() {
         thread = Thread.currentThread();
-        enterThread();
+        return enterThread();
     }
 
     private void shut() {

@@ -346,6 +346,20 @@ class ActorSpaceTest {
     }
 
     @Test
+    void spacesCrankedInsideEachOther_knowWhoseTurnItIs() {
+        try (var inner = new TestSpace()) {
+            var seen = new ArrayList<ActorSpace>();
+            test.run(() -> {
+                seen.add(ActorSpace.current());
+                inner.run(() -> seen.add(ActorSpace.current()));
+                seen.add(ActorSpace.current());
+            });
+            assertThat(seen).containsExactly(test.space(), inner.space(), test.space());
+            assertThat(ActorSpace.current()).isNull();
+        }
+    }
+
+    @Test
     void crank_ofASpaceWithAThread_isRefused() {
         try (var space = ActorSpace.create(SpaceSettings.named("threaded"))) {
             assertThatThrownBy(space::crank)

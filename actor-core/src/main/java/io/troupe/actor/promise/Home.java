@@ -16,13 +16,24 @@ public abstract class Home {
         return CURRENT.get();
     }
 
-    /** Declares the calling thread to be this home's until {@link #leaveThread}. */
-    protected final void enterThread() {
+    /**
+     * Declares the calling thread to be this home's until {@link #leaveThread}.
+     *
+     * @return whose it was before
+     */
+    protected final @Nullable Home enterThread() {
+        Home before = CURRENT.get();
         CURRENT.set(this);
+        return before;
     }
 
-    protected static void leaveThread() {
-        CURRENT.remove();
+    /** Declares the calling thread to be what it was before. */
+    protected static void leaveThread(@Nullable Home before) {
+        if (before == null) {
+            CURRENT.remove();
+        } else {
+            CURRENT.set(before);
+        }
     }
 
     /** Whether the calling thread is this home's. */

@@ -297,6 +297,7 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
         while (true) {
             Object now = state;
             if (isSettled(now)) {
+                listener.next = null;
                 dispatch(listener);
                 return;
             }

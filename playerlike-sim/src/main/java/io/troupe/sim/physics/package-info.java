@@ -1,4 +1,4 @@
-/** The only room where jbox2d is allowed. */
+/** The only room where jbox2d is allowed: how robots move and what they bump into. */
 @NullMarked
 package io.troupe.sim.physics;
 

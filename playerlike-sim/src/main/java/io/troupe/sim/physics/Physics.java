@@ -1,0 +1,182 @@
+package io.troupe.sim.physics;
+
+import io.troupe.sim.scenario.Point;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.Shape;
+import java.util.ArrayList;
+import java.util.List;
+import org.jbox2d.collision.shapes.MassData;
+import org.jbox2d.collision.shapes.PolygonShape;
+import org.jbox2d.common.MathUtils;
+import org.jbox2d.common.Settings;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyDef;
+import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.FixtureDef;
+import org.jbox2d.dynamics.World;
+import org.jbox2d.pooling.normal.DefaultWorldPool;
+
+/**
+ * How robots move and what they bump into.
+ *
+ * <p><b>Role.</b> Hides jbox2d. A robot drives exactly the arc it is told to while nothing is in its way; walls and other robots
+ * hold it back, push it aside and rub (friction 0.3, no bounce).
+ * <p><b>Order.</b> All obstacles are added first, then the robots by index, then come the steps.
+ * <p><b>Threads.</b> One thread at a time.
+ * <p><b>Units and shapes.</b> SI. Bodies count as touching from a gap of {@link #SKIN_M} on, so a robot comes to rest between
+ * one and two centimetres from a wall.
+ */
+public final class Physics {
+    /** Bodies as near as this touch. */
+    public static final double SKIN_M = 2 * Settings.polygonRadius;
+
+    /** No body may move farther in one step. */
+    public static final double MAX_TRAVEL_M = Settings.maxTranslation;
+
+    /** No body may turn farther in one step. */
+    public static final double MAX_TURN_RAD = Settings.maxRotation;
+
+    private static final float FRICTION = 0.3f;
+    private static final int VELOCITY_ITERATIONS = 8;
+    private static final int POSITION_ITERATIONS = 3;
+
+    private final RepairedTree tree = new RepairedTree();
+    private final World world = new World(
+            new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
+    private final List<RobotBody> robots = new ArrayList<>();
+    private final TouchLedger touches;
+    private final int robotCount;
+    private final int stepMicros;
+    private final boolean continuous;
+    private int obstacleCount;
+    private long timeMicros;
+
+    /**
+     * A world without bodies.
+     *
+     * @param continuous look for touches within a step as well: needed when a robot is fast enough to pass a wall in one step
+     */
+    public Physics(int robotCount, int stepMicros, boolean continuous) {
+        this.robotCount = robotCount;
+        this.stepMicros = stepMicros;
+        this.continuous = continuous;
+        touches = new TouchLedger(robotCount);
+        world.setAllowSleep(false);
+        world.setContinuousPhysics(continuous);
+        world.setContactListener(touches);
+    }
+
+    /** Whether jbox2d's table of sines holds here what it holds on other machines; if not, trajectories may differ from theirs. */
+    public static boolean hasStandardSineTable() {
+        return SineTable.STANDARD;
+    }
+
+    private static final class SineTable {
+        static final boolean STANDARD = compare();
+
+        private static boolean compare() {
+            for (int i = 0; i < MathUtils.sinLUT.length; i++) {
+                if (MathUtils.sinLUT[i] != (float) StrictMath.sin(i * Settings.SINCOS_LUT_PRECISION)) {
+                    return false;
+                }
+            }
+            return true;
+        }
+    }
+
+    /** Adds the next obstacle; it has an index even if it blocks nothing and its shape is empty. */
+    public void addObstacle(Pose pose, Shape shape) {
+        if (!robots.isEmpty()) {
+            throw new IllegalStateException("obstacles come before robots");
+        }
+        Body body = createBody(BodyType.STATIC, Pose.ORIGIN, robotCount + obstacleCount++);
+        for (List<Point> polygon : shape.polygons()) {
+            // placed in double precision: jbox2d's own sine is only good to half a millimetre at ten metres
+            body.createFixture(fixture(polygon.stream().map(pose::place).toList()));
+        }
+    }
+
+    /** Adds the next robot; the origin of its shape is the centre it turns about. */
+    public void addRobot(Pose pose, Shape shape, double massKg) {
+        Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
+        body.setSleepingAllowed(false);
+        body.setBullet(continuous);
+        for (List<Point> polygon : shape.polygons()) {
+            body.createFixture(fixture(polygon));
+        }
+        setMass(body, massKg);
+        robots.add(new RobotBody(body, pose, stepMicros));
+    }
+
+    private Body createBody(BodyType type, Pose pose, int id) {
+        var definition = new BodyDef();
+        definition.type = type;
+        definition.position.set((float) pose.x(), (float) pose.y());
+        definition.angle = (float) StrictMath.IEEEremainder(pose.headingRad(), 2 * StrictMath.PI);
+        definition.userData = id;
+        return world.createBody(definition);
+    }
+
+    private static FixtureDef fixture(List<Point> polygon) {
+        var vertices = new Vec2[polygon.size()];
+        for (int i = 0; i < vertices.length; i++) {
+            vertices[i] = new Vec2((float) polygon.get(i).x(), (float) polygon.get(i).y());
+        }
+        var shape = new PolygonShape();
+        shape.set(vertices, vertices.length);
+        var definition = new FixtureDef();
+        definition.shape = shape;
+        definition.density = 1;
+        definition.friction = FRICTION;
+        definition.restitution = 0;
+        return definition;
+    }
+
+    /** Spreads the mass evenly over the body. */
+    private static void setMass(Body body, double massKg) {
+        var data = new MassData();
+        body.getMassData(data);
+        float scale = (float) massKg / data.mass;
+        data.mass *= scale;
+        data.I *= scale;
+        body.setMassData(data);
+    }
+
+    /** Sets a robot's speed, to hold until it is set again. */
+    public void drive(int robot, double forwardMps, double turnRadps) {
+        robots.get(robot).drive(forwardMps, turnRadps);
+    }
+
+    /** Advances by one step. */
+    public void step() {
+        for (RobotBody robot : robots) {
+            robot.aim();
+        }
+        world.step(stepMicros / 1e6f, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+        timeMicros += stepMicros;
+        touches.settle(timeMicros);
+        for (int i = 0; i < robots.size(); i++) {
+            robots.get(i).settle(touches.touched(i));
+        }
+    }
+
+    /** The pose of a robot's centre of rotation, the heading from -pi to pi. */
+    public Pose pose(int robot) {
+        return robots.get(robot).pose();
+    }
+
+    /** Whether something touches the robot and keeps it from half of what it was told to do in the last 0.2 s. */
+    public boolean stalled(int robot) {
+        return touches.touched(robot) && robots.get(robot).heldBack();
+    }
+
+    /** The touches that began since the last call, ordered by (time, robot, other robot, obstacle). */
+    public List<Touch> drainTouches() {
+        return touches.drain();
+    }
+
+    RepairedTree tree() {
+        return tree;
+    }
+}
