@@ -35,18 +35,24 @@ class PaperRunTest {
             throws Exception {
         RunResult result = run(1, 300, out.resolve("run.jsonl"));
         for (State state : result.table().states()) {
-            assertThat(result.visits(state)).as("visits of state %d", state.number()).isGreaterThan(1);
+            assertThat(result.visits(state))
+                    .as("visits of state %d", state.number())
+                    .isGreaterThan(1);
         }
         assertThat(result.robots()).allSatisfy(robot -> {
             assertThat(robot.followingContacts()).isZero();
             assertThat(robot.chargeFaults()).isZero();
-            assertThat(robot.loops().values().stream().mapToLong(Long::longValue).sum())
+            assertThat(robot.loops().values().stream()
+                            .mapToLong(Long::longValue)
+                            .sum())
                     .as("one loop for each reading")
                     .isEqualTo(3_000);
         });
         List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
         assertThat(lines.getFirst()).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
-        assertThat(lines).anyMatch(line -> line.matches("\\{\"t\":[0-9.]+,\"type\":\"state\",\"state\":2,\"robot\":[12],\"colour\":16711680,.*"));
+        assertThat(lines)
+                .anyMatch(line -> line.matches(
+                        "\\{\"t\":[0-9.]+,\"type\":\"state\",\"state\":2,\"robot\":[12],\"colour\":16711680,.*"));
         assertThat(lines.getLast()).startsWith("{\"t\":300.0,\"type\":\"summary\",");
     }
 
@@ -88,7 +94,12 @@ class PaperRunTest {
         Scenario two = ScenarioReader.read(WORLD);
         WorldSpec world = two.world();
         var one = new Scenario(
-                new WorldSpec(world.name(), world.file(), world.intervalMillis(), world.robots().subList(0, 1), world.obstacles()),
+                new WorldSpec(
+                        world.name(),
+                        world.file(),
+                        world.intervalMillis(),
+                        world.robots().subList(0, 1),
+                        world.obstacles()),
                 two.devices());
         assertThatThrownBy(() -> new PaperRun(one, 1, 1, false))
                 .isInstanceOf(WorldFileException.class)

@@ -49,7 +49,8 @@ final class ServiceLoop {
         this.cycle = cycle;
         this.observer = observer;
         observer.began(robot, service);
-        this.ended = space.repeatWhile(this::isToRun, () -> link.nextData().thenAccept(this::react)).whenComplete((done, error) -> halt(error));
+        this.ended = space.repeatWhile(this::isToRun, () -> link.nextData().thenAccept(this::react))
+                .whenComplete((done, error) -> halt(error));
     }
 
     AtomicReference<Integer> reference() {
