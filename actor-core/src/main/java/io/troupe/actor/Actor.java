@@ -77,8 +77,9 @@ public abstract class Actor {
     private ActorCell cell(String call) {
         ActorCell mine = cell;
         if (mine == null) {
-            throw new IllegalStateException(call + " of " + getClass().getName()
-                    + " is for a spawned actor itself, from started() on: not for its constructor, and not through its proxy");
+            throw new IllegalStateException(
+                    call + " of " + getClass().getName()
+                            + " is for a spawned actor itself, from started() on: not for its constructor, and not through its proxy");
         }
         mine.space().checkCurrent(call);
         return mine;

@@ -48,7 +48,8 @@ public final class ActorCell {
         proxy = newProxy;
     }
 
-    @Nullable Object proxy() {
+    @Nullable
+    Object proxy() {
         return proxy;
     }
 

@@ -50,7 +50,8 @@ record ActorMethods(List<Method> messages, List<Method> refused) {
                 problem = "it is sealed, so that no proxy can implement it";
             }
         } else if (!Actor.class.isAssignableFrom(type)) {
-            problem = "it is a class that does not extend " + Actor.class.getName() + "; use an interface, or extend Actor";
+            problem = "it is a class that does not extend " + Actor.class.getName()
+                    + "; use an interface, or extend Actor";
         } else if (Modifier.isFinal(type.getModifiers()) || type.isSealed()) {
             problem = "it is final or sealed, so that its proxy cannot be a subclass";
         } else if (type.isAnonymousClass()) {
@@ -65,15 +66,23 @@ record ActorMethods(List<Method> messages, List<Method> refused) {
         Class<?> result = method.getReturnType();
         if (result != void.class && result != Promise.class) {
             String boxed = result.isPrimitive()
-                    ? java.lang.invoke.MethodType.methodType(result).wrap().returnType().getSimpleName()
+                    ? java.lang.invoke.MethodType.methodType(result)
+                            .wrap()
+                            .returnType()
+                            .getSimpleName()
                     : result.getSimpleName();
-            throw new ActorTypeException(show(method) + " of actor type " + type.getName() + " returns " + result.getSimpleName()
-                    + ", expected void (a one-way message) or Promise (a request): make it Promise<" + boxed + "> and answer Promise.of(..)"
-                    + (type.isInterface() ? ", or make it a default or static method" : ", or make it less visible than public"));
+            throw new ActorTypeException(
+                    show(method) + " of actor type " + type.getName() + " returns " + result.getSimpleName()
+                            + ", expected void (a one-way message) or Promise (a request): make it Promise<" + boxed
+                            + "> and answer Promise.of(..)"
+                            + (type.isInterface()
+                                    ? ", or make it a default or static method"
+                                    : ", or make it less visible than public"));
         }
         if (Modifier.isFinal(method.getModifiers())) {
-            throw new ActorTypeException(show(method) + " of actor type " + type.getName()
-                    + " is final, so that a proxy cannot send it as a message: remove final, or make it less visible than public");
+            throw new ActorTypeException(
+                    show(method) + " of actor type " + type.getName()
+                            + " is final, so that a proxy cannot send it as a message: remove final, or make it less visible than public");
         }
     }
 
@@ -98,7 +107,8 @@ record ActorMethods(List<Method> messages, List<Method> refused) {
                     continue;
                 }
                 boolean packagePrivate = !Modifier.isPublic(modifiers) && !Modifier.isProtected(modifiers);
-                if (!isPublic && (Modifier.isFinal(modifiers) || packagePrivate && each.getPackage() != type.getPackage())) {
+                if (!isPublic
+                        && (Modifier.isFinal(modifiers) || packagePrivate && each.getPackage() != type.getPackage())) {
                     continue; // cannot be overridden
                 }
                 methods.add(method);
@@ -123,8 +133,10 @@ record ActorMethods(List<Method> messages, List<Method> refused) {
         Map<String, @Nullable Method> bySignature = new LinkedHashMap<>();
         for (Method method : methods) {
             String key = method.getName() + Arrays.toString(method.getParameterTypes());
-            bySignature.merge(key, method, (first, second) ->
-                    first.getReturnType() != second.getReturnType()
+            bySignature.merge(
+                    key,
+                    method,
+                    (first, second) -> first.getReturnType() != second.getReturnType()
                                     && first.getReturnType().isAssignableFrom(second.getReturnType())
                             ? second
                             : first);

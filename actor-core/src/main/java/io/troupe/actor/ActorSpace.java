@@ -112,7 +112,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
     /** Stops the actor behind a proxy of this space after the messages already in its mailbox. */
     public void stop(Object proxy) {
         if (!(proxy instanceof ActorProxy actor) || actor.troupe$cell().space() != this) {
-            throw new IllegalArgumentException("not a proxy of an actor in space " + this + ": " + proxy.getClass().getName());
+            throw new IllegalArgumentException("not a proxy of an actor in space " + this + ": "
+                    + proxy.getClass().getName());
         }
         enqueue(new Entry(actor.troupe$cell()::stop));
     }
@@ -194,7 +195,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
     @Override
     public void close() {
         if (!closeable) {
-            throw new IllegalStateException("the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
+            throw new IllegalStateException(
+                    "the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
         }
         if (closing.compareAndSet(false, true)) {
             enqueue(new Entry(() -> stopping = true));
@@ -244,7 +246,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         }
         var pending = new Timer[1]; // touched on the space's thread only
         long deadline = settings.clock().nanos() + delayNanos;
-        enqueue(new Entry(() -> pending[0] = dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0)));
+        enqueue(new Entry(() -> pending[0] =
+                dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0)));
         return () -> onThread(() -> pending[0].cancel());
     }
 
@@ -287,7 +290,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return isMail(node);
     }
 
-    @Nullable ActorCell enter(ActorCell cell) {
+    @Nullable
+    ActorCell enter(ActorCell cell) {
         ActorCell before = current;
         current = cell;
         return before;
@@ -365,7 +369,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
         } catch (Throwable broken) {
             broken.addSuppressed(error);
             System.getLogger(ActorSpace.class.getName())
-                    .log(System.Logger.Level.ERROR, "the error handler of space " + this + " threw about " + where, broken);
+                    .log(
+                            System.Logger.Level.ERROR,
+                            "the error handler of space " + this + " threw about " + where,
+                            broken);
         }
         if (error instanceof VirtualMachineError fatal && !(error instanceof StackOverflowError)) {
             throw fatal;
@@ -414,7 +421,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         synchronized (ended) {
             for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
                 if (node instanceof Entry) {
-                    settings.onDeadLetter().accept(new DeadLetter(settings.name(), "a task", "space " + this + " is closed"));
+                    settings.onDeadLetter()
+                            .accept(new DeadLetter(settings.name(), "a task", "space " + this + " is closed"));
                 } else {
                     run(node);
                 }
@@ -433,7 +441,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
     private void awaitEnd() {
         try {
             if (!ended.await(CLOSING_TIME.toSeconds(), TimeUnit.SECONDS)) {
-                throw new ActorException("space " + this + " did not end within " + CLOSING_TIME + ": its thread is busy");
+                throw new ActorException(
+                        "space " + this + " did not end within " + CLOSING_TIME + ": its thread is busy");
             }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();

@@ -40,8 +40,10 @@ abstract class ActorType {
         } catch (IllegalAccessException e) {
             String module = type.getModule().getName();
             throw new ActorTypeException(
-                    type.getName() + " cannot be an actor type: its proxy belongs into its package, and module " + module
-                            + " does not let it in; write \"opens " + type.getPackageName() + ";\" in the module-info of " + module
+                    type.getName() + " cannot be an actor type: its proxy belongs into its package, and module "
+                            + module
+                            + " does not let it in; write \"opens " + type.getPackageName()
+                            + ";\" in the module-info of " + module
                             + ", or use an interface of your own",
                     e);
         }

@@ -66,7 +66,8 @@ final class Dispatcher {
     }
 
     /** Takes out an entry that will not be served any more. */
-    @Nullable Node pollLeftover() {
+    @Nullable
+    Node pollLeftover() {
         Node node = callbacks.poll();
         if (node == null) {
             node = mails.poll();

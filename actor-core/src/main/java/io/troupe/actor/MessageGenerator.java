@@ -31,7 +31,8 @@ final class MessageGenerator {
         String parent = Type.getInternalName(oneWay ? Message.class : Request.class);
         writer.visit(V21, ACC_FINAL | ACC_SUPER | ACC_SYNTHETIC, name, null, parent, null);
         for (int index = 0; index < arguments.length; index++) {
-            writer.visitField(ACC_FINAL, "a" + index, arguments[index].getDescriptor(), null, null).visitEnd();
+            writer.visitField(ACC_FINAL, "a" + index, arguments[index].getDescriptor(), null, null)
+                    .visitEnd();
         }
         constructor(writer, parent);
         invoke(writer);
@@ -46,7 +47,8 @@ final class MessageGenerator {
         for (Type argument : arguments) {
             descriptor.append(argument.getDescriptor());
         }
-        MethodVisitor code = writer.visitMethod(0, "<init>", descriptor.append(")V").toString(), null, null);
+        MethodVisitor code =
+                writer.visitMethod(0, "<init>", descriptor.append(")V").toString(), null, null);
         code.visitCode();
         code.visitVarInsn(ALOAD, 0);
         code.visitVarInsn(ALOAD, 1);

@@ -16,7 +16,8 @@ final class NodeRing {
         entries[(head + size++) & (entries.length - 1)] = node;
     }
 
-    @Nullable Node poll() {
+    @Nullable
+    Node poll() {
         if (size == 0) {
             return null;
         }

@@ -67,7 +67,8 @@ final class ProxyGenerator {
     /** Overloads are told apart by their number. */
     private String messageName(int index) {
         String name = messages.get(index).getName();
-        boolean overloaded = messages.stream().filter(each -> each.getName().equals(name)).count() > 1;
+        boolean overloaded =
+                messages.stream().filter(each -> each.getName().equals(name)).count() > 1;
         return typeName + "$$" + name + (overloaded ? "$" + index : "");
     }
 
@@ -83,7 +84,8 @@ final class ProxyGenerator {
                 null,
                 superName,
                 isInterface ? new String[] {typeName, proxyMarker} : new String[] {proxyMarker});
-        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, CELL_DESCRIPTOR, null, null).visitEnd();
+        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, CELL_DESCRIPTOR, null, null)
+                .visitEnd();
         if (isInterface) {
             constructor(writer);
         }
@@ -122,8 +124,8 @@ final class ProxyGenerator {
     /** {@code new Message(cell, arguments)}, send, return it if it is a request. */
     private void send(ClassWriter writer, Method method, String messageName) {
         boolean oneWay = method.getReturnType() == void.class;
-        MethodVisitor code = writer.visitMethod(
-                ACC_PUBLIC, method.getName(), Type.getMethodDescriptor(method), null, null);
+        MethodVisitor code =
+                writer.visitMethod(ACC_PUBLIC, method.getName(), Type.getMethodDescriptor(method), null, null);
         code.visitCode();
         loadCell(code);
         code.visitTypeInsn(NEW, messageName);
@@ -136,13 +138,13 @@ final class ProxyGenerator {
             local += argument.getSize();
             descriptor.append(argument.getDescriptor());
         }
-        code.visitMethodInsn(INVOKESPECIAL, messageName, "<init>", descriptor.append(")V").toString(), false);
+        code.visitMethodInsn(
+                INVOKESPECIAL, messageName, "<init>", descriptor.append(")V").toString(), false);
         if (!oneWay) {
             code.visitInsn(DUP_X1); // message, cell, message
         }
         Class<?> parent = oneWay ? Message.class : Request.class;
-        code.visitMethodInsn(
-                INVOKEVIRTUAL, CELL_TYPE, "send", "(" + Type.getDescriptor(parent) + ")V", false);
+        code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "send", "(" + Type.getDescriptor(parent) + ")V", false);
         code.visitInsn(oneWay ? RETURN : ARETURN);
         finish(code);
     }
@@ -153,8 +155,9 @@ final class ProxyGenerator {
         code.visitCode();
         code.visitTypeInsn(NEW, "java/lang/IllegalStateException");
         code.visitInsn(DUP);
-        code.visitLdcInsn(ActorMethods.show(method)
-                + " was called on a proxy, and is no message because it is not public: make it public, or call it inside the actor");
+        code.visitLdcInsn(
+                ActorMethods.show(method)
+                        + " was called on a proxy, and is no message because it is not public: make it public, or call it inside the actor");
         code.visitMethodInsn(
                 INVOKESPECIAL, "java/lang/IllegalStateException", "<init>", "(Ljava/lang/String;)V", false);
         code.visitInsn(ATHROW);
@@ -178,8 +181,7 @@ final class ProxyGenerator {
         MethodVisitor hash = writer.visitMethod(ACC_PUBLIC, "hashCode", "()I", null, null);
         hash.visitCode();
         hash.visitVarInsn(ALOAD, 0);
-        hash.visitMethodInsn(
-                INVOKESTATIC, "java/lang/System", "identityHashCode", "(Ljava/lang/Object;)I", false);
+        hash.visitMethodInsn(INVOKESTATIC, "java/lang/System", "identityHashCode", "(Ljava/lang/Object;)I", false);
         hash.visitInsn(IRETURN);
         finish(hash);
         MethodVisitor equals = writer.visitMethod(ACC_PUBLIC, "equals", "(Ljava/lang/Object;)Z", null, null);

@@ -15,8 +15,7 @@ final class Repetition {
     private final Supplier<? extends @Nullable Promise<?>> body;
     private final Deferred<@Nullable Void> end = new Deferred<>();
 
-    private Repetition(
-            ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
+    private Repetition(ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
         this.space = space;
         this.condition = Objects.requireNonNull(condition, "condition");
         this.body = Objects.requireNonNull(body, "body");
@@ -38,7 +37,8 @@ final class Repetition {
             }
             Promise<?> step = body.get();
             if (step == null) {
-                space.nextTurn(this::round, () -> end.reject(new CancellationException("the actor of this loop has stopped")));
+                space.nextTurn(
+                        this::round, () -> end.reject(new CancellationException("the actor of this loop has stopped")));
             } else {
                 step.handle((value, error) -> next(error));
             }

@@ -183,7 +183,8 @@ class ActorSpaceTest {
                 .spawn(
                         Counter.class,
                         FailingCounter::new,
-                        ActorSettings.named("tally").withOnError((where, error) -> own.add(where + ": " + error.getMessage())));
+                        ActorSettings.named("tally")
+                                .withOnError((where, error) -> own.add(where + ": " + error.getMessage())));
         counter.fail("mine");
         test.crank();
         assertThat(own).containsExactly("Counter.fail(String) of tally: mine");
@@ -217,7 +218,9 @@ class ActorSpaceTest {
         assertThat(cancelled.cancel()).isTrue();
         assertThat(test.get(counter.add(2))).isEqualTo(3);
         assertThat(cancelled.isCancelled()).isTrue();
-        assertThat(test.error(cancelled)).isInstanceOf(CancellationException.class).hasMessageContaining("Counter.add(10)");
+        assertThat(test.error(cancelled))
+                .isInstanceOf(CancellationException.class)
+                .hasMessageContaining("Counter.add(10)");
     }
 
     @Test
@@ -231,7 +234,8 @@ class ActorSpaceTest {
         counter.fail("into the void");
         test.crank();
         assertThat(test.takeDeadLetters())
-                .containsExactly(new DeadLetter("Counter#1", "Counter.fail(into the void)", "the actor Counter#1 has stopped"));
+                .containsExactly(
+                        new DeadLetter("Counter#1", "Counter.fail(into the void)", "the actor Counter#1 has stopped"));
     }
 
     @Test
@@ -256,8 +260,9 @@ class ActorSpaceTest {
             throw new IllegalStateException("no counter today");
         });
         assertThat(test.error(counter.add(1))).isInstanceOf(ActorStoppedException.class);
-        assertThat(test.takeProblems()).singleElement().satisfies(problem -> assertThat(problem.error())
-                .hasMessage("no counter today"));
+        assertThat(test.takeProblems())
+                .singleElement()
+                .satisfies(problem -> assertThat(problem.error()).hasMessage("no counter today"));
     }
 
     @Test
@@ -266,7 +271,8 @@ class ActorSpaceTest {
             Promise<String> ask();
         }
         Careless careless = test.spawn(Careless.class, () -> () -> null);
-        assertThat(test.error(careless.ask())).hasMessage("Careless.ask() of Careless#1 answered null, expected a promise");
+        assertThat(test.error(careless.ask()))
+                .hasMessage("Careless.ask() of Careless#1 answered null, expected a promise");
     }
 
     @Test

@@ -107,7 +107,9 @@ class ActorSpaceThreadTest {
                     answer.resolve(e);
                 }
             });
-            assertThat(answer.get(LONG)).isInstanceOf(IllegalStateException.class).hasMessageContaining("then(..)");
+            assertThat(answer.get(LONG))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("then(..)");
         }
     }
 

@@ -17,7 +17,8 @@ class ActorTypeTest {
     }
 
     interface AllTypes {
-        Promise<String> all(boolean z, byte b, short s, char c, int i, long j, float f, double d, String text, int[] array);
+        Promise<String> all(
+                boolean z, byte b, short s, char c, int i, long j, float f, double d, String text, int[] array);
     }
 
     interface Overloaded {
@@ -152,10 +153,14 @@ class ActorTypeTest {
 
     @Test
     void argumentsOfEveryKind_arrive() {
-        AllTypes proxy = test.spawn(AllTypes.class, () -> (z, b, s, c, i, j, f, d, text, array) ->
-                Promise.of("" + z + b + s + c + i + j + f + d + text + array.length));
+        AllTypes proxy = test.spawn(
+                AllTypes.class,
+                () -> (z, b, s, c, i, j, f, d, text, array) ->
+                        Promise.of("" + z + b + s + c + i + j + f + d + text + array.length));
         Promise<String> answer = proxy.all(true, (byte) 1, (short) 2, 'c', 3, 4L, 5f, 6d, "t", new int[] {7, 8});
-        assertThat(answer).hasToString("AllTypes.all(true, 1, 2, c, 3, 4, 5.0, 6.0, t, " + answer.toString().split("t, ")[1]);
+        assertThat(answer)
+                .hasToString("AllTypes.all(true, 1, 2, c, 3, 4, 5.0, 6.0, t, "
+                        + answer.toString().split("t, ")[1]);
         assertThat(test.get(answer)).isEqualTo("true12c345.06.0t2");
     }
 
@@ -182,7 +187,11 @@ class ActorTypeTest {
                 return Promise.of("nothing");
             }
         });
-        assertThat(List.of(test.get(proxy.show(1)), test.get(proxy.show(1L)), test.get(proxy.show("x")), test.get(proxy.show())))
+        assertThat(List.of(
+                        test.get(proxy.show(1)),
+                        test.get(proxy.show(1L)),
+                        test.get(proxy.show("x")),
+                        test.get(proxy.show())))
                 .containsExactly("int 1", "long 1", "object x", "nothing");
     }
 
@@ -250,15 +259,20 @@ class ActorTypeTest {
     @Test
     void actorOnlyMethod_outsideItsSpace_throws() {
         var escaped = new Demo3("red");
-        assertThatThrownBy(escaped::live).isInstanceOf(IllegalStateException.class).hasMessageContaining("spawned actor");
+        assertThatThrownBy(escaped::live)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("spawned actor");
     }
 
     @Test
     void spawn_ofAFactoryThatAnswersAProxy_isReported() throws Exception {
         TextBox inner = test.spawn(TextBox.class, () -> null);
         test.spawn(TextBox.class, () -> inner);
-        assertThat(test.takeProblems()).extracting(problem -> problem.error().getMessage()).satisfiesExactly(
-                first -> assertThat(first).contains("answered null"), second -> assertThat(second).contains("answered a proxy"));
+        assertThat(test.takeProblems())
+                .extracting(problem -> problem.error().getMessage())
+                .satisfiesExactly(
+                        first -> assertThat(first).contains("answered null"),
+                        second -> assertThat(second).contains("answered a proxy"));
         Callable<String> label = TextBox::label;
         assertThat(label.call()).isEqualTo("text");
     }

@@ -20,7 +20,8 @@ final class Json {
     record Fragment(String text) {}
 
     static Fragment texts(Collection<?> values) {
-        return new Fragment(values.stream().map(value -> quote(value.toString())).collect(Collectors.joining(",", "[", "]")));
+        return new Fragment(
+                values.stream().map(value -> quote(value.toString())).collect(Collectors.joining(",", "[", "]")));
     }
 
     static Fragment objects(List<Json> values) {
@@ -28,14 +29,15 @@ final class Json {
     }
 
     Json put(String key, Object value) {
-        key(key).append(switch (value) {
-            case Double number when number.isNaN() || number.isInfinite() -> "null";
-            case Number number -> number.toString();
-            case Boolean truth -> truth.toString();
-            case Fragment fragment -> fragment.text;
-            case Json object -> object.toString();
-            default -> quote(value.toString());
-        });
+        key(key).append(
+                        switch (value) {
+                            case Double number when number.isNaN() || number.isInfinite() -> "null";
+                            case Number number -> number.toString();
+                            case Boolean truth -> truth.toString();
+                            case Fragment fragment -> fragment.text;
+                            case Json object -> object.toString();
+                            default -> quote(value.toString());
+                        });
         return this;
     }
 

@@ -36,7 +36,9 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         this.table = table;
         this.log = log;
         this.changes = changes;
-        this.robots = IntStream.range(0, world.robots().size()).mapToObj(RobotRecord::new).toList();
+        this.robots = IntStream.range(0, world.robots().size())
+                .mapToObj(RobotRecord::new)
+                .toList();
     }
 
     // ---- from the services
@@ -82,8 +84,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     }
 
     RunResult finish() throws IOException {
-        var result = new RunResult(
-                last.timeMicros(), table, List.copyOf(states), robots);
+        var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots);
         log.write(result.toJson());
         return result;
     }
@@ -91,11 +92,13 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     private void logStates() throws IOException {
         for (; statesLogged < states.size(); statesLogged++) {
             StateChange change = states.get(statesLogged);
-            var line = Json.line(change.timeMicros(), "state").put("state", change.state().number());
+            var line = Json.line(change.timeMicros(), "state")
+                    .put("state", change.state().number());
             if (change.seenBy() != null) {
                 line.put("robot", change.seenBy() + 1);
             }
-            log.write(line.put("colour", change.state().colour()).put("services", Json.texts(change.state().services())));
+            log.write(line.put("colour", change.state().colour())
+                    .put("services", Json.texts(change.state().services())));
             changes.accept(change.describe());
         }
     }
@@ -143,14 +146,26 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     }
 
     /** A state that began. */
-    record StateChange(long timeMicros, State state, @Nullable Integer seenBy) {
+    record StateChange(
+            long timeMicros, State state, @Nullable Integer seenBy) {
         String describe() {
             var assignment = new StringBuilder();
             for (int robot = 0; robot < state.services().size(); robot++) {
-                assignment.append(robot == 0 ? "" : ", ").append("robot ").append(robot + 1).append(' ').append(state.services().get(robot));
+                assignment
+                        .append(robot == 0 ? "" : ", ")
+                        .append("robot ")
+                        .append(robot + 1)
+                        .append(' ')
+                        .append(state.services().get(robot));
             }
             String cause = seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + Colours.name(state.colour());
-            return String.format(java.util.Locale.ROOT, "%7.1f s  %-18s state %d: %s", timeMicros / 1e6, cause, state.number(), assignment);
+            return String.format(
+                    java.util.Locale.ROOT,
+                    "%7.1f s  %-18s state %d: %s",
+                    timeMicros / 1e6,
+                    cause,
+                    state.number(),
+                    assignment);
         }
     }
 }

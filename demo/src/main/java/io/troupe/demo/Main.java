@@ -42,7 +42,8 @@ public final class Main {
 
     private static int complain(CommandLine commandLine, String problem) {
         PrintWriter err = commandLine.getErr();
-        err.println("troupe: " + problem + " (see " + commandLine.getCommandSpec().qualifiedName() + " --help)");
+        err.println(
+                "troupe: " + problem + " (see " + commandLine.getCommandSpec().qualifiedName() + " --help)");
         err.flush();
         return USAGE;
     }

@@ -44,8 +44,8 @@ final class PaperRun {
         this.realtime = realtime;
         int robots = scenario.world().robots().size();
         if (robots != table.robots()) {
-            throw new WorldFileException(scenario.world().file() + " has " + robots + " robots, expected " + table.robots()
-                    + " for the services of the paper");
+            throw new WorldFileException(scenario.world().file() + " has " + robots + " robots, expected "
+                    + table.robots() + " for the services of the paper");
         }
     }
 

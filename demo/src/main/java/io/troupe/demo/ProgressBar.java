@@ -33,7 +33,12 @@ final class ProgressBar implements AutoCloseable {
         shown = permille;
         int full = permille * WIDTH / 1000;
         terminal.printf(
-                Locale.ROOT, "\r[%s%s] %6.1f of %.1f s", "#".repeat(full), ".".repeat(WIDTH - full), seconds, endSeconds);
+                Locale.ROOT,
+                "\r[%s%s] %6.1f of %.1f s",
+                "#".repeat(full),
+                ".".repeat(WIDTH - full),
+                seconds,
+                endSeconds);
         terminal.flush();
     }
 

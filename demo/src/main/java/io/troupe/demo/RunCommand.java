@@ -77,7 +77,8 @@ final class RunCommand implements Callable<Integer> {
         long begin = System.nanoTime();
         RunResult result;
         try (var log = new RunLog(out.resolve("run.jsonl"))) {
-            result = run.run(log, change -> progress.interrupt(() -> terminal.println(change)), progress, interrupted::get);
+            result = run.run(
+                    log, change -> progress.interrupt(() -> terminal.println(change)), progress, interrupted::get);
         } finally {
             progress.close();
         }

@@ -25,13 +25,24 @@ class MainTest {
 
     private void assertComplaint(int status, String... parts) {
         assertThat(status).isEqualTo(2);
-        assertThat(err.toString().lines()).singleElement().satisfies(line -> assertThat(line).startsWith("troupe: ").contains(parts));
+        assertThat(err.toString().lines())
+                .singleElement()
+                .satisfies(line -> assertThat(line).startsWith("troupe: ").contains(parts));
     }
 
     @Test
     void run_printsChangesAndSummary_andWritesBothFiles() {
-        assertThat(troupe("run", "--world", WORLD, "--seconds", "2", "--out", directory.resolve("o").toString())).isZero();
-        assertThat(out.toString()).contains("state 1: robot 1 wallFollower, robot 2 spaceWanderer", "times real time", "distance driven");
+        assertThat(troupe(
+                        "run",
+                        "--world",
+                        WORLD,
+                        "--seconds",
+                        "2",
+                        "--out",
+                        directory.resolve("o").toString()))
+                .isZero();
+        assertThat(out.toString())
+                .contains("state 1: robot 1 wallFollower, robot 2 spaceWanderer", "times real time", "distance driven");
         assertThat(directory.resolve("o/run.jsonl")).isNotEmptyFile();
         assertThat(directory.resolve("o/trajectory.svg")).isNotEmptyFile();
         assertThat(err.toString()).isEmpty();
@@ -59,14 +70,24 @@ class MainTest {
 
     @Test
     void missingWorld() {
-        assertComplaint(troupe("run", "--world", directory.resolve("nowhere.world").toString()), "nowhere.world");
+        assertComplaint(
+                troupe("run", "--world", directory.resolve("nowhere.world").toString()), "nowhere.world");
     }
 
     @Test
     void wrongWorld_isNamedByFileLineAndColumn() throws Exception {
         Path world = directory.resolve("wrong.world");
         Files.writeString(world, "interval_sim 100\nmodel ( siez [ 1 1 1 ] )\n");
-        assertComplaint(troupe("run", "--world", world.toString(), "--out", directory.resolve("o").toString()), "wrong.world:2:9: ", "siez", "size");
+        assertComplaint(
+                troupe(
+                        "run",
+                        "--world",
+                        world.toString(),
+                        "--out",
+                        directory.resolve("o").toString()),
+                "wrong.world:2:9: ",
+                "siez",
+                "size");
     }
 
     @Test

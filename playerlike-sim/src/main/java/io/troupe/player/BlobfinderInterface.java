@@ -35,7 +35,8 @@ public class BlobfinderInterface extends PlayerDevice {
             newest.setWidth(image.width());
             newest.setHeight(image.height());
             newest.setBlobs_count(image.blobs().size());
-            newest.setBlobs(image.blobs().stream().map(BlobfinderInterface::convert).toArray(PlayerBlobfinderBlob[]::new));
+            newest.setBlobs(
+                    image.blobs().stream().map(BlobfinderInterface::convert).toArray(PlayerBlobfinderBlob[]::new));
             data.put(newest);
         }
     }

@@ -17,7 +17,8 @@ final class Latest<T> {
         isNew.set(true);
     }
 
-    @Nullable T get() {
+    @Nullable
+    T get() {
         return value;
     }
 

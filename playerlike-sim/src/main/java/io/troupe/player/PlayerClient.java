@@ -57,8 +57,9 @@ public class PlayerClient extends Thread implements PlayerConstants {
                     + " is not in this JVM, and other machines are not offered yet");
         }
         PlayerServer server = PlayerPorts.find(portNumber)
-                .orElseThrow(() -> new PlayerException("[PlayerClient]: Error in PlayerClient init: no server in this JVM at " + serverName + ":"
-                        + portNumber + "; open ports: " + PlayerPorts.list()));
+                .orElseThrow(() ->
+                        new PlayerException("[PlayerClient]: Error in PlayerClient init: no server in this JVM at "
+                                + serverName + ":" + portNumber + "; open ports: " + PlayerPorts.list()));
         connection = server.connect(incoming, space);
     }
 
@@ -78,16 +79,17 @@ public class PlayerClient extends Thread implements PlayerConstants {
 
     private <D extends PlayerDevice> D subscribe(D device, Interfaces type, int index, int access) {
         if (access != PLAYER_OPEN_MODE) {
-            throw new PlayerException("access mode of " + type.playerName() + ":" + index + " is " + access + ", expected PLAYER_OPEN_MODE ("
-                    + PLAYER_OPEN_MODE + ")");
+            throw new PlayerException("access mode of " + type.playerName() + ":" + index + " is " + access
+                    + ", expected PLAYER_OPEN_MODE (" + PLAYER_OPEN_MODE + ")");
         }
         var offered = calling(connection::devices);
         DeviceAddress address = offered.stream()
                 .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
                 .findFirst()
-                .orElseThrow(() -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":" + index
-                        + " is not in the device list. It has: "
-                        + offered.stream().map(PlayerClient::name).collect(Collectors.joining(", "))));
+                .orElseThrow(
+                        () -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":" + index
+                                + " is not in the device list. It has: "
+                                + offered.stream().map(PlayerClient::name).collect(Collectors.joining(", "))));
         device.bind(address);
         devices.put(address, device);
         calling(() -> {
@@ -145,7 +147,8 @@ public class PlayerClient extends Thread implements PlayerConstants {
                 }
             }
         } catch (PlayerException serverHasGone) {
-            System.getLogger(PlayerClient.class.getName()).log(System.Logger.Level.DEBUG, "no more data: {0}", serverHasGone.getMessage());
+            System.getLogger(PlayerClient.class.getName())
+                    .log(System.Logger.Level.DEBUG, "no more data: {0}", serverHasGone.getMessage());
         }
     }
 

@@ -52,7 +52,8 @@ public abstract class PlayerDevice implements PlayerConstants {
 
     final DeviceAddress address() {
         if (address == null) {
-            throw new PlayerException("this device is not subscribed: get it from a requestInterface method of PlayerClient");
+            throw new PlayerException(
+                    "this device is not subscribed: get it from a requestInterface method of PlayerClient");
         }
         return address;
     }
@@ -70,7 +71,6 @@ public abstract class PlayerDevice implements PlayerConstants {
         return reply;
     }
 
-
     /** Whether newer data have come; a false is the moment to let the world go on. */
     final boolean takeNew(Latest<?> latest) {
         return latest.takeNew() || pc.awaitNewer(latest);
@@ -78,6 +78,8 @@ public abstract class PlayerDevice implements PlayerConstants {
 
     @Override
     public String toString() {
-        return address == null ? getClass().getSimpleName() : Interfaces.name(address.interfaceCode()) + ":" + address.index();
+        return address == null
+                ? getClass().getSimpleName()
+                : Interfaces.name(address.interfaceCode()) + ":" + address.index();
     }
 }

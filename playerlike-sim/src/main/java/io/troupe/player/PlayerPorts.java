@@ -34,7 +34,8 @@ public final class PlayerPorts {
             throw new PlayerException("port is " + port + ", expected 1 to 65535");
         }
         if (OPEN.putIfAbsent(port, server) != null) {
-            throw new PlayerException("port " + port + " is in use by another world in this JVM: close that first, or choose another port");
+            throw new PlayerException("port " + port
+                    + " is in use by another world in this JVM: close that first, or choose another port");
         }
         return () -> OPEN.remove(port, server);
     }

@@ -48,7 +48,8 @@ final class ClientLine implements PlayerConnection {
 
     // ---- for the simulation
 
-    @Nullable ActorSpace space() {
+    @Nullable
+    ActorSpace space() {
         return space;
     }
 
@@ -90,8 +91,10 @@ final class ClientLine implements PlayerConnection {
         RobotReading reading = now.robots().get(offer.robot());
         return switch (offer.type()) {
             case POSITION2D -> position(reading.odometry());
-            case SONAR -> new DeviceData.SonarRanges(
-                    Objects.requireNonNull(reading.sonarM()).stream().map(Double::floatValue).toList());
+            case SONAR ->
+                new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
+                        .map(Double::floatValue)
+                        .toList());
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
             case SIMULATION -> null;
         };
@@ -100,7 +103,13 @@ final class ClientLine implements PlayerConnection {
     private static DeviceData position(Odometry odometry) {
         Pose pose = odometry.pose();
         return new DeviceData.Position2d(
-                pose.x(), pose.y(), pose.headingRad(), odometry.forwardMps(), 0, odometry.turnRadps(), odometry.stalled());
+                pose.x(),
+                pose.y(),
+                pose.headingRad(),
+                odometry.forwardMps(),
+                0,
+                odometry.turnRadps(),
+                odometry.stalled());
     }
 
     /** Stage says 0 x 0 when it sees no blob. */
@@ -113,7 +122,16 @@ final class ClientLine implements PlayerConnection {
                 image.heightPx(),
                 image.blobs().stream()
                         .map(blob -> new DeviceData.Blob(
-                                0, blob.colour(), blob.areaPx2(), blob.x(), blob.y(), blob.left(), blob.right(), blob.top(), blob.bottom(), (float) blob.rangeM()))
+                                0,
+                                blob.colour(),
+                                blob.areaPx2(),
+                                blob.x(),
+                                blob.y(),
+                                blob.left(),
+                                blob.right(),
+                                blob.top(),
+                                blob.bottom(),
+                                (float) blob.rangeM()))
                         .toList());
     }
 
@@ -180,7 +198,8 @@ final class ClientLine implements PlayerConnection {
             case DeviceRequest.Geometry geometry -> {
                 RobotSpec spec = robotSpec(robot);
                 Pose origin = spec.origin();
-                yield new DeviceReply.Position2dGeometry(origin.x(), origin.y(), origin.headingRad(), spec.lengthM(), spec.widthM());
+                yield new DeviceReply.Position2dGeometry(
+                        origin.x(), origin.y(), origin.headingRad(), spec.lengthM(), spec.widthM());
             }
             case DeviceRequest.ResetOdometry reset -> rebase(robot, Pose.ORIGIN);
             case DeviceRequest.SetOdometry set -> rebase(robot, new Pose(set.px(), set.py(), set.pa()));
@@ -194,9 +213,10 @@ final class ClientLine implements PlayerConnection {
     }
 
     private DeviceReply sonarGeometry(int robot) {
-        return new DeviceReply.SonarGeometry(Objects.requireNonNull(robotSpec(robot).sonar()).mounts().stream()
-                .map(mount -> new DeviceReply.SonarMount(mount.x(), mount.y(), mount.headingRad()))
-                .toList());
+        return new DeviceReply.SonarGeometry(
+                Objects.requireNonNull(robotSpec(robot).sonar()).mounts().stream()
+                        .map(mount -> new DeviceReply.SonarMount(mount.x(), mount.y(), mount.headingRad()))
+                        .toList());
     }
 
     private static DeviceReply refuse(DeviceRequest request) {
@@ -241,6 +261,7 @@ final class ClientLine implements PlayerConnection {
         String devices = subscribed.stream()
                 .map(each -> each.type().playerName() + ":" + each.address().index())
                 .collect(Collectors.joining(" "));
-        return "client " + number + " on port " + port + " (" + devices + (space == null ? ")" : "; on actor space " + space + ")");
+        return "client " + number + " on port " + port + " (" + devices
+                + (space == null ? ")" : "; on actor space " + space + ")");
     }
 }

@@ -29,7 +29,9 @@ final class PortServer implements PlayerServer {
         this.port = port;
         this.offers = bindings.stream()
                 .map(this::offer)
-                .sorted(Comparator.comparingInt(Offer::robot).thenComparing(Offer::type).thenComparing(each -> each.address.index()))
+                .sorted(Comparator.comparingInt(Offer::robot)
+                        .thenComparing(Offer::type)
+                        .thenComparing(each -> each.address.index()))
                 .toList();
     }
 
@@ -37,8 +39,10 @@ final class PortServer implements PlayerServer {
         Interfaces type = java.util.Arrays.stream(Interfaces.values())
                 .filter(each -> each.playerName().equals(binding.interfaceName()))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException(binding.where() + ": interface " + binding.interfaceName() + " is not offered"));
-        List<String> names = simulation.world().spec().robots().stream().map(RobotSpec::name).toList();
+                .orElseThrow(() -> new IllegalArgumentException(
+                        binding.where() + ": interface " + binding.interfaceName() + " is not offered"));
+        List<String> names =
+                simulation.world().spec().robots().stream().map(RobotSpec::name).toList();
         var address = new DeviceAddress(LOOPBACK, port, type.code(), binding.index());
         return new Offer(address, type, names.indexOf(binding.model()));
     }

@@ -15,4 +15,8 @@ import org.jspecify.annotations.Nullable;
  * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies
  */
 public record RobotReading(
-        Pose pose, Odometry odometry, @Nullable List<Double> sonarM, @Nullable BlobImage blobs, double wallGapM) {}
+        Pose pose,
+        Odometry odometry,
+        @Nullable List<Double> sonarM,
+        @Nullable BlobImage blobs,
+        double wallGapM) {}

@@ -157,7 +157,9 @@ public final class Simulation implements AutoCloseable {
                 whileWaiting.run();
             }
             synchronized (lock) {
-                var silent = audience.stream().filter(line -> !line.hasAnswered(tick)).toList();
+                var silent = audience.stream()
+                        .filter(line -> !line.hasAnswered(tick))
+                        .toList();
                 if (silent.isEmpty()) {
                     return;
                 }

@@ -29,7 +29,9 @@ final class StartPoses {
             return robotSpec.pose();
         }
         var others = new Clearance();
-        spec.obstacles().stream().filter(ObstacleSpec::blocksBodies).forEach(each -> others.add(each.shape(), each.pose()));
+        spec.obstacles().stream()
+                .filter(ObstacleSpec::blocksBodies)
+                .forEach(each -> others.add(each.shape(), each.pose()));
         for (int other = 0; other < before.size(); other++) {
             others.add(spec.robots().get(other).shape(), before.get(other));
         }
@@ -40,8 +42,8 @@ final class StartPoses {
                 return pose;
             }
         }
-        throw new IllegalArgumentException(robotSpec.where() + ": " + robotSpec.name() + " finds no free place within " + settings.jitterM()
-                + " m of its start pose in " + TRIES + " tries");
+        throw new IllegalArgumentException(robotSpec.where() + ": " + robotSpec.name() + " finds no free place within "
+                + settings.jitterM() + " m of its start pose in " + TRIES + " tries");
     }
 
     private static Pose jitter(Pose pose, WorldSettings settings, Random random) {

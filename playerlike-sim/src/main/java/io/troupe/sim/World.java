@@ -50,7 +50,9 @@ public final class World {
         newOdometry = new AtomicReferenceArray<>(robots);
         physics = new Physics(robots, settings.physicsStepMicros(), needsContinuousPhysics(spec, settings));
         for (ObstacleSpec obstacle : spec.obstacles()) {
-            physics.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : new io.troupe.sim.scenario.Shape(List.of()));
+            physics.addObstacle(
+                    obstacle.pose(),
+                    obstacle.blocksBodies() ? obstacle.shape() : new io.troupe.sim.scenario.Shape(List.of()));
             if (obstacle.blocksBodies()) {
                 clearance.add(obstacle.shape(), obstacle.pose());
             }
@@ -63,11 +65,13 @@ public final class World {
         }
         grid = new RayGrid(
                 spec.obstacles().stream()
-                        .map(each -> new RayGrid.Thing(each.shape(), each.colour(), flags(each.blocksRangers(), each.visible())))
+                        .map(each -> new RayGrid.Thing(
+                                each.shape(), each.colour(), flags(each.blocksRangers(), each.visible())))
                         .toList(),
                 spec.obstacles().stream().map(ObstacleSpec::pose).toList(),
                 spec.robots().stream()
-                        .map(each -> new RayGrid.Thing(each.shape(), each.colour(), flags(each.blocksRangers(), each.visible())))
+                        .map(each -> new RayGrid.Thing(
+                                each.shape(), each.colour(), flags(each.blocksRangers(), each.visible())))
                         .toList());
         latest = sense(0, 0, List.of());
     }
@@ -80,19 +84,25 @@ public final class World {
     public static World create(WorldSpec spec, WorldSettings settings) {
         long interval = spec.intervalMillis() * 1000L;
         if (interval % settings.physicsStepMicros() != 0) {
-            throw new IllegalArgumentException("interval_sim is " + spec.intervalMillis() + " ms, expected a multiple of the physics step of "
-                    + settings.physicsStepMicros() + " microseconds");
+            throw new IllegalArgumentException(
+                    "interval_sim is " + spec.intervalMillis() + " ms, expected a multiple of the physics step of "
+                            + settings.physicsStepMicros() + " microseconds");
         }
         double stepS = settings.physicsStepMicros() / 1e6;
-        if (settings.maxForwardMps() * stepS > Physics.MAX_TRAVEL_M || settings.maxTurnRadps() * stepS > Physics.MAX_TURN_RAD) {
-            throw new IllegalArgumentException("a robot at " + settings.maxForwardMps() + " m/s and " + settings.maxTurnRadps()
-                    + " rad/s moves too far in a physics step of " + settings.physicsStepMicros() + " microseconds");
+        if (settings.maxForwardMps() * stepS > Physics.MAX_TRAVEL_M
+                || settings.maxTurnRadps() * stepS > Physics.MAX_TURN_RAD) {
+            throw new IllegalArgumentException("a robot at " + settings.maxForwardMps() + " m/s and "
+                    + settings.maxTurnRadps() + " rad/s moves too far in a physics step of "
+                    + settings.physicsStepMicros() + " microseconds");
         }
         return new World(spec, settings, StartPoses.draw(spec, settings));
     }
 
     private static boolean needsContinuousPhysics(WorldSpec spec, WorldSettings settings) {
-        double halfWidth = spec.robots().stream().mapToDouble(each -> StrictMath.min(each.lengthM(), each.widthM()) / 2).min().orElse(1);
+        double halfWidth = spec.robots().stream()
+                .mapToDouble(each -> StrictMath.min(each.lengthM(), each.widthM()) / 2)
+                .min()
+                .orElse(1);
         return settings.maxForwardMps() * settings.physicsStepMicros() / 1e6 >= halfWidth;
     }
 
@@ -121,8 +131,8 @@ public final class World {
      */
     public void command(int robot, double forwardMps, double turnRadps) {
         if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
-            throw new IllegalArgumentException(spec.robots().get(robot).name() + " was told to drive at " + forwardMps + " m/s and " + turnRadps
-                    + " rad/s, expected finite numbers");
+            throw new IllegalArgumentException(spec.robots().get(robot).name() + " was told to drive at " + forwardMps
+                    + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
         commands.set(
                 robot,
@@ -158,18 +168,25 @@ public final class World {
         }
         Snapshot before = latest;
         var contacts = physics.drainTouches().stream()
-                .map(touch -> new Contact(touch.timeMicros(), touch.robot(), nameOfOther(touch.otherRobot(), touch.obstacle()), touch.otherRobot()))
+                .map(touch -> new Contact(
+                        touch.timeMicros(),
+                        touch.robot(),
+                        nameOfOther(touch.otherRobot(), touch.obstacle()),
+                        touch.otherRobot()))
                 .toList();
         latest = sense(before.tick() + 1, before.timeMicros() + spec.intervalMillis() * 1000L, contacts);
         return latest;
     }
 
     private String nameOfOther(int robot, int obstacle) {
-        return robot >= 0 ? spec.robots().get(robot).name() : spec.obstacles().get(obstacle).name();
+        return robot >= 0
+                ? spec.robots().get(robot).name()
+                : spec.obstacles().get(obstacle).name();
     }
 
     private Snapshot sense(long tick, long timeMicros, List<Contact> contacts) {
-        List<Pose> poses = IntStream.range(0, spec.robots().size()).mapToObj(physics::pose).toList();
+        List<Pose> poses =
+                IntStream.range(0, spec.robots().size()).mapToObj(physics::pose).toList();
         grid.placeRobots(poses);
         var readings = new ArrayList<RobotReading>(poses.size());
         for (int robot = 0; robot < poses.size(); robot++) {
@@ -178,7 +195,11 @@ public final class World {
             Command command = commands.get(robot);
             readings.add(new RobotReading(
                     pose,
-                    new Odometry(odometers.get(robot).read(pose), command.forwardMps, command.turnRadps, physics.stalled(robot)),
+                    new Odometry(
+                            odometers.get(robot).read(pose),
+                            command.forwardMps,
+                            command.turnRadps,
+                            physics.stalled(robot)),
                     robotSpec.sonar() == null ? null : Sonar.read(robotSpec.sonar(), pose, robot, grid),
                     robotSpec.blobfinder() == null ? null : Blobfinder.read(robotSpec.blobfinder(), pose, robot, grid),
                     clearance.of(robotSpec.shape(), pose)));
@@ -191,7 +212,8 @@ public final class World {
         if (advancing == null) {
             advancing = caller;
         } else if (advancing != caller) {
-            throw new IllegalStateException("the world " + spec.name() + " is advanced by " + advancing.getName() + ", and was called on " + caller.getName());
+            throw new IllegalStateException("the world " + spec.name() + " is advanced by " + advancing.getName()
+                    + ", and was called on " + caller.getName());
         }
     }
 }

@@ -196,8 +196,9 @@ class PaperNetsTest {
 
         assertThat(blocked).hasSize(markings);
         assertThat(blocked.get(0).shortestTrace()).hasSize(firings);
-        assertThat(blocked).allSatisfy(state -> assertThat(state.successors())
-                .allMatch(edge -> edge.target().marking().covers(block)));
+        assertThat(blocked)
+                .allSatisfy(state -> assertThat(state.successors())
+                        .allMatch(edge -> edge.target().marking().covers(block)));
     }
 
     @ParameterizedTest

@@ -211,7 +211,8 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
     public final Promise<T> orTimeout(Duration timeout) {
         Home place = Home.current() != null ? Home.current() : home();
         if (place == null) {
-            throw new IllegalStateException("orTimeout needs a clock: call it in an actor space, or on a promise of one");
+            throw new IllegalStateException(
+                    "orTimeout needs a clock: call it in an actor space, or on a promise of one");
         }
         var limited = new Deferred<T>(place);
         var error = "no answer within " + timeout + " from " + this;
@@ -246,7 +247,8 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
     // ---- several at once
 
     /** All values, in the order of the arguments; rejected with the first error. */
-    public static <T extends @Nullable Object> Promise<List<T>> all(Collection<? extends Promise<? extends T>> promises) {
+    public static <T extends @Nullable Object> Promise<List<T>> all(
+            Collection<? extends Promise<? extends T>> promises) {
         return Gather.all(promises);
     }
 
@@ -270,7 +272,8 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
 
     /** Fulfils this promise; false if it was settled before. */
     protected final boolean settleValue(T value) {
-        return settle(value == null ? NULL : value instanceof Node || value instanceof Rejection ? new Boxed(value) : value);
+        return settle(
+                value == null ? NULL : value instanceof Node || value instanceof Rejection ? new Boxed(value) : value);
     }
 
     /** Rejects this promise; false if it was settled before. */
@@ -312,7 +315,9 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
 
     final Outcome<T> outcome() {
         Object now = Objects.requireNonNull(state);
-        return now instanceof Rejection(Throwable error) ? new Outcome.Rejected<>(error) : new Outcome.Fulfilled<>(valueOf(now));
+        return now instanceof Rejection(Throwable error)
+                ? new Outcome.Rejected<>(error)
+                : new Outcome.Fulfilled<>(valueOf(now));
     }
 
     private <R extends @Nullable Object> Promise<R> listen(Stage<T, R> stage) {

@@ -162,7 +162,8 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         void react(Promise<S> settled) {
             Throwable error = settled.error();
             if (error == null) {
-                follow(Objects.requireNonNull(function.apply(present(settled.getNow())), "the function answered null, not a promise"));
+                follow(Objects.requireNonNull(
+                        function.apply(present(settled.getNow())), "the function answered null, not a promise"));
             } else if (rescue == null) {
                 settleError(error);
             } else {

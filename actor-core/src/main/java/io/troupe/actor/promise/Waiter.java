@@ -11,8 +11,8 @@ final class Waiter {
 
     static void await(Promise<?> promise, Duration timeout) throws TimeoutException, InterruptedException {
         if (Home.current() != null) {
-            throw new IllegalStateException("get() would stop the whole space, and with it whoever could settle " + promise
-                    + ": register what comes next with then(..), or return thenCompose(..)");
+            throw new IllegalStateException("get() would stop the whole space, and with it whoever could settle "
+                    + promise + ": register what comes next with then(..), or return thenCompose(..)");
         }
         if (promise.isDone()) {
             promise.register(new Relay(() -> {}));

@@ -85,7 +85,8 @@ public final class TestSpace implements AutoCloseable {
         crank();
         Throwable error = promise.error();
         if (error == null) {
-            throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending") + ", expected it to be rejected");
+            throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending")
+                    + ", expected it to be rejected");
         }
         return error;
     }
@@ -114,7 +115,8 @@ public final class TestSpace implements AutoCloseable {
         boolean quiet = space.isQuiet();
         space.close();
         if (!problems.isEmpty()) {
-            var failure = new AssertionError("the space reported " + problems.size() + " problem(s), the first in " + problems.getFirst().where());
+            var failure = new AssertionError("the space reported " + problems.size() + " problem(s), the first in "
+                    + problems.getFirst().where());
             problems.forEach(problem -> failure.addSuppressed(problem.error()));
             throw failure;
         }

@@ -33,7 +33,8 @@ public final class ManualClock implements Clock {
     public void advanceTo(long newNanos) {
         long before = nanos.getAndAccumulate(newNanos, Math::max);
         if (newNanos < before) {
-            throw new IllegalArgumentException("a clock does not go back: from " + before + " ns to " + newNanos + " ns");
+            throw new IllegalArgumentException(
+                    "a clock does not go back: from " + before + " ns to " + newNanos + " ns");
         }
         listeners.forEach(Runnable::run);
     }

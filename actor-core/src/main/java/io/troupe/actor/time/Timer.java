@@ -13,8 +13,13 @@ public final class Timer {
     final long sequence;
     long deadlineNanos;
     boolean waiting;
-    @Nullable Timer before;
-    @Nullable Timer after;
+
+    @Nullable
+    Timer before;
+
+    @Nullable
+    Timer after;
+
     private final TimerWheel wheel;
 
     Timer(TimerWheel wheel, Runnable task, long deadlineNanos, long periodNanos, long sequence) {

@@ -74,8 +74,10 @@ class PromiseTest {
     @Test
     void error_travelsUnwrappedUntilSomebodyHandlesIt() throws Exception {
         var boom = new IOException("boom");
-        Promise<String> rescued = deferred.thenApply(String::length).thenApply(n -> "n" + n).exceptionally(Throwable::getMessage);
-        Promise<String> replaced = deferred.exceptionallyCompose(error -> Promise.of("instead of " + error.getMessage()));
+        Promise<String> rescued =
+                deferred.thenApply(String::length).thenApply(n -> "n" + n).exceptionally(Throwable::getMessage);
+        Promise<String> replaced =
+                deferred.exceptionallyCompose(error -> Promise.of("instead of " + error.getMessage()));
         deferred.reject(boom);
         assertThat(rescued.get(AT_ONCE)).isEqualTo("boom");
         assertThat(replaced.get(AT_ONCE)).isEqualTo("instead of boom");
@@ -99,7 +101,9 @@ class PromiseTest {
         });
         deferred.reject(new IOException("first"));
         assertThat(next.error()).hasMessage("second");
-        assertThat(next.error().getSuppressed()).singleElement().satisfies(first -> assertThat(first).hasMessage("first"));
+        assertThat(next.error().getSuppressed())
+                .singleElement()
+                .satisfies(first -> assertThat(first).hasMessage("first"));
     }
 
     @Test
@@ -126,7 +130,9 @@ class PromiseTest {
         deferred.resolve("a");
         assertThat(all.get(AT_ONCE)).containsExactly("a", "b");
         assertThat(Promise.all(List.of()).get(AT_ONCE)).isEmpty();
-        assertThat(Promise.all(List.of(deferred, Promise.failed(new IOException("no")))).error()).hasMessage("no");
+        assertThat(Promise.all(List.of(deferred, Promise.failed(new IOException("no"))))
+                        .error())
+                .hasMessage("no");
     }
 
     @Test

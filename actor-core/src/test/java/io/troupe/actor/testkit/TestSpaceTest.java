@@ -62,7 +62,9 @@ class TestSpaceTest {
             test.advance(Duration.ofMillis(2_999));
             assertThat(limited.isDone()).isFalse();
             test.advance(Duration.ofMillis(1));
-            assertThat(test.error(limited)).isInstanceOf(TimeoutException.class).hasMessage("no answer within PT3S from Probe.never() of Probe#1");
+            assertThat(test.error(limited))
+                    .isInstanceOf(TimeoutException.class)
+                    .hasMessage("no answer within PT3S from Probe.never() of Probe#1");
         }
     }
 
@@ -71,7 +73,9 @@ class TestSpaceTest {
         var test = new TestSpace();
         test.spawn(Probe.class, Silent::new).poke("ouch");
         test.crank();
-        assertThatThrownBy(test::close).isInstanceOf(AssertionError.class).hasMessageContaining("Probe.poke(String) of Probe#1");
+        assertThatThrownBy(test::close)
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("Probe.poke(String) of Probe#1");
     }
 
     @Test

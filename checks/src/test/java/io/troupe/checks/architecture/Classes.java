@@ -43,7 +43,11 @@ final class Classes {
 
     private static boolean compiledByMaven() {
         try {
-            var ownFolder = Path.of(Classes.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+            var ownFolder = Path.of(Classes.class
+                    .getProtectionDomain()
+                    .getCodeSource()
+                    .getLocation()
+                    .toURI());
             return ownFolder.endsWith("target/test-classes");
         } catch (URISyntaxException impossible) {
             throw new IllegalStateException(impossible);

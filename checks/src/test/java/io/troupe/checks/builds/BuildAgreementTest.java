@@ -30,6 +30,13 @@ class BuildAgreementTest {
     }
 
     @Test
+    void catalog_namesNoLibraryThatNobodyUses() throws IOException {
+        assertThat(GradleReader.unusedLibraries(Repository.root()))
+                .as("libraries in libs.versions.toml that no script uses")
+                .isEmpty();
+    }
+
+    @Test
     void difference_inAVersion_isNamed() {
         assertDifference(
                 module(new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.8")),

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Properties;
+import java.util.Set;
 import java.util.regex.Pattern;
 
 /**
@@ -47,17 +48,30 @@ final class GradleReader {
     }
 
     static Build read(Path root) throws IOException {
-        var reader = new GradleReader(
+        return of(root).readBuild(root);
+    }
+
+    /** The libraries of the catalog that no script asks for. */
+    static Set<String> unusedLibraries(Path root) throws IOException {
+        var reader = of(root);
+        reader.readBuild(root);
+        return reader.catalog.unused();
+    }
+
+    private static GradleReader of(Path root) throws IOException {
+        return new GradleReader(
                 Files.readString(root.resolve("gradle.properties")),
                 Files.readString(root.resolve("gradle/libs.versions.toml")));
-        reader.readRootScript(Files.readString(root.resolve("build.gradle.kts")));
+    }
+
+    private Build readBuild(Path root) throws IOException {
+        readRootScript(Files.readString(root.resolve("build.gradle.kts")));
         Map<String, Module> modules = new LinkedHashMap<>();
         for (String name : modules(Files.readString(root.resolve("settings.gradle.kts")))) {
             var file = name + "/build.gradle.kts";
-            modules.put(name, reader.readModule(file, Files.readString(root.resolve(file))));
+            modules.put(name, readModule(file, Files.readString(root.resolve(file))));
         }
-        reader.catalog.requireAllUsed();
-        return new Build("Gradle", reader.property("group"), reader.property("version"), modules);
+        return new Build("Gradle", property("group"), property("version"), modules);
     }
 
     static List<String> modules(String settings) {
@@ -130,7 +144,8 @@ final class GradleReader {
                 statement.inner(file).forEach(inner -> dependencies.add(dependency(file, inner)));
             } else if (statement.head().equals("tasks.jar") && named.matches()) {
                 automaticName = named.group(1);
-            } else if (statement.head().equals("plugins") && !statement.body().strip().equals("application")) {
+            } else if (statement.head().equals("plugins")
+                    && !statement.body().strip().equals("application")) {
                 throw notUnderstood(file, statement);
             } else if (statement.block() && statement.head().matches("plugins|application|tasks\\b.*")) {
                 requireNothingTelling(file, statement);
@@ -184,11 +199,13 @@ final class GradleReader {
     private static void requireNothingTelling(String file, Statement statement) {
         var telling = TELLING.matcher(statement.head() + " {" + statement.body());
         if (telling.find()) {
-            throw new BuildFileException(file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
+            throw new BuildFileException(
+                    file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
         }
     }
 
     private static BuildFileException notUnderstood(String file, Statement statement) {
-        return new BuildFileException(file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+        return new BuildFileException(
+                file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
     }
 }

@@ -108,6 +108,7 @@ final class KotlinScript {
                 return i;
             }
         }
-        throw new BuildFileException("a string is not closed: " + text.substring(start).lines().findFirst().orElse(""));
+        throw new BuildFileException("a string is not closed: "
+                + text.substring(start).lines().findFirst().orElse(""));
     }
 }

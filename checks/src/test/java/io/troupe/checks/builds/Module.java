@@ -5,8 +5,7 @@ import java.util.Map;
 import java.util.SequencedCollection;
 
 /** One module as a build describes it; {@code automaticName} is empty when its jar gives no module name. */
-record Module(
-        String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
+record Module(String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
     Map<String, Dependency> byKey() {
         var byKey = new LinkedHashMap<String, Dependency>();
         for (var dependency : dependencies) {

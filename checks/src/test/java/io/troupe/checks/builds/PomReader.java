@@ -25,8 +25,23 @@ import org.xml.sax.SAXException;
  */
 final class PomReader {
     private static final Set<String> UNDERSTOOD = Set.of(
-            "modelVersion", "parent", "groupId", "artifactId", "version", "packaging", "name", "description", "url",
-            "inceptionYear", "licenses", "developers", "scm", "modules", "properties", "dependencies", "build",
+            "modelVersion",
+            "parent",
+            "groupId",
+            "artifactId",
+            "version",
+            "packaging",
+            "name",
+            "description",
+            "url",
+            "inceptionYear",
+            "licenses",
+            "developers",
+            "scm",
+            "modules",
+            "properties",
+            "dependencies",
+            "build",
             "profiles");
     private static final Set<String> IN_DEPENDENCY = Set.of("groupId", "artifactId", "version", "scope");
     private static final Set<String> IN_PROFILE = Set.of("id", "activation", "properties");
@@ -70,7 +85,8 @@ final class PomReader {
 
         List<Dependency> dependencies = new ArrayList<>();
         forAll.forEach(each -> dependencies.add(dependency("pom.xml", each, properties)));
-        all(project, "dependencies", "dependency").forEach(each -> dependencies.add(dependency(file, each, properties)));
+        all(project, "dependencies", "dependency")
+                .forEach(each -> dependencies.add(dependency(file, each, properties)));
         for (Element plugin : all(project, "build", "plugins", "plugin")) {
             for (Element path : all(plugin, "configuration", "annotationProcessorPaths", "path")) {
                 var processor = dependency(file, path, properties);
@@ -151,8 +167,9 @@ final class PomReader {
 
     private static Map<String, String> properties(Element project) {
         Map<String, String> properties = new LinkedHashMap<>();
-        all(project, "properties").forEach(each -> children(each)
-                .forEach(property -> properties.put(property.getTagName(), text(property))));
+        all(project, "properties")
+                .forEach(each ->
+                        children(each).forEach(property -> properties.put(property.getTagName(), text(property))));
         return properties;
     }
 

@@ -8,8 +8,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class PomReaderTest {
-    private static final String ROOT =
-            """
+    private static final String ROOT = """
             <project>
               <groupId>g</groupId><artifactId>root</artifactId><version>1</version>
               <properties><maven.compiler.release>21</maven.compiler.release><asm.version>9.9</asm.version></properties>
@@ -23,8 +22,7 @@ class PomReaderTest {
 
     @Test
     void module_isReadWhole() {
-        var module = read(
-                """
+        var module = read("""
                 <description>Actors</description>
                 <properties><module.name>a.b</module.name></properties>
                 <dependencies>

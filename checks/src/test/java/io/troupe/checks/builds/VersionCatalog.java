@@ -4,6 +4,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /** {@code gradle/libs.versions.toml}, of which it understands versions, and libraries that name module and version. */
@@ -64,12 +65,11 @@ final class VersionCatalog {
         return new Dependency(scope, library.coordinates(), library.version());
     }
 
-    void requireAllUsed() {
-        for (String library : libraries.keySet()) {
-            if (!used.contains(library)) {
-                throw new BuildFileException(FILE + "no module uses the library " + library);
-            }
-        }
+    /** The libraries that nothing has asked for yet. */
+    Set<String> unused() {
+        var unused = new TreeSet<>(libraries.keySet());
+        unused.removeAll(used);
+        return unused;
     }
 
     private static String accessor(String alias) {

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.palantir.javaformat.java.Formatter;
 import com.palantir.javaformat.java.FormatterException;
+import com.palantir.javaformat.java.ImportOrderer;
 import com.palantir.javaformat.java.JavaFormatterOptions;
+import com.palantir.javaformat.java.RemoveUnusedImports;
 import io.troupe.checks.Repository;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,9 +17,9 @@ import org.junit.jupiter.api.Test;
 
 /** All Java sources look as palantir-java-format prints them, imports sorted and in use. */
 class FormatTest {
-    private static final Formatter FORMATTER = Formatter.createFormatter(JavaFormatterOptions.builder()
-            .style(JavaFormatterOptions.Style.PALANTIR)
-            .build());
+    private static final JavaFormatterOptions.Style STYLE = JavaFormatterOptions.Style.PALANTIR;
+    private static final Formatter FORMATTER = Formatter.createFormatter(
+            JavaFormatterOptions.builder().style(STYLE).build());
 
     /** With {@code -Dformat=write}, which the profile {@code format} sets, the sources are rewritten instead of judged. */
     @Test
@@ -44,8 +46,7 @@ class FormatTest {
     void formatter_sortsImportsAndDropsUnusedOnes() throws FormatterException {
         assertThat(formatted("import java.util.Set;\nimport java.util.List;\nimport java.util.Map;\n"
                         + "interface A { List<Map<Integer, Integer>> all(int a, int b); }"))
-                .isEqualTo(
-                        """
+                .isEqualTo("""
                         import java.util.List;
                         import java.util.Map;
 
@@ -64,7 +65,8 @@ class FormatTest {
     }
 
     private static String formatted(String source) throws FormatterException {
-        return FORMATTER.formatSourceAndFixImports(source);
+        var sorted = ImportOrderer.reorderImports(source, STYLE);
+        return FORMATTER.formatSource(RemoveUnusedImports.removeUnusedImports(sorted));
     }
 
     private static List<Path> sources() throws IOException {

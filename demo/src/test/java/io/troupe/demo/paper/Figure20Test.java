@@ -27,21 +27,26 @@ class Figure20Test {
     void demo3_goesThroughAllThreeStates_asTheArbitratorDoes() {
         var ofThePaper = new ArrayList<String>();
         drive(space -> {
-            RobotServices robot1 = space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
-            RobotServices robot2 = space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
+            RobotServices robot1 =
+                    space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
+            RobotServices robot2 =
+                    space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
             Demo3 demo = space.spawn(Demo3.class, () -> new Demo3(robot1, robot2, stamped(space, ofThePaper)));
             demo.live();
         });
         var ours = new ArrayList<String>();
         drive(space -> {
             var stamped = stamped(space, ours);
-            RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
-            Arbitrator arbitrator = space.spawn(Arbitrator.class, () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), (state, seenBy) -> {
-                if (seenBy != null) {
-                    stamped.add("color" + state.colour());
-                }
-                stamped.add("State " + state.number());
-            }));
+            RobotServices services =
+                    space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
+            Arbitrator arbitrator = space.spawn(
+                    Arbitrator.class,
+                    () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), (state, seenBy) -> {
+                        if (seenBy != null) {
+                            stamped.add("color" + state.colour());
+                        }
+                        stamped.add("State " + state.number());
+                    }));
             arbitrator.live();
         });
         assertThat(ofThePaper).hasSizeGreaterThan(3);

@@ -57,6 +57,15 @@ public final class Blobfinder {
         int middle = spec.heightPx() / 2;
         int top = Math.clamp(middle - half, 0, spec.heightPx());
         int bottom = Math.clamp(middle + half, 0, spec.heightPx());
-        return new Blob(colour, (right - left) * (bottom - top), left + (right - left) / 2, middle, left, right, top, bottom, rangeM);
+        return new Blob(
+                colour,
+                (right - left) * (bottom - top),
+                left + (right - left) / 2,
+                middle,
+                left,
+                right,
+                top,
+                bottom,
+                rangeM);
     }
 }

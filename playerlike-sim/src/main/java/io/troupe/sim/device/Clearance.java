@@ -23,9 +23,10 @@ public final class Clearance {
         for (var polygon : shape.polygons()) {
             Placed body = place(polygon, pose);
             for (var obstacle : obstacles) {
-                double atLeast = StrictMath.hypot(body.centre.x() - obstacle.centre.x(), body.centre.y() - obstacle.centre.y())
-                        - body.radiusM
-                        - obstacle.radiusM;
+                double atLeast =
+                        StrictMath.hypot(body.centre.x() - obstacle.centre.x(), body.centre.y() - obstacle.centre.y())
+                                - body.radiusM
+                                - obstacle.radiusM;
                 if (atLeast < best) {
                     best = StrictMath.min(best, distance(body.polygon, obstacle.polygon));
                 }
@@ -38,7 +39,10 @@ public final class Clearance {
         List<Point> placed = polygon.stream().map(pose::place).toList();
         double x = placed.stream().mapToDouble(Point::x).average().orElseThrow();
         double y = placed.stream().mapToDouble(Point::y).average().orElseThrow();
-        double radius = placed.stream().mapToDouble(corner -> StrictMath.hypot(corner.x() - x, corner.y() - y)).max().orElseThrow();
+        double radius = placed.stream()
+                .mapToDouble(corner -> StrictMath.hypot(corner.x() - x, corner.y() - y))
+                .max()
+                .orElseThrow();
         return new Placed(placed, new Point(x, y), radius);
     }
 

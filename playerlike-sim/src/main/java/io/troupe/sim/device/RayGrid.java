@@ -130,7 +130,15 @@ public final class RayGrid {
     }
 
     private double nearest(
-            SegmentBins bins, int cell, double x, double y, double dx, double dy, double best, int skippedRobot, int flag) {
+            SegmentBins bins,
+            int cell,
+            double x,
+            double y,
+            double dx,
+            double dy,
+            double best,
+            int skippedRobot,
+            int flag) {
         for (int at = bins.first(cell); at < bins.first(cell + 1); at++) {
             int segment = bins.entry(at);
             if (bins.robot(segment) != skippedRobot && (bins.flags(segment) & flag) != 0) {

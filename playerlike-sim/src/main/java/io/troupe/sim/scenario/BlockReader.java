@@ -27,18 +27,17 @@ final class BlockReader {
     }
 
     private static int count(Entity block) {
-        long given =
-                block.properties().values().stream().filter(p -> p.name().equals("point")).count();
+        long given = block.properties().values().stream()
+                .filter(p -> p.name().equals("point"))
+                .count();
         int count = block.whole("points", (int) given);
         SourcePosition where = block.whereOf("points");
         if (count < 3 || count > MOST_POINTS) {
-            throw new WorldFileException(
-                    where, "a block needs 3 to " + MOST_POINTS + " points, not " + count);
+            throw new WorldFileException(where, "a block needs 3 to " + MOST_POINTS + " points, not " + count);
         }
         for (int i = 0; i < count; i++) {
             if (!block.has(Property.key("point", i))) {
-                throw new WorldFileException(
-                        where, "\"points\" is " + count + ", but point[" + i + "] is missing");
+                throw new WorldFileException(where, "\"points\" is " + count + ", but point[" + i + "] is missing");
             }
         }
         if (given > count) {

@@ -104,8 +104,8 @@ final class ConfigReader {
         boolean obstacle = world.obstacles().stream().anyMatch(o -> o.name().equals(name));
         return new WorldFileException(
                 driver.whereOf("model"),
-                (obstacle ? "model \"" + name + "\" is not a robot" : "there is no robot \"" + name + '"')
-                        + " in " + world.file() + Suggestions.of(name, names));
+                (obstacle ? "model \"" + name + "\" is not a robot" : "there is no robot \"" + name + '"') + " in "
+                        + world.file() + Suggestions.of(name, names));
     }
 
     private void add(DeviceBinding device) {
@@ -117,7 +117,9 @@ final class ConfigReader {
                         device.interfaceName() + ":" + device.index() + " on port " + device.port()
                                 + " is already provided at " + other.where());
             }
-            if (sameInterface && other.model().equals(device.model()) && !device.model().isEmpty()) {
+            if (sameInterface
+                    && other.model().equals(device.model())
+                    && !device.model().isEmpty()) {
                 throw new WorldFileException(
                         device.where(),
                         "robot \"" + device.model() + "\" has one " + device.interfaceName()

@@ -14,8 +14,26 @@ final class DeviceOffer {
 
     /** Interfaces of Player that other releases may provide. */
     static final List<String> LATER = List.of(
-            "ranger", "laser", "fiducial", "gripper", "bumper", "ptz", "camera", "map", "power", "speech", "ir",
-            "actarray", "graphics2d", "graphics3d", "localize", "planner", "log", "dio", "aio", "position1d",
+            "ranger",
+            "laser",
+            "fiducial",
+            "gripper",
+            "bumper",
+            "ptz",
+            "camera",
+            "map",
+            "power",
+            "speech",
+            "ir",
+            "actarray",
+            "graphics2d",
+            "graphics3d",
+            "localize",
+            "planner",
+            "log",
+            "dio",
+            "aio",
+            "position1d",
             "position3d");
 
     private DeviceOffer() {}

@@ -135,8 +135,8 @@ final class EntityParser {
             case WORD ->
                 throw new WorldFileException(
                         cursor.peek(0).where(),
-                        "expected the value of \"" + key + "\", found " + cursor.peek(0).shown()
-                                + "; texts stand in double quotes");
+                        "expected the value of \"" + key + "\", found "
+                                + cursor.peek(0).shown() + "; texts stand in double quotes");
             default ->
                 throw new WorldFileException(
                         cursor.peek(0).where(),

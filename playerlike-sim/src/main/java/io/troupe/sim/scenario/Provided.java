@@ -46,7 +46,8 @@ record Provided(int port, String interfaceName, int index) {
     }
 
     private static int number(String field, String what, int least, Value.Text item) {
-        boolean digits = !field.isEmpty() && field.length() <= 5 && field.chars().allMatch(c -> c >= '0' && c <= '9');
+        boolean digits =
+                !field.isEmpty() && field.length() <= 5 && field.chars().allMatch(c -> c >= '0' && c <= '9');
         int number = digits ? Integer.parseInt(field) : -1;
         if (number < least || number > HIGHEST) {
             throw new WorldFileException(

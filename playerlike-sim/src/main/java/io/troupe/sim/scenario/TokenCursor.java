@@ -43,8 +43,7 @@ final class TokenCursor {
     /** The same, and stays before it. */
     void require(Kind kind, String expected) {
         if (!at(kind)) {
-            throw new WorldFileException(
-                    peek(0).where(), "expected " + expected + ", found " + peek(0).shown());
+            throw new WorldFileException(peek(0).where(), "expected " + expected + ", found " + peek(0).shown());
         }
     }
 }

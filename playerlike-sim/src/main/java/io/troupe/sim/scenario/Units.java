@@ -47,7 +47,6 @@ record Units(double metresPerUnit, boolean degrees) {
     Pose pose(Entity entity, String key) {
         double[] values = entity.numbers(key, 0, 0, 0);
         SourcePosition where = entity.whereOf(key);
-        return new Pose(
-                metres(values[0], where), metres(values[1], where), radians(values[values.length - 1]));
+        return new Pose(metres(values[0], where), metres(values[1], where), radians(values[values.length - 1]));
     }
 }

@@ -37,8 +37,8 @@ final class Vocabulary {
     }
 
     /** Types real Stage knows and we do not read yet. */
-    private static final Set<String> LATER = Set.of(
-            "laser", "fiducial", "gripper", "bumper", "actuator", "camera", "lightindicator", "ptz", "sensor");
+    private static final Set<String> LATER =
+            Set.of("laser", "fiducial", "gripper", "bumper", "actuator", "camera", "lightindicator", "ptz", "sensor");
 
     private static final String SECOND_DIALECT = "belongs to the Stage 4 dialect, which is not supported yet";
     private static final String NESTED_ROBOT = "a position inside another entity is not supported yet";
@@ -102,20 +102,26 @@ final class Vocabulary {
             all(refused("is not supported: the drivers offered here need no other device"), "requires"));
 
     private static final Map<String, Type> TYPES = Map.of(
-            WORLD, new Type(WORLD_PROPERTIES, Map.of("model", "", "position", "", "window", "")),
-            "window", new Type(WINDOW_PROPERTIES, Map.of()),
-            "model", new Type(MODEL_PROPERTIES, Map.of("model", "", "block", "", "position", NESTED_ROBOT)),
+            WORLD,
+            new Type(WORLD_PROPERTIES, Map.of("model", "", "position", "", "window", "")),
+            "window",
+            new Type(WINDOW_PROPERTIES, Map.of()),
+            "model",
+            new Type(MODEL_PROPERTIES, Map.of("model", "", "block", "", "position", NESTED_ROBOT)),
             "position",
-                    new Type(
-                            POSITION_PROPERTIES,
-                            Map.of(
-                                    "ranger", "", "blobfinder", "", "block", "", "model", CARGO, "position",
-                                    NESTED_ROBOT)),
-            "ranger", new Type(RANGER_PROPERTIES, Map.of("block", "", "sensor", "\"sensor\" " + SECOND_DIALECT)),
-            "blobfinder", new Type(BLOBFINDER_PROPERTIES, Map.of("block", "")),
-            "block", new Type(BLOCK_PROPERTIES, Map.of()),
-            CONFIG, new Type(Map.of(), Map.of("driver", "")),
-            "driver", new Type(DRIVER_PROPERTIES, Map.of()));
+            new Type(
+                    POSITION_PROPERTIES,
+                    Map.of("ranger", "", "blobfinder", "", "block", "", "model", CARGO, "position", NESTED_ROBOT)),
+            "ranger",
+            new Type(RANGER_PROPERTIES, Map.of("block", "", "sensor", "\"sensor\" " + SECOND_DIALECT)),
+            "blobfinder",
+            new Type(BLOBFINDER_PROPERTIES, Map.of("block", "")),
+            "block",
+            new Type(BLOCK_PROPERTIES, Map.of()),
+            CONFIG,
+            new Type(Map.of(), Map.of("driver", "")),
+            "driver",
+            new Type(DRIVER_PROPERTIES, Map.of()));
 
     private Vocabulary() {}
 

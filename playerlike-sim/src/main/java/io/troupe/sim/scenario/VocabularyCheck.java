@@ -47,7 +47,8 @@ final class VocabularyCheck {
             throw new WorldFileException(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
-                            + Suggestions.briefly(property.name(), type.properties().keySet()));
+                            + Suggestions.briefly(
+                                    property.name(), type.properties().keySet()));
         }
         if (!rule.refusal().isEmpty()) {
             if (used) {
@@ -89,7 +90,6 @@ final class VocabularyCheck {
         var known = new TreeSet<>(builtIn);
         known.addAll(document.macros().keySet());
         return new WorldFileException(
-                entity.where(),
-                "unknown entity \"" + entity.type() + '"' + Suggestions.briefly(entity.type(), known));
+                entity.where(), "unknown entity \"" + entity.type() + '"' + Suggestions.briefly(entity.type(), known));
     }
 }

@@ -52,7 +52,9 @@ final class WorldChecks {
         Stream<Body> ghosts = world.obstacles().stream()
                 .filter(obstacle -> !obstacle.blocksBodies())
                 .map(Body::of);
-        Stream.of(robots.stream(), walls.stream(), ghosts).flatMap(bodies -> bodies).forEach(WorldChecks::checkReach);
+        Stream.of(robots.stream(), walls.stream(), ghosts)
+                .flatMap(bodies -> bodies)
+                .forEach(WorldChecks::checkReach);
         checkOverlaps(robots, walls);
         checkArena(world.robots(), walls);
     }
@@ -121,7 +123,8 @@ final class WorldChecks {
             RobotSpec robot = outside.get();
             throw new WorldFileException(
                     robot.where(),
-                    "robot \"" + robot.name() + "\" at (" + inMetres(robot.pose().x()) + ", "
+                    "robot \"" + robot.name() + "\" at ("
+                            + inMetres(robot.pose().x()) + ", "
                             + inMetres(robot.pose().y()) + ") stands outside the arena, whose walls reach " + arena);
         }
     }

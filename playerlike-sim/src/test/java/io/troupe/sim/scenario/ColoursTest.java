@@ -29,8 +29,17 @@ class ColoursTest {
 
     @ParameterizedTest
     @CsvSource({
-        "blue,0000ff", "red,ff0000", "green,00ff00", "orange,ffa500", "black,000000", "gray30,4d4d4d",
-        "Light Sea Green,20b2aa", "lightSeaGreen,20b2aa", "RebeccaPurple,663399", "crimson,dc143c", "gray,bebebe"
+        "blue,0000ff",
+        "red,ff0000",
+        "green,00ff00",
+        "orange,ffa500",
+        "black,000000",
+        "gray30,4d4d4d",
+        "Light Sea Green,20b2aa",
+        "lightSeaGreen,20b2aa",
+        "RebeccaPurple,663399",
+        "crimson,dc143c",
+        "gray,bebebe"
     })
     void colour_byName_isThatOfX11(String name, String hex) {
         assertThat(colourOf("color \"" + name + '"')).isEqualTo(Integer.parseInt(hex, 16));
@@ -51,8 +60,12 @@ class ColoursTest {
     void colour_ofAnInstance_winsOverBothFormsInTheMacro() {
         String macro = "define both model ( color \"green\" color_rgba [ 0 0 1 1 ] ) ";
 
-        assertThat(worlds.world(macro + "both ()").obstacles().getFirst().colour()).isEqualTo(0x0000ff);
-        assertThat(worlds.world(macro + "both ( color \"red\" )").obstacles().getFirst().colour())
+        assertThat(worlds.world(macro + "both ()").obstacles().getFirst().colour())
+                .isEqualTo(0x0000ff);
+        assertThat(worlds.world(macro + "both ( color \"red\" )")
+                        .obstacles()
+                        .getFirst()
+                        .colour())
                 .isEqualTo(0xff0000);
     }
 

@@ -24,9 +24,7 @@ class ConfigReaderTest {
         worlds = new Worlds(dir);
         worlds.write("pioneer.inc", Worlds.PIONEER);
         worlds.write("arena.world", Worlds.ARENA);
-        worlds.write(
-                "w.world",
-                """
+        worlds.write("w.world", """
                 position ( name "full" ranger ( scount 1 spose[0] [ 0 0 0 ] ) blobfinder () )
                 position ( name "bare" pose [ 2 0 0 0 ] )
                 model ( name "box" pose [ 4 0 0 0 ] )
@@ -56,7 +54,9 @@ class ConfigReaderTest {
         Files.createDirectories(worlds.file("sub"));
         String text = STAGE.replace("w.world", "../w.world");
 
-        assertThat(ScenarioReader.readConfig(worlds.write("sub/t.cfg", text)).world().file())
+        assertThat(ScenarioReader.readConfig(worlds.write("sub/t.cfg", text))
+                        .world()
+                        .file())
                 .isEqualTo(worlds.file("w.world"));
     }
 
@@ -64,7 +64,8 @@ class ConfigReaderTest {
     void fields_leftOut_haveTheirDefaults() {
         assertThat(ScenarioReader.readConfig(worlds.write(
                                 "t.cfg",
-                                STAGE + "driver ( name \"stage\" provides [ \"position2d\" \"k:localhost:7000:sonar:3\" ]"
+                                STAGE
+                                        + "driver ( name \"stage\" provides [ \"position2d\" \"k:localhost:7000:sonar:3\" ]"
                                         + " model \"full\" )"))
                         .devices())
                 .extracting(d -> d.port() + " " + d.interfaceName() + ":" + d.index())

@@ -108,8 +108,11 @@ class ConvexPiecesTest {
 
         assertThat(Polygons.overlap(square, Polygons.rectangle(1, 0, 2, 1))).isFalse();
         assertThat(Polygons.overlap(square, Polygons.rectangle(1, 1, 2, 2))).isFalse();
-        assertThat(Polygons.overlap(square, Polygons.rectangle(0.999, 0.999, 2, 2))).isTrue();
-        assertThat(Polygons.overlap(square, Polygons.rectangle(0.4, 0.4, 0.6, 0.6))).isTrue();
-        assertThat(Polygons.overlap(square, points(1.3, 0.8, 1.5, 1.5, 0.8, 1.3))).isFalse();
+        assertThat(Polygons.overlap(square, Polygons.rectangle(0.999, 0.999, 2, 2)))
+                .isTrue();
+        assertThat(Polygons.overlap(square, Polygons.rectangle(0.4, 0.4, 0.6, 0.6)))
+                .isTrue();
+        assertThat(Polygons.overlap(square, points(1.3, 0.8, 1.5, 1.5, 0.8, 1.3)))
+                .isFalse();
     }
 }

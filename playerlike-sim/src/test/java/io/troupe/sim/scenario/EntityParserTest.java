@@ -27,7 +27,9 @@ class EntityParserTest {
 
     @Test
     void entities_nested_keepPropertiesChildrenAndPositions() {
-        Entity outer = parse("a 1\nouter ( b \"t\" inner ( c [ 1 2 ] ) d 4 )").entities().getFirst();
+        Entity outer = parse("a 1\nouter ( b \"t\" inner ( c [ 1 2 ] ) d 4 )")
+                .entities()
+                .getFirst();
 
         assertThat(outer.type()).isEqualTo("outer");
         assertThat(outer.where()).hasToString(worlds.file("t.world") + ":2:1");
@@ -48,8 +50,7 @@ class EntityParserTest {
 
     @Test
     void macro_chained_isOverriddenByTheLaterOne() {
-        Document document = parse(
-                """
+        Document document = parse("""
                 define first model ( size [ 1 1 ] mass 1 color "red" inner ( a 1 ) )
                 define second first ( mass 2 inner ( a 2 ) )
                 second ( color "blue" inner ( a 3 ) )
@@ -60,7 +61,9 @@ class EntityParserTest {
         assertThat(instance.numbers("size")).containsExactly(1, 1);
         assertThat(instance.number("mass", 0)).isEqualTo(2);
         assertThat(instance.text("color", "")).isEqualTo("blue");
-        assertThat(instance.children()).extracting(child -> child.number("a", 0)).containsExactly(1.0, 2.0, 3.0);
+        assertThat(instance.children())
+                .extracting(child -> child.number("a", 0))
+                .containsExactly(1.0, 2.0, 3.0);
         assertThat(instance.where().line()).isEqualTo(3);
     }
 
@@ -156,8 +159,7 @@ class EntityParserTest {
             text.append("define m%d model ( m%d() m%d() )\n".formatted(i, i - 1, i - 1));
         }
 
-        assertThat(worlds.problem(text.toString()))
-                .isEqualTo("t.world:17:26: more than 100000 entities in one file");
+        assertThat(worlds.problem(text.toString())).isEqualTo("t.world:17:26: more than 100000 entities in one file");
     }
 
     @Test

@@ -18,8 +18,8 @@ class LexerTest {
         List<Token> tokens = Lexer.tokens("size[-1 .5e2]# (\n\tmodel_2( name \"a (b)\" )\r\n", FILE);
 
         assertThat(tokens)
-                .extracting(token -> token.kind() + " " + token.text() + " " + token.where().line() + ":"
-                        + token.where().column())
+                .extracting(token -> token.kind() + " " + token.text() + " "
+                        + token.where().line() + ":" + token.where().column())
                 .containsExactly(
                         "WORD size 1:1",
                         "OPEN_TUPLE [ 1:5",

@@ -8,8 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class ScenarioReaderTest {
-    private static final String TWO_ROBOTS =
-            """
+    private static final String TWO_ROBOTS = """
             position ( name "bare" )
             position ( name "full" pose [ 2 0 0 0 ] ranger ( scount 1 spose[0] [ 0 0 0 ] ) blobfinder () )
             """;
@@ -43,7 +42,8 @@ class ScenarioReaderTest {
     void world_withItsConfigurationBesideIt_isOfferedAsThatSays() {
         worlds.write("arena.cfg", Worlds.CONFIG);
 
-        assertThat(ScenarioReader.read(worlds.write("arena.world", Worlds.ARENA)).devices())
+        assertThat(ScenarioReader.read(worlds.write("arena.world", Worlds.ARENA))
+                        .devices())
                 .hasSize(7)
                 .anyMatch(device -> device.port() == 6667);
     }
@@ -52,7 +52,9 @@ class ScenarioReaderTest {
     void configuration_isReadWithItsWorld() {
         worlds.write("arena.world", Worlds.ARENA);
 
-        assertThat(ScenarioReader.read(worlds.write("my.cfg", Worlds.CONFIG)).world().robots())
+        assertThat(ScenarioReader.read(worlds.write("my.cfg", Worlds.CONFIG))
+                        .world()
+                        .robots())
                 .hasSize(2);
     }
 

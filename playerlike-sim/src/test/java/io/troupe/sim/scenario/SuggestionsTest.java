@@ -17,7 +17,8 @@ class SuggestionsTest {
 
     @Test
     void nearest_ofSeveral_isTheOneWithFewestSlips() {
-        assertThat(Suggestions.nearest("Positon", List.of("pose", "position", "positions"))).isEqualTo("position");
+        assertThat(Suggestions.nearest("Positon", List.of("pose", "position", "positions")))
+                .isEqualTo("position");
     }
 
     @Test

@@ -38,7 +38,8 @@ class WorldChecksTest {
 
     @Test
     void robots_touching_areApart() {
-        assertThat(worlds.world(robot("a", 0, 0, 0) + robot("b", 1, 0, 0) + robot("c", 0, -1, 90)).robots())
+        assertThat(worlds.world(robot("a", 0, 0, 0) + robot("b", 1, 0, 0) + robot("c", 0, -1, 90))
+                        .robots())
                 .hasSize(3);
     }
 
@@ -46,7 +47,8 @@ class WorldChecksTest {
     void robots_whoseBoxesMeetButNotTheirBodies_areApart() {
         // both turned by 45 degrees: corners at 0.7071 along the axes, so their upright boxes meet at (0.75, 0.75)
         double meeting = Math.sqrt(0.5);
-        assertThat(worlds.world(robot("a", 0, 0, 45) + robot("b", meeting + 0.001, meeting + 0.001, 45)).robots())
+        assertThat(worlds.world(robot("a", 0, 0, 45) + robot("b", meeting + 0.001, meeting + 0.001, 45))
+                        .robots())
                 .hasSize(2);
         assertThat(worlds.problem(robot("a", 0, 0, 45) + robot("b", meeting - 0.001, meeting - 0.001, 45)))
                 .contains("overlaps");
@@ -58,13 +60,14 @@ class WorldChecksTest {
 
         assertThat(worlds.problem(robot("a", 2, 0, 0) + box + ")"))
                 .isEqualTo("t.world:1:1: robot \"a\" overlaps obstacle \"box\" (t.world:2:1) at the start");
-        assertThat(worlds.world(robot("a", 2, 0, 0) + box + "obstacle_return 0 )").robots()).hasSize(1);
+        assertThat(worlds.world(robot("a", 2, 0, 0) + box + "obstacle_return 0 )")
+                        .robots())
+                .hasSize(1);
     }
 
     @Test
     void robot_insideAConcaveObstacle_isFree() {
-        String hook =
-                """
+        String hook = """
                 model ( size [ 4 4 ] block ( points 8 point[0] [ 0 0 ] point[1] [ 4 0 ] point[2] [ 4 4 ] point[3] [ 3 4 ]
                   point[4] [ 3 1 ] point[5] [ 1 1 ] point[6] [ 1 4 ] point[7] [ 0 4 ] ) )
                 """;
@@ -88,8 +91,7 @@ class WorldChecksTest {
 
     @Test
     void robot_outsideWallsMadeOfSeparateBoxes_isRefused() {
-        String walls =
-                """
+        String walls = """
                 define wall model ( color "black" )
                 wall ( size [ 10 0.2 ] pose [ 0 5 0 0 ] ) wall ( size [ 10 0.2 ] pose [ 0 -5 0 0 ] )
                 wall ( size [ 0.2 10.2 ] pose [ 5 0 0 0 ] ) wall ( size [ 0.2 10.2 ] pose [ -5 0 0 0 ] )
@@ -107,8 +109,7 @@ class WorldChecksTest {
 
     @Test
     void robot_outsideWallsWithAGate_isFreeToComeIn() {
-        String gated =
-                """
+        String gated = """
                 model ( size [ 10 10 ] block ( points 8 point[0] [ 0 0 ] point[1] [ 10 0 ] point[2] [ 10 10 ] point[3] [ 0 10 ]
                   point[4] [ 0 9 ] point[5] [ 9 9 ] point[6] [ 9 1 ] point[7] [ 0 1 ] ) )
                 """;

@@ -84,12 +84,28 @@ class WorldReaderTest {
     void block_ofTheRobot_fillsItsSizeAroundTheOrigin() {
         Shape shape = worlds.world(Worlds.ARENA).robots().getFirst().shape();
 
-        // drawn 0.4 x 0.511, so 0.12 of 0.2 becomes 0.132 of 0.22 along x, and 0.12 of 0.2555 the same share of 0.165 along y
+        // drawn 0.4 x 0.511, so 0.12 of 0.2 becomes 0.132 of 0.22 along x, and 0.12 of 0.2555 the same share of 0.165
+        // along y
         double y = 0.165 * 0.12 / 0.2555;
         assertThat(shape.polygons()).hasSize(1);
         assertOutline(
                 shape.polygons().getFirst(),
-                -0.26, y, -0.26, -y, -0.172, -0.165, 0.092, -0.165, 0.18, -y, 0.18, y, 0.092, 0.165, -0.172, 0.165);
+                -0.26,
+                y,
+                -0.26,
+                -y,
+                -0.172,
+                -0.165,
+                0.092,
+                -0.165,
+                0.18,
+                -y,
+                0.18,
+                y,
+                0.092,
+                0.165,
+                -0.172,
+                0.165);
     }
 
     @Test
@@ -136,16 +152,14 @@ class WorldReaderTest {
 
     @Test
     void blocks_severalOfThem_shareOneBoundingBox() {
-        Shape shape = obstacle(
-                        """
+        Shape shape = obstacle("""
                         model
                         (
                           size [ 4 2 1 ]
                           block ( points 4 point[0] [ 0 0 ] point[1] [ 10 0 ] point[2] [ 10 10 ] point[3] [ 0 10 ] )
                           block ( points 3 point[0] [ 20 20 ] point[1] [ 40 0 ] point[2] [ 40 20 ] z [ 0 1 ] )
                         )
-                        """)
-                .shape();
+                        """).shape();
 
         assertThat(shape.polygons()).hasSize(2);
         assertOutline(shape.polygons().get(0), -2, -1, -1, -1, -1, 0, -2, 0);
@@ -162,15 +176,14 @@ class WorldReaderTest {
 
     @Test
     void block_concave_isCutIntoConvexPieces() {
-        Shape shape = obstacle(
-                        """
+        Shape shape = obstacle("""
                         model ( size [ 2 2 ] block ( points 6
                           point[0] [ 0 0 ] point[1] [ 2 0 ] point[2] [ 2 1 ] point[3] [ 1 1 ] point[4] [ 1 2 ] point[5] [ 0 2 ] ) )
-                        """)
-                .shape();
+                        """).shape();
 
         assertThat(shape.polygons()).hasSize(2);
-        assertThat(shape.polygons().stream().mapToDouble(Polygons::signedArea).sum()).isCloseTo(3, EXACT);
+        assertThat(shape.polygons().stream().mapToDouble(Polygons::signedArea).sum())
+                .isCloseTo(3, EXACT);
     }
 
     @Test
@@ -184,12 +197,10 @@ class WorldReaderTest {
 
     @Test
     void boundary_withBlocks_addsToThem() {
-        Shape shape = obstacle(
-                        """
+        Shape shape = obstacle("""
                         model ( size [ 4 4 ] boundary 1
                           block ( points 3 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 0 1 ] ) )
-                        """)
-                .shape();
+                        """).shape();
 
         assertThat(shape.polygons()).hasSize(5);
         assertOutline(shape.polygons().getFirst(), -2, -2, 2, -2, -2, 2);
@@ -197,8 +208,7 @@ class WorldReaderTest {
 
     @Test
     void models_nested_becomeObstaclesWithComposedPoses() {
-        WorldSpec world = worlds.world(
-                """
+        WorldSpec world = worlds.world("""
                 model ( name "a" pose [ 1 2 0 90 ]
                   model ( name "b" pose [ 3 0 0 90 ]
                     model ( name "c" pose [ 1 1 0 -30 ] ) ) )
@@ -237,8 +247,7 @@ class WorldReaderTest {
 
     @Test
     void units_ofTheFile_applyToEveryLengthAndAngle() {
-        WorldSpec world = worlds.world(
-                """
+        WorldSpec world = worlds.world("""
                 unit_length "cm"
                 unit_angle "radians"
                 model ( pose [ 300 0 1.5 ] size [ 20 10 ] )
@@ -250,7 +259,8 @@ class WorldReaderTest {
         assertThat(world.obstacles().get(0).pose()).isEqualTo(new Pose(3, 0, 1.5));
         assertOutline(
                 world.obstacles().get(0).shape().polygons().getFirst(), -0.1, -0.05, 0.1, -0.05, 0.1, 0.05, -0.1, 0.05);
-        assertThat(Box.around(world.obstacles().get(1).shape().polygons()).width()).isCloseTo(0.1, EXACT);
+        assertThat(Box.around(world.obstacles().get(1).shape().polygons()).width())
+                .isCloseTo(0.1, EXACT);
         RobotSpec robot = world.robots().getFirst();
         assertThat(robot.lengthM()).isCloseTo(0.44, EXACT);
         assertThat(robot.sonar()).isEqualTo(new SonarSpec(List.of(new Pose(0.1, 0, -0.5)), 0.1, 4, 0.2));
@@ -259,8 +269,8 @@ class WorldReaderTest {
 
     @Test
     void names_notGiven_countWithinTheType() {
-        WorldSpec world =
-                worlds.world("model () position ( pose [ 1 0 0 0 ] ) model ( name \"m\" ) model () position ( pose [ 2 0 0 ] )");
+        WorldSpec world = worlds.world(
+                "model () position ( pose [ 1 0 0 0 ] ) model ( name \"m\" ) model () position ( pose [ 2 0 0 ] )");
 
         assertThat(world.name()).isEqualTo("t.world");
         assertThat(world.robots()).extracting(RobotSpec::name).containsExactly("position:0", "position:1");
@@ -269,8 +279,7 @@ class WorldReaderTest {
 
     @Test
     void properties_thatOnlySteerTheGraphicalProgram_areAccepted() {
-        WorldSpec world = worlds.world(
-                """
+        WorldSpec world = worlds.world("""
                 paused 0 speedup 1 show_clock 0 show_clock_interval 100 quit_time 3600 resolution 0.02 threads 1
                 interval_real 100 interval_sim 50
                 window ( size [ 400 300 ] scale 20 center [ 0 0 ] rotate [ 0 0 ] pcam_loc [ 0 -4 2 ] show_grid 1 )
@@ -284,14 +293,11 @@ class WorldReaderTest {
 
     @Test
     void stockIncludes_withThingsNotSupportedYet_canBeReadWhileUnused() {
-        assertThat(worlds.world(
-                                """
+        assertThat(worlds.world("""
                                 define sicklaser laser ( range_max 8 fov 180 samples 361 )
                                 define fancy position ( drive "omni" velocity_bounds [ -1 1 ] sicklaser () model () )
                                 define new_sonar ranger ( sensor ( range [ 0 5 ] ) )
                                 model ()
-                                """)
-                        .obstacles())
-                .hasSize(1);
+                                """).obstacles()).hasSize(1);
     }
 }

@@ -11,8 +11,7 @@ import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 /** World files for tests, written into a directory of the test's own. */
 final class Worlds {
     /** A Pioneer 2DX with its 16 sonars, in the classic dialect. */
-    static final String PIONEER =
-            """
+    static final String PIONEER = """
             # the ring of sixteen sonars
             define pioneer2dx_sonar ranger
             (
@@ -50,8 +49,7 @@ final class Worlds {
             """;
 
     /** A walled arena with two robots, as our main job has one. */
-    static final String ARENA =
-            """
+    static final String ARENA = """
             include "pioneer.inc"
             name "arena"
             interval_sim 100
@@ -71,8 +69,7 @@ final class Worlds {
             pioneer2dx ( name "r1" pose [ 4 0 0 0 ] color "black" blobfinder ( pose [ 0.1 0 0 0 ] pan 30 ) )
             """;
 
-    static final String CONFIG =
-            """
+    static final String CONFIG = """
             driver ( name "stage" provides [ "simulation:0" ] plugin "stageplugin" worldfile "arena.world" usegui 0 )
             driver ( name "stage" provides [ "position2d:0" "sonar:0" "blobfinder:0" ] model "r0" )
             driver ( name "stage" provides [ "6666:position2d:0" "odometry:::sonar:1" "::6667:blobfinder:2" ] model "r1" )

@@ -26,7 +26,8 @@ public final class SonarRing {
      */
     public static SonarRing of(float[] readingsM) {
         if (readingsM.length < USED) {
-            throw new IllegalArgumentException("a sonar ring has " + readingsM.length + " readings, expected " + USED + " or more");
+            throw new IllegalArgumentException(
+                    "a sonar ring has " + readingsM.length + " readings, expected " + USED + " or more");
         }
         for (int sonar = 0; sonar < USED; sonar++) {
             if (Float.isNaN(readingsM[sonar])) {

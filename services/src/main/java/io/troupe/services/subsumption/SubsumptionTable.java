@@ -45,7 +45,10 @@ public final class SubsumptionTable {
 
     /** The services that any state puts in charge, in the order in which the table names them. */
     public List<Service> services() {
-        return states.stream().flatMap(state -> state.services().stream()).distinct().toList();
+        return states.stream()
+                .flatMap(state -> state.services().stream())
+                .distinct()
+                .toList();
     }
 
     /** The state that a colour leads to, if it leads to one. */
@@ -85,9 +88,13 @@ public final class SubsumptionTable {
                 throw new IllegalArgumentException("the state of " + Colours.name(colour) + " names " + services.length
                         + " services, expected one for each of " + robots + " robots");
             }
-            states.stream().filter(state -> state.colour() == colour).findFirst().ifPresent(state -> {
-                throw new IllegalArgumentException(Colours.name(colour) + " leads to state " + state.number() + " already");
-            });
+            states.stream()
+                    .filter(state -> state.colour() == colour)
+                    .findFirst()
+                    .ifPresent(state -> {
+                        throw new IllegalArgumentException(
+                                Colours.name(colour) + " leads to state " + state.number() + " already");
+                    });
             states.add(new State(states.size() + 1, colour, List.of(services)));
             return this;
         }
@@ -111,10 +118,12 @@ public final class SubsumptionTable {
             var reachable = first.canEnd() ? states : List.of(first);
             var ends = reachable.stream().filter(state -> !state.canEnd()).toList();
             if (!ends.isEmpty() && !finalAllowed) {
-                throw new IllegalStateException(ends.stream()
-                                .map(state -> "state " + state.number() + " (" + Colours.name(state.colour()) + ")")
-                                .collect(Collectors.joining(", "))
-                        + " can be reached and never ends, because no robot in it looks for colours: put a service that does in charge of one, or say allowFinal()");
+                throw new IllegalStateException(
+                        ends.stream()
+                                        .map(state ->
+                                                "state " + state.number() + " (" + Colours.name(state.colour()) + ")")
+                                        .collect(Collectors.joining(", "))
+                                + " can be reached and never ends, because no robot in it looks for colours: put a service that does in charge of one, or say allowFinal()");
             }
             return new SubsumptionTable(states);
         }

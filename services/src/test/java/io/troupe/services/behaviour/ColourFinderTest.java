@@ -24,12 +24,15 @@ class ColourFinderTest {
 
     @Test
     void sightingBelowTenPixels_isNoise() {
-        assertThat(ColourFinder.find(List.of(new Sighting(RED, 9, 0)), colour -> true)).isEmpty();
-        assertThat(ColourFinder.find(List.of(new Sighting(RED, 10, 0)), colour -> true)).hasValue(RED);
+        assertThat(ColourFinder.find(List.of(new Sighting(RED, 9, 0)), colour -> true))
+                .isEmpty();
+        assertThat(ColourFinder.find(List.of(new Sighting(RED, 10, 0)), colour -> true))
+                .hasValue(RED);
     }
 
     @Test
     void nothingOfInterest_isNothing() {
-        assertThat(ColourFinder.find(List.of(new Sighting(RED, 90, 0)), colour -> colour == GREEN)).isEmpty();
+        assertThat(ColourFinder.find(List.of(new Sighting(RED, 90, 0)), colour -> colour == GREEN))
+                .isEmpty();
     }
 }

@@ -14,7 +14,8 @@ class WallFollowerTest {
 
     @Test
     void table1Row1_nothingNear_drivesForward() {
-        assertThat(follower.step(WallFollower.START, ring())).isEqualTo(new Step(new Velocity(0.2, 0), WallFollower.START));
+        assertThat(follower.step(WallFollower.START, ring()))
+                .isEqualTo(new Step(new Velocity(0.2, 0), WallFollower.START));
     }
 
     @Test

@@ -24,10 +24,15 @@ class ArbitratorTest {
     void begin() {
         RobotServices services = test.spawn(
                 RobotServices.class,
-                () -> new RobotServices(RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT).withObserver(charge)));
+                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                        .withPort(FakeRobots.PORT)
+                        .withObserver(charge)));
         arbitrator = test.spawn(
                 Arbitrator.class,
-                () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), (state, seenBy) -> states.add(state.number() + " by " + seenBy)));
+                () -> new Arbitrator(
+                        services,
+                        SubsumptionTable.ofThePaper(),
+                        (state, seenBy) -> states.add(state.number() + " by " + seenBy)));
         arbitrator.live();
         test.crank();
     }

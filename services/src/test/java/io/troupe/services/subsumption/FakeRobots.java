@@ -39,7 +39,9 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         this.robots = robots;
         this.ranges = new float[robots][16];
         this.colours = new int[robots];
-        this.commands = IntStream.range(0, robots).<List<DeviceCommand.Velocity>>mapToObj(i -> new ArrayList<>()).toList();
+        this.commands = IntStream.range(0, robots)
+                .<List<DeviceCommand.Velocity>>mapToObj(i -> new ArrayList<>())
+                .toList();
         for (var ring : ranges) {
             java.util.Arrays.fill(ring, 5f);
         }
@@ -110,7 +112,9 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
             sink.frame(new Frame(
                     number,
                     seconds,
-                    subscribed.stream().map(device -> new DataMessage(device, seconds, read(device))).toList()));
+                    subscribed.stream()
+                            .map(device -> new DataMessage(device, seconds, read(device)))
+                            .toList()));
         }
 
         private DeviceData read(DeviceAddress device) {
@@ -133,7 +137,8 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         public List<DeviceAddress> devices() {
             return IntStream.range(0, robots)
                     .boxed()
-                    .flatMap(robot -> java.util.stream.Stream.of(Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER)
+                    .flatMap(robot -> java.util.stream.Stream.of(
+                                    Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER)
                             .map(type -> new DeviceAddress(0, PORT, type.code(), robot)))
                     .toList();
         }

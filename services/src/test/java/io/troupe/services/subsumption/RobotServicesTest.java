@@ -20,7 +20,9 @@ class RobotServicesTest {
     private final ChargeBook charge = new ChargeBook();
     private final RobotServices services = test.spawn(
             RobotServices.class,
-            () -> new RobotServices(RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT).withObserver(charge)));
+            () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                    .withPort(FakeRobots.PORT)
+                    .withObserver(charge)));
 
     @AfterEach
     void nothingIsLeft() {

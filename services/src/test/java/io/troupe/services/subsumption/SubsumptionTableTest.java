@@ -48,7 +48,8 @@ class SubsumptionTableTest {
     @Test
     void wrongNumberOfServices_andDoubleColours_areRefused() {
         var builder = SubsumptionTable.forRobots(2);
-        assertThatThrownBy(() -> builder.when(Colours.RED, SW)).hasMessage("the state of red names 1 services, expected one for each of 2 robots");
+        assertThatThrownBy(() -> builder.when(Colours.RED, SW))
+                .hasMessage("the state of red names 1 services, expected one for each of 2 robots");
         builder.when(Colours.RED, SW, SW);
         assertThatThrownBy(() -> builder.when(Colours.RED, WF, SW)).hasMessage("red leads to state 1 already");
         assertThatThrownBy(() -> SubsumptionTable.forRobots(0)).hasMessageContaining("expected 1 or more");

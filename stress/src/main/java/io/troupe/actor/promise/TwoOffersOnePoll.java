@@ -10,7 +10,10 @@ import org.openjdk.jcstress.infra.results.III_Result;
 
 /** Two threads offer one node each while a third polls: every node comes out exactly once, with what its thread wrote before. */
 @JCStressTest
-@Outcome(id = {"0, 1, 2", "1, 1, 2"}, expect = Expect.ACCEPTABLE, desc = "Both arrived.")
+@Outcome(
+        id = {"0, 1, 2", "1, 1, 2"},
+        expect = Expect.ACCEPTABLE,
+        desc = "Both arrived.")
 @Outcome(id = "2, 1, 2", expect = Expect.ACCEPTABLE, desc = "Both arrived, the second one was polled meanwhile.")
 @Outcome(expect = Expect.FORBIDDEN, desc = "A node was lost, doubled, or came without its content.")
 @State
