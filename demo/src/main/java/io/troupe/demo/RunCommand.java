@@ -38,7 +38,11 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "moves the start poses by up to 2 cm and 2 degrees")
     private long seed = 1;
 
-    @Option(names = "--corners", paramLabel = "STYLE", description = "how the wall follower turns at a wall ahead: FORWARD as the paper says, BACKWARD as its model program does")
+    @Option(
+            names = "--corners",
+            paramLabel = "STYLE",
+            description =
+                    "how the wall follower turns at a wall ahead: FORWARD as the paper says, BACKWARD as its model program does")
     private CornerStyle corners = CornerStyle.FORWARD;
 
     @Option(names = "--realtime", description = "no faster than real time")

@@ -36,18 +36,24 @@ class PaperRunTest {
             throws Exception {
         RunResult result = run(1, 300, out.resolve("run.jsonl"));
         for (State state : result.table().states()) {
-            assertThat(result.visits(state)).as("visits of state %d", state.number()).isGreaterThan(1);
+            assertThat(result.visits(state))
+                    .as("visits of state %d", state.number())
+                    .isGreaterThan(1);
         }
         assertThat(result.robots()).allSatisfy(robot -> {
             assertThat(robot.followingContacts()).isZero();
             assertThat(robot.chargeFaults()).isZero();
-            assertThat(robot.loops().values().stream().mapToLong(Long::longValue).sum())
+            assertThat(robot.loops().values().stream()
+                            .mapToLong(Long::longValue)
+                            .sum())
                     .as("one loop for each reading, and one more when a service takes over")
                     .isEqualTo(3_000 + result.states().size() - 1);
         });
         List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
         assertThat(lines.getFirst()).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
-        assertThat(lines).anyMatch(line -> line.matches("\\{\"t\":[0-9.]+,\"type\":\"state\",\"state\":2,\"robot\":[12],\"colour\":16711680,.*"));
+        assertThat(lines)
+                .anyMatch(line -> line.matches(
+                        "\\{\"t\":[0-9.]+,\"type\":\"state\",\"state\":2,\"robot\":[12],\"colour\":16711680,.*"));
         assertThat(lines.getLast()).startsWith("{\"t\":300.0,\"type\":\"summary\",");
     }
 
@@ -65,12 +71,26 @@ class PaperRunTest {
         run(7, 20, out.resolve("here"));
         var java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         var interpreted = new ProcessBuilder(
-                        java, "-Xint", "-cp", System.getProperty("java.class.path"), "io.troupe.demo.Main", "run",
-                        "--world", WORLD.toString(), "--seed", "7", "--seconds", "20", "--out", out.resolve("there").toString())
+                        java,
+                        "-Xint",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "io.troupe.demo.Main",
+                        "run",
+                        "--world",
+                        WORLD.toString(),
+                        "--seed",
+                        "7",
+                        "--seconds",
+                        "20",
+                        "--out",
+                        out.resolve("there").toString())
                 .redirectErrorStream(true)
                 .redirectOutput(out.resolve("log").toFile())
                 .start();
-        assertThat(interpreted.waitFor()).as(Files.readString(out.resolve("log"))).isZero();
+        assertThat(interpreted.waitFor())
+                .as(Files.readString(out.resolve("log")))
+                .isZero();
         assertThat(out.resolve("there").resolve("run.jsonl")).hasSameBinaryContentAs(out.resolve("here"));
     }
 
@@ -103,7 +123,12 @@ class PaperRunTest {
         Scenario two = ScenarioReader.read(WORLD);
         WorldSpec world = two.world();
         var one = new Scenario(
-                new WorldSpec(world.name(), world.file(), world.intervalMillis(), world.robots().subList(0, 1), world.obstacles()),
+                new WorldSpec(
+                        world.name(),
+                        world.file(),
+                        world.intervalMillis(),
+                        world.robots().subList(0, 1),
+                        world.obstacles()),
                 two.devices());
         assertThatThrownBy(() -> new PaperRun(one, 1, 1, CornerStyle.FORWARD, false))
                 .isInstanceOf(WorldFileException.class)

@@ -73,7 +73,8 @@ class PlayerClientTest {
         robot.runThreaded(-1, -1);
         connected.countDown();
         while (true) {
-            while (!son.isDataReady());
+            while (!son.isDataReady())
+                ;
             float[] ranges = son.getData().getRanges();
             for (int i = 0; i < son.getData().getRanges_count(); i++) {
                 ranges[i] = Math.min(ranges[i], 4f); // clamps in place
@@ -105,7 +106,8 @@ class PlayerClientTest {
                         client.runThreaded(-1, -1);
                         connected.countDown();
                         while (true) {
-                            while (!son.isDataReady());
+                            while (!son.isDataReady())
+                                ;
                             pos.setSpeed(son.getData().getRanges()[1] > 1 ? 0.4 : 0, 0.1 * robot);
                         }
                     });
@@ -144,12 +146,16 @@ class PlayerClientTest {
             }
         });
         List<Snapshot> snapshots = ticks(3);
-        assertThat(snapshots).extracting(snapshot -> snapshot.robots().getFirst().pose().x()).satisfiesExactly(
-                x -> assertThat(x).isCloseTo(0.05, within(1e-9)),
-                x -> assertThat(x).isCloseTo(0.10, within(1e-9)),
-                x -> assertThat(x).isCloseTo(0.15, within(1e-9)));
+        assertThat(snapshots)
+                .extracting(snapshot -> snapshot.robots().getFirst().pose().x())
+                .satisfiesExactly(
+                        x -> assertThat(x).isCloseTo(0.05, within(1e-9)),
+                        x -> assertThat(x).isCloseTo(0.10, within(1e-9)),
+                        x -> assertThat(x).isCloseTo(0.15, within(1e-9)));
         client.close();
-        assertThat(ticks(1).getFirst().robots().getFirst().pose().x()).as("nobody drives it any more").isCloseTo(0.15, within(1e-9));
+        assertThat(ticks(1).getFirst().robots().getFirst().pose().x())
+                .as("nobody drives it any more")
+                .isCloseTo(0.15, within(1e-9));
     }
 
     @Test
@@ -234,8 +240,9 @@ class PlayerClientTest {
         var client = new PlayerClient("localhost", PORT);
         assertThatThrownBy(() -> client.requestInterfaceSonar(7, PlayerConstants.PLAYER_OPEN_MODE))
                 .isInstanceOf(PlayerException.class)
-                .hasMessage("[PlayerClient] Requested device sonar:7 is not in the device list. It has: position2d:0, sonar:0, blobfinder:0, "
-                        + "position2d:1, sonar:1, blobfinder:1");
+                .hasMessage(
+                        "[PlayerClient] Requested device sonar:7 is not in the device list. It has: position2d:0, sonar:0, blobfinder:0, "
+                                + "position2d:1, sonar:1, blobfinder:1");
         client.close();
     }
 
@@ -284,25 +291,36 @@ class PlayerClientTest {
         var sonar = busy.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE);
         busy.runThreaded(-1, -1);
         var promise = busy.nextData();
-        failures.add(Thread.ofPlatform().start(() -> endsWithPlayerException(() -> {
-            while (true) {
-                reader.readAll();
-            }
-        }, ended)));
-        failures.add(Thread.ofPlatform().start(() -> endsWithPlayerException(() -> {
-            while (!sonar.isDataReady());
-        }, ended)));
-        failures.add(Thread.ofPlatform().start(() -> endsWithPlayerException(() -> {
-            try {
-                promise.get(Duration.ofSeconds(30));
-            } catch (InterruptedException | java.util.concurrent.TimeoutException e) {
-                throw new IllegalStateException(e);
-            }
-        }, ended)));
+        failures.add(Thread.ofPlatform()
+                .start(() -> endsWithPlayerException(
+                        () -> {
+                            while (true) {
+                                reader.readAll();
+                            }
+                        },
+                        ended)));
+        failures.add(Thread.ofPlatform()
+                .start(() -> endsWithPlayerException(
+                        () -> {
+                            while (!sonar.isDataReady())
+                                ;
+                        },
+                        ended)));
+        failures.add(Thread.ofPlatform()
+                .start(() -> endsWithPlayerException(
+                        () -> {
+                            try {
+                                promise.get(Duration.ofSeconds(30));
+                            } catch (InterruptedException | java.util.concurrent.TimeoutException e) {
+                                throw new IllegalStateException(e);
+                            }
+                        },
+                        ended)));
         simulation.close();
         assertThat(ended.await(30, TimeUnit.SECONDS)).isTrue();
         busy.join();
-        assertThatThrownBy(() -> busy.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE)).isInstanceOf(PlayerException.class);
+        assertThatThrownBy(() -> busy.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE))
+                .isInstanceOf(PlayerException.class);
     }
 
     private static void endsWithPlayerException(Runnable code, CountDownLatch ended) {
@@ -324,11 +342,15 @@ class PlayerClientTest {
                 var pos = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
                 robot.runThreaded(-1, -1);
                 client.set(robot);
-                space.repeatWhile(() -> true, () -> robot.nextData().thenAccept(ready -> {
-                    seen.add(pos.isDataReady() + " at " + simulation.clock().nanos() / 1_000_000);
-                    // a chain of turns: all of it belongs to this tick
-                    space.execute(() -> space.execute(() -> pos.setSpeed(pos.getX() + 0.1, 0)));
-                })).exceptionally(lost -> null);
+                space.repeatWhile(
+                                () -> true,
+                                () -> robot.nextData().thenAccept(ready -> {
+                                    seen.add(pos.isDataReady() + " at "
+                                            + simulation.clock().nanos() / 1_000_000);
+                                    // a chain of turns: all of it belongs to this tick
+                                    space.execute(() -> space.execute(() -> pos.setSpeed(pos.getX() + 0.1, 0)));
+                                }))
+                        .exceptionally(lost -> null);
             });
             space.onIdle(begun::countDown);
             await(begun);

@@ -25,7 +25,9 @@ public final class TestWorlds {
     public static final SourcePosition NOWHERE = new SourcePosition(Path.of("test.world"), 1, 1);
     /** To the left, ahead, to the right, and back; at the centre of rotation. */
     public static final SonarSpec CROSS = new SonarSpec(
-            IntStream.of(90, 0, -90, 180).mapToObj(degrees -> new Pose(0, 0, StrictMath.toRadians(degrees))).toList(),
+            IntStream.of(90, 0, -90, 180)
+                    .mapToObj(degrees -> new Pose(0, 0, StrictMath.toRadians(degrees)))
+                    .toList(),
             0,
             5,
             StrictMath.toRadians(15));
@@ -49,7 +51,20 @@ public final class TestWorlds {
     /** 0.4 m by 0.3 m, with the sonar cross and the camera. */
     public static RobotSpec robot(String name, double x, double y, double headingRad) {
         return new RobotSpec(
-                name, new Pose(x, y, headingRad), box(0.4, 0.3), 0xFFA500, 0.4, 0.3, 10, Pose.ORIGIN, Pose.ORIGIN, CROSS, CAMERA, true, true, NOWHERE);
+                name,
+                new Pose(x, y, headingRad),
+                box(0.4, 0.3),
+                0xFFA500,
+                0.4,
+                0.3,
+                10,
+                Pose.ORIGIN,
+                Pose.ORIGIN,
+                CROSS,
+                CAMERA,
+                true,
+                true,
+                NOWHERE);
     }
 
     public static WorldSpec world(List<RobotSpec> robots, ObstacleSpec... obstacles) {
@@ -61,7 +76,8 @@ public final class TestWorlds {
         var devices = new ArrayList<DeviceBinding>();
         for (int index = 0; index < world.robots().size(); index++) {
             for (String type : List.of("position2d", "sonar", "blobfinder")) {
-                devices.add(new DeviceBinding(port, type, index, world.robots().get(index).name(), NOWHERE));
+                devices.add(new DeviceBinding(
+                        port, type, index, world.robots().get(index).name(), NOWHERE));
             }
         }
         return new Scenario(world, devices);

@@ -71,10 +71,22 @@ class WorldTest {
     void turningInPlace_leavesTheCentreOfRotationWhereItIs_evenIfItIsNotTheCentreOfTheBody() {
         RobotSpec plain = robot("r", 1, 2, 0);
         var shifted = new RobotSpec(
-                plain.name(), plain.pose(), new io.troupe.sim.scenario.Shape(List.of(plain.shape().polygons().getFirst().stream()
+                plain.name(),
+                plain.pose(),
+                new io.troupe.sim.scenario.Shape(List.of(plain.shape().polygons().getFirst().stream()
                         .map(corner -> new io.troupe.sim.scenario.Point(corner.x() - 0.04, corner.y()))
                         .toList())),
-                plain.colour(), 0.4, 0.3, 23, new Pose(-0.04, 0, 0), Pose.ORIGIN, null, null, true, true, plain.where());
+                plain.colour(),
+                0.4,
+                0.3,
+                23,
+                new Pose(-0.04, 0, 0),
+                Pose.ORIGIN,
+                null,
+                null,
+                true,
+                true,
+                plain.where());
         World world = start(world(List.of(shifted)));
         world.command(0, 0, 0.5);
         advance(world, 40);
@@ -93,7 +105,8 @@ class WorldTest {
             assertThat(contact.robot()).isZero();
             assertThat(contact.other()).isEqualTo("east");
             assertThat(contact.otherRobot()).isEqualTo(-1);
-            assertThat(contact.timeMicros() / 1e6).isCloseTo((1.0 - 0.2) / 0.5, within(0.08)); // the front edge is 0.2 m ahead
+            assertThat(contact.timeMicros() / 1e6)
+                    .isCloseTo((1.0 - 0.2) / 0.5, within(0.08)); // the front edge is 0.2 m ahead
         });
         RobotReading reading = world.latest().robots().getFirst();
         assertThat(reading.pose().x()).isCloseTo(0.8, within(0.021)); // bodies keep a skin of up to two centimetres
@@ -122,8 +135,8 @@ class WorldTest {
 
     @Test
     void wallGap_isFromEdgeToEdge() {
-        World world = start(world(
-                List.of(robot("r", 0, 0, 0)), wall("corner", 0.2 + 0.3 + 0.5, 0.15 + 0.4 + 0.5, 1, 1, BLACK)));
+        World world = start(
+                world(List.of(robot("r", 0, 0, 0)), wall("corner", 0.2 + 0.3 + 0.5, 0.15 + 0.4 + 0.5, 1, 1, BLACK)));
         assertThat(world.latest().robots().getFirst().wallGapM()).isCloseTo(0.5, within(ROUNDING)); // 3, 4, 5
     }
 
@@ -133,7 +146,8 @@ class WorldTest {
                 List.of(robot("r", 0, 0, 0), robot("other", 0, 2, 0)),
                 wall("east", 3.5, 0, 1, 1, BLACK),
                 wall("far south", 0, -8, 1, 1, BLACK)));
-        List<Double> sonar = Objects.requireNonNull(world.latest().robots().getFirst().sonarM());
+        List<Double> sonar =
+                Objects.requireNonNull(world.latest().robots().getFirst().sonarM());
         assertThat(sonar.get(0)).isCloseTo(2 - 0.15, within(ROUNDING));
         assertThat(sonar.get(1)).isCloseTo(3, within(ROUNDING));
         assertThat(sonar.get(2)).isEqualTo(5);
@@ -142,8 +156,10 @@ class WorldTest {
 
     @Test
     void sonar_atAnAngle_measuresAlongItsRay() {
-        World world = start(world(List.of(robot("r", 0, 0, StrictMath.toRadians(30))), wall("east", 2.5, 0, 1, 9, BLACK)));
-        assertThat(Objects.requireNonNull(world.latest().robots().getFirst().sonarM()).get(1))
+        World world =
+                start(world(List.of(robot("r", 0, 0, StrictMath.toRadians(30))), wall("east", 2.5, 0, 1, 9, BLACK)));
+        assertThat(Objects.requireNonNull(world.latest().robots().getFirst().sonarM())
+                        .get(1))
                 .isCloseTo(2 / StrictMath.cos(StrictMath.toRadians(30)), within(ROUNDING));
     }
 
@@ -151,7 +167,9 @@ class WorldTest {
     void blob_ofAKnownBox_coversItsColumns() {
         // a box whose near face is 2 m ahead, 1 m wide: seen under atan(1/4) = 14.04 degrees to both sides
         World world = start(world(List.of(robot("r", 0, 0, 0)), wall("box", 2.5, 0, 1, 1, RED)));
-        Blob blob = Objects.requireNonNull(world.latest().robots().getFirst().blobs()).blobs().getFirst();
+        Blob blob = Objects.requireNonNull(world.latest().robots().getFirst().blobs())
+                .blobs()
+                .getFirst();
         assertThat(blob.colour()).isEqualTo(RED);
         assertThat(blob.left()).isEqualTo(26); // column c looks 39.5 - c degrees to the left
         assertThat(blob.right()).isEqualTo(53);
@@ -166,14 +184,17 @@ class WorldTest {
                 List.of(robot("r", 0, 0, 0)), wall("box", 3, 0, 0.5, 0.5, RED), wall("screen", 1, 0, 0.1, 2, BLACK)));
         assertThat(colours(behindWall)).containsExactly(BLACK);
         World behindRobot = start(world(
-                List.of(robot("r", 0, 0, 0), robot("other", 0.6, 0, StrictMath.PI / 2)), wall("box", 3, 0, 0.4, 0.4, RED)));
+                List.of(robot("r", 0, 0, 0), robot("other", 0.6, 0, StrictMath.PI / 2)),
+                wall("box", 3, 0, 0.4, 0.4, RED)));
         assertThat(colours(behindRobot)).containsExactly(0xFFA500);
     }
 
     @Test
     void blobs_endWhereTheColourChanges_fromLeftToRight() {
         World world = start(world(
-                List.of(robot("r", 0, 0, 0)), wall("left", 2, 0.3, 0.2, 0.6, GREEN), wall("right", 2, -0.3, 0.2, 0.6, RED)));
+                List.of(robot("r", 0, 0, 0)),
+                wall("left", 2, 0.3, 0.2, 0.6, GREEN),
+                wall("right", 2, -0.3, 0.2, 0.6, RED)));
         assertThat(colours(world)).containsExactly(GREEN, RED);
     }
 
@@ -182,9 +203,22 @@ class WorldTest {
         RobotSpec plain = robot("r", 0, 0, 0);
         var choosy = new BlobfinderSpec(Pose.ORIGIN, 80, 60, 5, StrictMath.toRadians(80), List.of(RED));
         var robot = new RobotSpec(
-                "r", plain.pose(), plain.shape(), plain.colour(), 0.4, 0.3, 10, Pose.ORIGIN, Pose.ORIGIN, null, choosy, true, true, plain.where());
-        World world = start(world(
-                List.of(robot), wall("green", 1, 0, 0.1, 0.2, GREEN), wall("red", 2, 0, 0.1, 3, RED)));
+                "r",
+                plain.pose(),
+                plain.shape(),
+                plain.colour(),
+                0.4,
+                0.3,
+                10,
+                Pose.ORIGIN,
+                Pose.ORIGIN,
+                null,
+                choosy,
+                true,
+                true,
+                plain.where());
+        World world =
+                start(world(List.of(robot), wall("green", 1, 0, 0.1, 0.2, GREEN), wall("red", 2, 0, 0.1, 3, RED)));
         assertThat(colours(world)).containsExactly(RED, RED); // left and right of the green one
     }
 
@@ -194,7 +228,9 @@ class WorldTest {
         var see = new ObstacleSpec(glass.name(), glass.pose(), glass.shape(), GREEN, true, false, false, glass.where());
         World world = start(world(List.of(robot("r", 0, 0, 0)), see, wall("red", 2.05, 0, 0.1, 3, RED)));
         assertThat(colours(world)).containsExactly(RED);
-        assertThat(Objects.requireNonNull(world.latest().robots().getFirst().sonarM()).get(1)).isCloseTo(2, within(ROUNDING));
+        assertThat(Objects.requireNonNull(world.latest().robots().getFirst().sonarM())
+                        .get(1))
+                .isCloseTo(2, within(ROUNDING));
     }
 
     @Test
@@ -215,13 +251,17 @@ class WorldTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("wheely was told to drive at NaN m/s");
         world.command(0, 1e9, 0);
-        assertThat(advance(world, 1).robots().getFirst().odometry().forwardMps()).isEqualTo(5);
+        assertThat(advance(world, 1).robots().getFirst().odometry().forwardMps())
+                .isEqualTo(5);
     }
 
     @Test
     void interval_thatIsNoMultipleOfTheStep_isRefused() {
-        var spec = new WorldSpec("odd", java.nio.file.Path.of("odd.world"), 25, List.of(robot("r", 0, 0, 0)), List.of());
-        assertThatThrownBy(() -> start(spec)).hasMessageContaining("interval_sim is 25 ms").hasMessageContaining("10000 microseconds");
+        var spec =
+                new WorldSpec("odd", java.nio.file.Path.of("odd.world"), 25, List.of(robot("r", 0, 0, 0)), List.of());
+        assertThatThrownBy(() -> start(spec))
+                .hasMessageContaining("interval_sim is 25 ms")
+                .hasMessageContaining("10000 microseconds");
     }
 
     @Test
@@ -279,7 +319,12 @@ class WorldTest {
             robots.add(robot("r" + index, index % 3 - 1, index / 3 - 1, index));
         }
         World world = World.create(
-                world(robots, wall("n", 0, 2, 5, 0.2, BLACK), wall("s", 0, -2, 5, 0.2, RED), wall("e", 2, 0, 0.2, 5, GREEN), wall("w", -2, 0, 0.2, 5, BLACK)),
+                world(
+                        robots,
+                        wall("n", 0, 2, 5, 0.2, BLACK),
+                        wall("s", 0, -2, 5, 0.2, RED),
+                        wall("e", 2, 0, 0.2, 5, GREEN),
+                        wall("w", -2, 0, 0.2, 5, BLACK)),
                 WorldSettings.DEFAULT.withSeed(seed).withJitter(0.02, 0.03));
         var snapshots = new ArrayList<Snapshot>();
         for (int tick = 0; tick < 200; tick++) {
@@ -292,6 +337,8 @@ class WorldTest {
     }
 
     private static List<Integer> colours(World world) {
-        return Objects.requireNonNull(world.latest().robots().getFirst().blobs()).blobs().stream().map(Blob::colour).toList();
+        return Objects.requireNonNull(world.latest().robots().getFirst().blobs()).blobs().stream()
+                .map(Blob::colour)
+                .toList();
     }
 }

@@ -28,15 +28,15 @@ public class Demo3 extends Actor {
     }
 
     public void live() {
-        if (color2==255){
+        if (color2 == 255) {
             printed.add("State 1");
             atomicRefWF1.set(1);
             robot1.wallFollower(0, atomicRefWF1);
             atomicRefSW2.set(1);
             atomicRefBF2.set(1);
-            robot2.spaceWanderer(1,atomicRefSW2,atomicRefBF2, 255).then(result-> {
+            robot2.spaceWanderer(1, atomicRefSW2, atomicRefBF2, 255).then(result -> {
                 color2 = result;
-                printed.add("color"+color2);
+                printed.add("color" + color2);
 
                 atomicRefWF1.set(0); // [3] the paper's text says so, its figure does not
                 atomicRefSW2.set(0);
@@ -81,7 +81,8 @@ public class Demo3 extends Actor {
         atomicRefBF1.set(0);
         atomicRefSW2.set(0);
         atomicRefBF2.set(0);
-        atomicRefSW1 = new AtomicReference<>(0); // [5] one of them may still be on its way from 0 to 2: do not set it to 1 again
+        atomicRefSW1 = new AtomicReference<>(
+                0); // [5] one of them may still be on its way from 0 to 2: do not set it to 1 again
         atomicRefBF1 = new AtomicReference<>(0);
         atomicRefSW2 = new AtomicReference<>(0);
         atomicRefBF2 = new AtomicReference<>(0);

@@ -30,7 +30,10 @@ class PhysicsTest {
         }
         RepairedTree tree = physics.tree();
         assertThat(tree.moveCount()).isEqualTo(30_000);
-        assertThat(tree.reinsertCount()).as("of %d moves", tree.moveCount()).isLessThan(tree.moveCount() / 10).isPositive();
+        assertThat(tree.reinsertCount())
+                .as("of %d moves", tree.moveCount())
+                .isLessThan(tree.moveCount() / 10)
+                .isPositive();
     }
 
     @Test

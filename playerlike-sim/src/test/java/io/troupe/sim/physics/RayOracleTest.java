@@ -85,7 +85,8 @@ class RayOracleTest {
         float[] best = {1};
         world.raycast(
                 (fixture, point, normal, fraction) -> {
-                    best[0] = Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
+                    best[0] =
+                            Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
                     return best[0];
                 },
                 from,

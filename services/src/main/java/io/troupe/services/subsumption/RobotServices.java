@@ -26,11 +26,17 @@ import org.jspecify.annotations.Nullable;
  */
 public class RobotServices extends Actor {
     /** Where the robots are and how they are driven. */
-    public record Settings(String host, int port, CornerStyle cornerStyle, IntPredicate coloursOfInterest, ServiceObserver observer) {
+    public record Settings(
+            String host, int port, CornerStyle cornerStyle, IntPredicate coloursOfInterest, ServiceObserver observer) {
         /** The paper's: its three colours, its corner style, the default port on this machine. */
         public static Settings ofThePaper() {
             var table = SubsumptionTable.ofThePaper();
-            return new Settings("localhost", 6665, CornerStyle.FORWARD, colour -> table.state(colour).isPresent(), ServiceObserver.NONE);
+            return new Settings(
+                    "localhost",
+                    6665,
+                    CornerStyle.FORWARD,
+                    colour -> table.state(colour).isPresent(),
+                    ServiceObserver.NONE);
         }
 
         public Settings withObserver(ServiceObserver newObserver) {
@@ -80,9 +86,13 @@ public class RobotServices extends Actor {
             int robot, AtomicReference<Integer> reference, AtomicReference<Integer> colourFinder, int stateColour) {
         var seen = new int[] {stateColour};
         return begin(robot, Service.SPACE_WANDERER, reference, (link, first) -> {
-                    // the reading at hand has had its say: two robots that each see the other's colour would else switch for ever, and never move
+                    // the reading at hand has had its say: two robots that each see the other's colour would else
+                    // switch for ever, and never move
                     OptionalInt colour = !first && colourFinder.get() == ServiceLoop.RUN
-                            ? ColourFinder.find(link.sightings(), each -> each != stateColour && settings.coloursOfInterest().test(each))
+                            ? ColourFinder.find(
+                                    link.sightings(),
+                                    each -> each != stateColour
+                                            && settings.coloursOfInterest().test(each))
                             : OptionalInt.empty();
                     if (colour.isPresent()) {
                         seen[0] = colour.getAsInt();
@@ -126,16 +136,19 @@ public class RobotServices extends Actor {
             return start(robot, service, reference, cycle);
         }
         if (before.isToRun()) {
-            throw new IllegalStateException("robot " + robot + " is in the charge of " + before.service() + " and was to get " + service
-                    + ": set the reference of the first to 0 before");
+            throw new IllegalStateException("robot " + robot + " is in the charge of " + before.service()
+                    + " and was to get " + service + ": set the reference of the first to 0 before");
         }
         before.wake();
-        return before.ended().handle((stopped, error) -> null).thenCompose(free -> begin(robot, service, reference, cycle));
+        return before.ended()
+                .handle((stopped, error) -> null)
+                .thenCompose(free -> begin(robot, service, reference, cycle));
     }
 
     private Promise<@Nullable Void> start(
             int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Cycle cycle) {
-        RobotLink link = links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
+        RobotLink link =
+                links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
         var loop = new ServiceLoop(space(), robot, service, link, reference, cycle, settings.observer());
         inCharge.put(robot, loop);
         return loop.ended().whenComplete((stopped, error) -> inCharge.remove(robot, loop));

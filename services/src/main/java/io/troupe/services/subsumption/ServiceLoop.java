@@ -58,7 +58,8 @@ final class ServiceLoop {
         if (isToRun() && link.hasData()) {
             cycle(true);
         }
-        this.ended = space.repeatWhile(this::isToRun, () -> link.nextData().thenAccept(this::react)).whenComplete((done, error) -> halt(error));
+        this.ended = space.repeatWhile(this::isToRun, () -> link.nextData().thenAccept(this::react))
+                .whenComplete((done, error) -> halt(error));
     }
 
     AtomicReference<Integer> reference() {
