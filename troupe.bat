@@ -31,7 +31,7 @@ if errorlevel 1 (
 )
 set "CP="
 for /f "usebackq delims=" %%c in ("%CLASSPATH_FILE%") do set "CP=%%c"
-"%JAVA_HOME%\bin\java.exe" -cp "%ROOT%demo\target\classes;%CP%" io.troupe.demo.Main %*
+"%JAVA_HOME%\bin\java.exe" "-Dtroupe.home=%ROOT%." -cp "%ROOT%demo\target\classes;%CP%" io.troupe.demo.Main %*
 exit /b %ERRORLEVEL%
 
 :try

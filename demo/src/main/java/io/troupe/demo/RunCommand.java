@@ -12,6 +12,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -25,12 +26,18 @@ import picocli.CommandLine.Spec;
         showDefaultValues = true)
 final class RunCommand implements Callable<Integer> {
     private static final long CLOSING_SECONDS = 10;
+    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--world", paramLabel = "FILE", description = "a .world or .cfg file")
-    private Path world = Path.of("demo", "worlds", "paper-arena.world");
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.world"));
 
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
     private double seconds = 300;
