@@ -9,10 +9,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * What one robot is and senses at a tick.
  *
- * @param pose the true pose, in the world's frame
+ * @param pose the true pose of the centre of rotation, in the world's frame; heading from -pi to pi
  * @param sonarM one range per sonar, in metres; null if it has no sonar
  * @param blobs null if it has no blobfinder
- * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies
+ * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is
+ *     none
  */
 public record RobotReading(
         Pose pose,

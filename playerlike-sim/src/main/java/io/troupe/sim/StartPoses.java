@@ -1,66 +1,97 @@
 package io.troupe.sim;
 
-import io.troupe.sim.device.Clearance;
+import io.troupe.sim.device.Outline;
+import io.troupe.sim.physics.Physics;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
+import org.jspecify.annotations.Nullable;
 
-/** Where the robots begin: the poses of the world file, moved a little by the seed. */
+/** Where robots start: where the world file says, moved a little at random if asked for, and clear of everything. */
 final class StartPoses {
-    private static final int TRIES = 100;
+    private static final int MOST_DRAWS = 100;
 
-    private StartPoses() {}
+    private record Body(String title, Outline outline) {}
 
-    static List<Pose> draw(WorldSpec spec, WorldSettings settings) {
-        var starts = new ArrayList<Pose>();
-        for (int robot = 0; robot < spec.robots().size(); robot++) {
-            starts.add(draw(spec, settings, robot, starts));
-        }
-        return starts;
+    private final WorldSettings settings;
+    private final List<Body> placed = new ArrayList<>();
+
+    private StartPoses(WorldSettings settings) {
+        this.settings = settings;
     }
 
-    private static Pose draw(WorldSpec spec, WorldSettings settings, int robot, List<Pose> before) {
-        RobotSpec robotSpec = spec.robots().get(robot);
-        if (settings.jitterM() == 0 && settings.jitterRad() == 0) {
-            return robotSpec.pose();
-        }
-        var others = new Clearance();
-        spec.obstacles().stream()
-                .filter(ObstacleSpec::blocksBodies)
-                .forEach(each -> others.add(each.shape(), each.pose()));
-        for (int other = 0; other < before.size(); other++) {
-            others.add(spec.robots().get(other).shape(), before.get(other));
-        }
-        Random random = stream(settings.seed(), robot);
-        for (int attempt = 0; attempt < TRIES; attempt++) {
-            Pose pose = jitter(robotSpec.pose(), settings, random);
-            if (others.of(robotSpec.shape(), pose) > 0) {
-                return pose;
+    static List<Pose> of(WorldSpec spec, WorldSettings settings) {
+        var starts = new StartPoses(settings);
+        for (ObstacleSpec obstacle : spec.obstacles()) {
+            if (obstacle.blocksBodies()) {
+                starts.add("obstacle", obstacle.name(), new Outline(obstacle.shape(), obstacle.pose()));
             }
         }
-        throw new IllegalArgumentException(robotSpec.where() + ": " + robotSpec.name() + " finds no free place within "
-                + settings.jitterM() + " m of its start pose in " + TRIES + " tries");
+        return spec.robots().stream().map(starts::choose).toList();
     }
 
-    private static Pose jitter(Pose pose, WorldSettings settings, Random random) {
-        return new Pose(
-                pose.x() + symmetric(random, settings.jitterM()),
-                pose.y() + symmetric(random, settings.jitterM()),
-                pose.headingRad() + symmetric(random, settings.jitterRad()));
+    private void add(String kind, String name, Outline outline) {
+        placed.add(new Body(kind + " '" + name + "'", outline));
     }
 
-    private static double symmetric(Random random, double bound) {
-        return (2 * random.nextDouble() - 1) * bound;
+    private Pose choose(RobotSpec robot) {
+        Pose wanted = robot.pose();
+        var outline = new Outline(robot.shape(), wanted);
+        Body inTheWay = firstOverlapping(outline);
+        if (inTheWay != null) {
+            throw new WorldFileException(
+                    robot.where(), "robot '" + robot.name() + "' overlaps " + inTheWay.title() + ": move one of them");
+        }
+        boolean jitter = settings.jitterM() > 0 || settings.jitterRad() > 0;
+        Pose chosen = jitter ? jittered(robot, outline) : wanted;
+        outline.place(chosen);
+        add("robot", robot.name(), outline);
+        return chosen;
     }
 
-    /** A stream of its own for each robot, so that adding one moves no other; {@link Random} because its numbers are specified. */
-    private static Random stream(long seed, int robot) {
-        long mixed = seed * 0x9E3779B97F4A7C15L + (robot + 1) * 0xBF58476D1CE4E5B9L;
-        mixed ^= mixed >>> 31;
-        return new Random(mixed * 0x94D049BB133111EBL);
+    private Pose jittered(RobotSpec robot, Outline outline) {
+        var random = new RandomStream(settings.seed(), robot.name(), "start");
+        Pose from = robot.pose();
+        for (int draw = 0; draw < MOST_DRAWS; draw++) {
+            var candidate = new Pose(
+                    from.x() + random.nextWithin(settings.jitterM()),
+                    from.y() + random.nextWithin(settings.jitterM()),
+                    from.headingRad() + random.nextWithin(settings.jitterRad()));
+            outline.place(candidate);
+            if (placed.stream().noneMatch(body -> body.outline().gapM(outline) <= Physics.SKIN_M)) {
+                return candidate;
+            }
+        }
+        outline.place(from);
+        String nearest = nearest(outline).title();
+        throw new WorldFileException(
+                robot.where(),
+                "robot '" + robot.name() + "' has no room to start up to " + settings.jitterM() + " m and "
+                        + settings.jitterRad() + " rad from its pose: " + MOST_DRAWS + " draws with seed "
+                        + settings.seed() + " were all nearer than " + Physics.SKIN_M + " m to another body; nearest is "
+                        + nearest);
+    }
+
+    private @Nullable Body firstOverlapping(Outline outline) {
+        for (Body body : placed) {
+            if (body.outline().overlaps(outline)) {
+                return body;
+            }
+        }
+        return null;
+    }
+
+    private Body nearest(Outline outline) {
+        Body nearest = placed.getFirst();
+        for (Body body : placed) {
+            if (body.outline().gapM(outline) < nearest.outline().gapM(outline)) {
+                nearest = body;
+            }
+        }
+        return nearest;
     }
 }

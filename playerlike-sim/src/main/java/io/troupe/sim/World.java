@@ -1,219 +1,256 @@
 package io.troupe.sim;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.sim.device.Blobfinder;
-import io.troupe.sim.device.Clearance;
-import io.troupe.sim.device.Odometer;
 import io.troupe.sim.device.Odometry;
-import io.troupe.sim.device.RayGrid;
+import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.physics.Physics;
+import io.troupe.sim.physics.Touch;
 import io.troupe.sim.scenario.ObstacleSpec;
+import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.Shape;
+import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.atomic.AtomicReferenceArray;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A world of robots that advances by fixed intervals of simulated time.
  *
- * <p><b>Role.</b> Made from a {@link WorldSpec}; {@link Simulation} offers its robots to Player clients.
- * <p><b>Threads.</b> {@link #advance} always on the same thread; commands and {@link #latest} on any.
- * <p><b>Order.</b> One interval: the newest commands are latched in the order of robots; physics steps; then everything is sensed, in the order of robots.
- * The same settings and commands give the same snapshots, bit for bit, on any machine.
- * <p><b>Units and shapes.</b> SI; simulated time in microseconds.
+ * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the specification, the
+ * settings and, for each interval, the commands given before it; equal input gives equal snapshots, bit for bit.
+ * <p><b>Threads.</b> {@link #advance} belongs to the thread that calls it first; everything else may be called from any thread.
+ * <p><b>Order.</b> An interval latches odometry resets and commands (of several for one robot the newest; by robot index), runs
+ * the physics steps, reads all devices and publishes a snapshot.
+ * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
 public final class World {
+    private static final System.Logger LOG = System.getLogger(World.class.getName());
+    private static final Shape NO_SHAPE = new Shape(List.of());
+
     private record Command(double forwardMps, double turnRadps) {
-        static final Command STOP = new Command(0, 0);
+        static final Command ZERO = new Command(0, 0);
     }
+
+    /** A robot's devices. */
+    private record Devices(Position2d position2d, @Nullable Sonar sonar, @Nullable Blobfinder blobfinder) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
+    private final long intervalMicros;
+    private final int stepsPerInterval;
     private final Physics physics;
-    private final RayGrid grid;
-    private final Clearance clearance = new Clearance();
-    private final List<Odometer> odometers = new ArrayList<>();
-    private final AtomicReferenceArray<Command> commands;
-    private final AtomicReferenceArray<@Nullable Pose> newOdometry;
+    private final Scene scene;
+    private final List<Devices> devices = new ArrayList<>();
+    private final AtomicReferenceArray<Command> newestCommands;
+    private final AtomicReferenceArray<@Nullable Pose> odometryToSet;
+    private final Command[] latched;
+    private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private volatile Snapshot latest;
-    private @Nullable Thread advancing;
-
-    private World(WorldSpec spec, WorldSettings settings, List<Pose> starts) {
-        this.spec = spec;
-        this.settings = settings;
-        int robots = spec.robots().size();
-        commands = new AtomicReferenceArray<>(robots);
-        newOdometry = new AtomicReferenceArray<>(robots);
-        physics = new Physics(robots, settings.physicsStepMicros(), needsContinuousPhysics(spec, settings));
-        for (ObstacleSpec obstacle : spec.obstacles()) {
-            physics.addObstacle(
-                    obstacle.pose(),
-                    obstacle.blocksBodies() ? obstacle.shape() : new io.troupe.sim.scenario.Shape(List.of()));
-            if (obstacle.blocksBodies()) {
-                clearance.add(obstacle.shape(), obstacle.pose());
-            }
-        }
-        for (int robot = 0; robot < robots; robot++) {
-            RobotSpec robotSpec = spec.robots().get(robot);
-            physics.addRobot(starts.get(robot), robotSpec.shape(), robotSpec.massKg());
-            odometers.add(new Odometer(starts.get(robot), robotSpec.startOdometry()));
-            commands.set(robot, Command.STOP);
-        }
-        grid = new RayGrid(
-                spec.obstacles().stream()
-                        .map(each -> new RayGrid.Thing(
-                                each.shape(), each.colour(), flags(each.blocksRangers(), each.visible())))
-                        .toList(),
-                spec.obstacles().stream().map(ObstacleSpec::pose).toList(),
-                spec.robots().stream()
-                        .map(each -> new RayGrid.Thing(
-                                each.shape(), each.colour(), flags(each.blocksRangers(), each.visible())))
-                        .toList());
-        latest = sense(0, 0, List.of());
-    }
 
     /**
-     * A world at its start, sensors read.
+     * A world at tick 0, its devices read once.
      *
-     * @throws IllegalArgumentException if the interval is not a whole number of physics steps, or a robot at full speed moves too far in one
+     * <p><b>Errors.</b> {@link WorldFileException} for a body that cannot be simulated or overlaps another,
+     * {@link IllegalArgumentException} for settings that do not fit the world.
      */
     public static World create(WorldSpec spec, WorldSettings settings) {
-        long interval = spec.intervalMillis() * 1000L;
-        if (interval % settings.physicsStepMicros() != 0) {
-            throw new IllegalArgumentException(
-                    "interval_sim is " + spec.intervalMillis() + " ms, expected a multiple of the physics step of "
-                            + settings.physicsStepMicros() + " microseconds");
+        requireNonNull(spec, "spec");
+        requireNonNull(settings, "settings");
+        SpecCheck.check(spec, settings);
+        if (!Physics.hasStandardSineTable()) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "this machine computes sines of its own: trajectories may differ from those of other machines");
         }
+        return new World(spec, settings, StartPoses.of(spec, settings));
+    }
+
+    private World(WorldSpec spec, WorldSettings settings, List<Pose> startPoses) {
+        this.spec = spec;
+        this.settings = settings;
+        intervalMicros = spec.intervalMillis() * 1000L;
+        stepsPerInterval = Math.toIntExact(intervalMicros / settings.physicsStepMicros());
+        int robotCount = spec.robots().size();
+        newestCommands = new AtomicReferenceArray<>(robotCount);
+        odometryToSet = new AtomicReferenceArray<>(robotCount);
+        latched = new Command[robotCount];
+        scene = new Scene(spec);
+        physics = new Physics(robotCount, settings.physicsStepMicros(), canPassAWallInOneStep());
+        for (ObstacleSpec obstacle : spec.obstacles()) {
+            physics.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
+        }
+        for (int i = 0; i < robotCount; i++) {
+            RobotSpec robot = spec.robots().get(i);
+            Pose start = startPoses.get(i);
+            physics.addRobot(start, robot.shape(), robot.massKg());
+            devices.add(devicesOf(robot, start));
+            newestCommands.set(i, Command.ZERO);
+            latched[i] = Command.ZERO;
+        }
+        latest = sense(0);
+    }
+
+    private static Devices devicesOf(RobotSpec robot, Pose start) {
+        try {
+            return new Devices(
+                    new Position2d(start, robot.startOdometry()),
+                    robot.sonar() == null ? null : new Sonar(robot.sonar()),
+                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()));
+        } catch (IllegalArgumentException e) {
+            throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
+        }
+    }
+
+    /** Whether some point of some robot can travel half the robot's smallest extent in one step. */
+    private boolean canPassAWallInOneStep() {
         double stepS = settings.physicsStepMicros() / 1e6;
-        if (settings.maxForwardMps() * stepS > Physics.MAX_TRAVEL_M
-                || settings.maxTurnRadps() * stepS > Physics.MAX_TURN_RAD) {
-            throw new IllegalArgumentException("a robot at " + settings.maxForwardMps() + " m/s and "
-                    + settings.maxTurnRadps() + " rad/s moves too far in a physics step of "
-                    + settings.physicsStepMicros() + " microseconds");
+        for (RobotSpec robot : spec.robots()) {
+            List<Point> points =
+                    robot.shape().polygons().stream().flatMap(List::stream).toList();
+            var x = points.stream().mapToDouble(Point::x).summaryStatistics();
+            var y = points.stream().mapToDouble(Point::y).summaryStatistics();
+            double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
+            double radiusM = points.stream()
+                    .mapToDouble(p -> StrictMath.hypot(p.x(), p.y()))
+                    .max()
+                    .orElse(0);
+            if ((settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS >= smallestM / 2) {
+                return true;
+            }
         }
-        return new World(spec, settings, StartPoses.draw(spec, settings));
-    }
-
-    private static boolean needsContinuousPhysics(WorldSpec spec, WorldSettings settings) {
-        double halfWidth = spec.robots().stream()
-                .mapToDouble(each -> StrictMath.min(each.lengthM(), each.widthM()) / 2)
-                .min()
-                .orElse(1);
-        return settings.maxForwardMps() * settings.physicsStepMicros() / 1e6 >= halfWidth;
-    }
-
-    private static int flags(boolean forRangers, boolean forCameras) {
-        return (forRangers ? RayGrid.FOR_RANGERS : 0) | (forCameras ? RayGrid.FOR_CAMERAS : 0);
+        return false;
     }
 
     public WorldSpec spec() {
         return spec;
     }
 
-    /** The newest snapshot; that of tick 0 right after creation. Any thread. */
+    /** The newest snapshot; that of tick 0 right after creation. */
     public Snapshot latest() {
         return latest;
     }
 
-    /** Simulated time of the newest snapshot. Any thread. */
+    /** Simulated time of the newest snapshot. */
     public long timeMicros() {
         return latest.timeMicros();
     }
 
     /**
-     * Sets a robot's speed from the next {@link #advance()} on, within the limits of the settings; the newest command wins. Any thread.
+     * Sets a robot's speed from the next {@link #advance} on, until another command replaces it.
      *
-     * @throws IllegalArgumentException if a speed is not a finite number
+     * @param forwardMps clamped to the settings' limits, as is the turn rate
+     * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
+        RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
-            throw new IllegalArgumentException(spec.robots().get(robot).name() + " was told to drive at " + forwardMps
+            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
-        commands.set(
+        newestCommands.set(
                 robot,
                 new Command(
                         Math.clamp(forwardMps, -settings.maxForwardMps(), settings.maxForwardMps()),
                         Math.clamp(turnRadps, -settings.maxTurnRadps(), settings.maxTurnRadps())));
     }
 
-    /** The same as {@code command(robot, 0, 0)}. */
+    /** The same as a command to stand still. */
     public void stop(int robot) {
-        commands.set(robot, Command.STOP);
+        command(robot, 0, 0);
     }
 
-    /** Makes odometry report this pose where the robot stands when the next {@link #advance()} begins. Any thread. */
+    /** Makes odometry report this pose where the robot stands when the next {@link #advance} begins. */
     public void setOdometry(int robot, Pose pose) {
-        newOdometry.set(robot, pose);
+        RobotSpec target = robot(robot);
+        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
+            throw new IllegalArgumentException(
+                    "odometry of robot '" + target.name() + "' was set to " + pose + ", expected finite numbers");
+        }
+        odometryToSet.set(robot, pose);
     }
 
-    /** Advances by one interval: physics, then sensing. Always the same thread. */
+    private RobotSpec robot(int robot) {
+        List<RobotSpec> robots = spec.robots();
+        if (robot < 0 || robot >= robots.size()) {
+            throw new IllegalArgumentException("there is no robot " + robot + ", world '" + spec.name() + "' has "
+                    + robots.size() + ", counted from 0");
+        }
+        return robots.get(robot);
+    }
+
+    /** Advances by one interval and publishes the snapshot at its end. */
     public Snapshot advance() {
         checkThread();
-        long steps = spec.intervalMillis() * 1000L / settings.physicsStepMicros();
-        for (int robot = 0; robot < commands.length(); robot++) {
-            Pose odometry = newOdometry.getAndSet(robot, null);
-            if (odometry != null) {
-                odometers.get(robot).set(physics.pose(robot), odometry);
-            }
-            Command command = commands.get(robot);
-            physics.drive(robot, command.forwardMps, command.turnRadps);
-        }
-        for (long step = 0; step < steps; step++) {
+        latch();
+        for (int i = 0; i < stepsPerInterval; i++) {
             physics.step();
         }
-        Snapshot before = latest;
-        var contacts = physics.drainTouches().stream()
-                .map(touch -> new Contact(
-                        touch.timeMicros(),
-                        touch.robot(),
-                        nameOfOther(touch.otherRobot(), touch.obstacle()),
-                        touch.otherRobot()))
-                .toList();
-        latest = sense(before.tick() + 1, before.timeMicros() + spec.intervalMillis() * 1000L, contacts);
-        return latest;
-    }
-
-    private String nameOfOther(int robot, int obstacle) {
-        return robot >= 0
-                ? spec.robots().get(robot).name()
-                : spec.obstacles().get(obstacle).name();
-    }
-
-    private Snapshot sense(long tick, long timeMicros, List<Contact> contacts) {
-        List<Pose> poses =
-                IntStream.range(0, spec.robots().size()).mapToObj(physics::pose).toList();
-        grid.placeRobots(poses);
-        var readings = new ArrayList<RobotReading>(poses.size());
-        for (int robot = 0; robot < poses.size(); robot++) {
-            RobotSpec robotSpec = spec.robots().get(robot);
-            Pose pose = poses.get(robot);
-            Command command = commands.get(robot);
-            readings.add(new RobotReading(
-                    pose,
-                    new Odometry(
-                            odometers.get(robot).read(pose),
-                            command.forwardMps,
-                            command.turnRadps,
-                            physics.stalled(robot)),
-                    robotSpec.sonar() == null ? null : Sonar.read(robotSpec.sonar(), pose, robot, grid),
-                    robotSpec.blobfinder() == null ? null : Blobfinder.read(robotSpec.blobfinder(), pose, robot, grid),
-                    clearance.of(robotSpec.shape(), pose)));
-        }
-        return new Snapshot(tick, timeMicros, readings, contacts);
+        Snapshot next = sense(latest.tick() + 1);
+        latest = next;
+        return next;
     }
 
     private void checkThread() {
-        Thread caller = Thread.currentThread();
-        if (advancing == null) {
-            advancing = caller;
-        } else if (advancing != caller) {
-            throw new IllegalStateException("the world " + spec.name() + " is advanced by " + advancing.getName()
-                    + ", and was called on " + caller.getName());
+        Thread current = Thread.currentThread();
+        Thread owner = advancer.get();
+        if (owner != current && !advancer.compareAndSet(null, current)) {
+            throw new IllegalStateException("advance() belongs to thread '" + advancer.get().getName()
+                    + "', which called it first, and was called by thread '" + current.getName() + "'");
         }
+    }
+
+    private void latch() {
+        for (int i = 0; i < latched.length; i++) {
+            Pose odometry = odometryToSet.getAndSet(i, null);
+            if (odometry != null) {
+                devices.get(i).position2d().set(physics.pose(i), odometry);
+            }
+            latched[i] = newestCommands.get(i);
+            physics.drive(i, latched[i].forwardMps(), latched[i].turnRadps());
+        }
+    }
+
+    private Snapshot sense(long tick) {
+        for (int i = 0; i < latched.length; i++) {
+            scene.place(i, physics.pose(i));
+        }
+        scene.refresh();
+        List<RobotReading> readings = new ArrayList<>(latched.length);
+        for (int i = 0; i < latched.length; i++) {
+            readings.add(read(i));
+        }
+        List<Contact> contacts =
+                physics.drainTouches().stream().map(this::contact).toList();
+        return new Snapshot(tick, tick * intervalMicros, readings, contacts);
+    }
+
+    private RobotReading read(int robot) {
+        Pose pose = physics.pose(robot);
+        Devices its = devices.get(robot);
+        Command command = latched[robot];
+        var odometry = new Odometry(
+                its.position2d().report(pose), command.forwardMps(), command.turnRadps(), physics.stalled(robot));
+        return new RobotReading(
+                pose,
+                odometry,
+                its.sonar() == null ? null : its.sonar().read(scene, robot),
+                its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
+                scene.wallGapM(robot));
+    }
+
+    private Contact contact(Touch touch) {
+        String other = touch.otherRobot() >= 0
+                ? spec.robots().get(touch.otherRobot()).name()
+                : spec.obstacles().get(touch.obstacle()).name();
+        return new Contact(touch.timeMicros(), touch.robot(), other, touch.otherRobot());
     }
 }

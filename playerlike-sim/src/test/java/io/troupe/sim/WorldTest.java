@@ -15,6 +15,7 @@ import io.troupe.sim.scenario.BlobfinderSpec;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
@@ -249,7 +250,7 @@ class WorldTest {
         World world = start(world(List.of(robot("wheely", 0, 0, 0))));
         assertThatThrownBy(() -> world.command(0, Double.NaN, 0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("wheely was told to drive at NaN m/s");
+                .hasMessageContaining("'wheely' was told to drive at NaN m/s");
         world.command(0, 1e9, 0);
         assertThat(advance(world, 1).robots().getFirst().odometry().forwardMps())
                 .isEqualTo(5);
@@ -260,8 +261,8 @@ class WorldTest {
         var spec =
                 new WorldSpec("odd", java.nio.file.Path.of("odd.world"), 25, List.of(robot("r", 0, 0, 0)), List.of());
         assertThatThrownBy(() -> start(spec))
-                .hasMessageContaining("interval_sim is 25 ms")
-                .hasMessageContaining("10000 microseconds");
+                .hasMessageContaining("the interval of world 'odd' is 25000 us")
+                .hasMessageContaining("10000 us");
     }
 
     @Test
@@ -277,7 +278,7 @@ class WorldTest {
             }
         });
         thread.join();
-        assertThat(refused[0]).hasMessageContaining("the world test is advanced by");
+        assertThat(refused[0]).hasMessageContaining("advance() belongs to thread");
     }
 
     @Test
@@ -299,11 +300,11 @@ class WorldTest {
     }
 
     @Test
-    void jitter_withoutAFreePlace_isRefused() {
+    void startInsideAnObstacle_isRefused() {
         WorldSpec tight = world(List.of(robot("a", 0, 0, 0)), wall("all around", 0, 0, 5, 5, BLACK));
         assertThatThrownBy(() -> World.create(tight, WorldSettings.DEFAULT.withJitter(0.5, 3)))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("a finds no free place within 0.5 m");
+                .isInstanceOf(WorldFileException.class)
+                .hasMessageContaining("robot 'a' overlaps obstacle 'all around'");
     }
 
     @Test

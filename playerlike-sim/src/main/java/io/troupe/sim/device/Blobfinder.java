@@ -6,66 +6,84 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A colour camera: one ray for each image column, neighbouring columns of one colour make a blob.
+ * A robot's camera: one ray per image column; neighbouring columns of one colour are a blob.
  *
- * <p><b>Units and shapes.</b> Column 0 is at the left edge; the ray of column c of w goes through the middle of the column,
- * {@code fov / 2 - (c + 1/2) * fov / w} left of the camera's axis. The height of a blob is that of a thing {@value #HEIGHT_M} m high at the blob's mean distance.
- * <p><b>Source.</b> Stage's blobfinder model; unlike it, this one skips no column after a blob, and areas are never negative.
+ * <p>A column sees the first visible thing within range, past the robot that carries the camera. What is not to be reported still
+ * hides what is behind it. Columns where nothing is in range belong to no blob.
+ *
+ * <p><b>Units and shapes.</b> Column {@code i} of {@code n} looks along its centre, at the angle
+ * {@code fov / 2 - (i + 0.5) * fov / n} left of the camera's heading. There is no third dimension: every thing counts as
+ * {@value #HALF_HEIGHT_M} m high above and below the camera, seen at its mean distance, and rows are as tall as
+ * {@code fov / heightPx}.
  */
 public final class Blobfinder {
-    private static final double HEIGHT_M = 0.6;
-    private static final int NOTHING = -1;
+    private static final double HALF_HEIGHT_M = 0.3;
+    private static final int NO_COLOUR = -1;
 
-    private Blobfinder() {}
+    private final BlobfinderSpec spec;
+    private final RayFan fan;
+    private final int[] things;
+    private final double[] distancesM;
 
-    /** What the camera of a robot with that index at that pose sees. */
-    public static BlobImage read(BlobfinderSpec spec, Pose robot, int index, RayGrid grid) {
-        Pose eye = robot.compose(spec.mount());
-        double columnRad = spec.fovRad() / spec.widthPx();
-        var blobs = new ArrayList<Blob>();
-        int colour = NOTHING;
+    public Blobfinder(BlobfinderSpec spec) {
+        if (spec.widthPx() < 1 || spec.heightPx() < 1) {
+            throw new IllegalArgumentException("blobfinder image is " + spec.widthPx() + " x " + spec.heightPx()
+                    + ", expected at least one pixel each way");
+        }
+        if (!(spec.rangeM() > 0 && spec.rangeM() < 1e6)) {
+            throw new IllegalArgumentException("blobfinder range is " + spec.rangeM() + ", expected metres above 0");
+        }
+        if (!(spec.fovRad() > 0 && spec.fovRad() <= 2 * StrictMath.PI)) {
+            throw new IllegalArgumentException(
+                    "blobfinder field of view is " + spec.fovRad() + " rad, expected above 0, at most a full turn");
+        }
+        this.spec = spec;
+        List<Pose> columns = new ArrayList<>();
+        for (int i = 0; i < spec.widthPx(); i++) {
+            double leftRad = spec.fovRad() / 2 - (i + 0.5) * spec.fovRad() / spec.widthPx();
+            columns.add(spec.mount().compose(new Pose(0, 0, leftRad)));
+        }
+        fan = new RayFan(columns);
+        things = new int[fan.size()];
+        distancesM = new double[fan.size()];
+    }
+
+    /** What the camera sees, from left to right. */
+    public BlobImage read(Scene scene, int robot) {
+        scene.cast(robot, fan, Ray.SIGHT, spec.rangeM(), things, distancesM);
+        List<Blob> blobs = new ArrayList<>();
         int left = 0;
-        double sumM = 0;
-        for (int column = 0; column <= spec.widthPx(); column++) {
-            double rangeM = 0;
-            int seen = NOTHING;
-            if (column < spec.widthPx()) {
-                double heading = eye.headingRad() + spec.fovRad() / 2 - (column + 0.5) * columnRad;
-                rangeM = grid.cast(eye.x(), eye.y(), heading, spec.rangeM(), index, RayGrid.FOR_CAMERAS);
-                seen = grid.hit() && isReported(spec, grid.hitColour()) ? grid.hitColour() : NOTHING;
+        while (left < things.length) {
+            int colour = colour(scene, left);
+            int right = left;
+            double sumM = distancesM[left];
+            while (right + 1 < things.length && colour(scene, right + 1) == colour) {
+                right++;
+                sumM += distancesM[right];
             }
-            if (seen != colour || column == spec.widthPx()) {
-                if (colour != NOTHING) {
-                    blobs.add(blob(spec, colour, left, column - 1, sumM / (column - left)));
-                }
-                colour = seen;
-                left = column;
-                sumM = 0;
+            if (isReported(colour)) {
+                blobs.add(blob(colour, left, right, sumM / (right - left + 1)));
             }
-            sumM += rangeM;
+            left = right + 1;
         }
         return new BlobImage(spec.widthPx(), spec.heightPx(), blobs);
     }
 
-    private static boolean isReported(BlobfinderSpec spec, int colour) {
-        List<Integer> wanted = spec.colours();
-        return wanted.isEmpty() || wanted.contains(colour);
+    private int colour(Scene scene, int column) {
+        return things[column] == Ray.NOTHING ? NO_COLOUR : scene.colour(things[column]);
     }
 
-    private static Blob blob(BlobfinderSpec spec, int colour, int left, int right, double rangeM) {
-        int half = (int) (StrictMath.atan2(HEIGHT_M / 2, rangeM) / (spec.fovRad() / spec.heightPx()));
-        int middle = spec.heightPx() / 2;
-        int top = Math.clamp(middle - half, 0, spec.heightPx());
-        int bottom = Math.clamp(middle + half, 0, spec.heightPx());
-        return new Blob(
-                colour,
-                (right - left) * (bottom - top),
-                left + (right - left) / 2,
-                middle,
-                left,
-                right,
-                top,
-                bottom,
-                rangeM);
+    private boolean isReported(int colour) {
+        return colour != NO_COLOUR && (spec.colours().isEmpty() || spec.colours().contains(colour));
+    }
+
+    private Blob blob(int colour, int left, int right, double rangeM) {
+        double rowRad = spec.fovRad() / spec.heightPx();
+        int centre = spec.heightPx() / 2;
+        int halfRows = (int) (StrictMath.atan2(HALF_HEIGHT_M, rangeM) / rowRad);
+        int top = Math.max(0, centre - halfRows);
+        int bottom = Math.min(spec.heightPx(), centre + halfRows);
+        int areaPx2 = (right - left) * (bottom - top);
+        return new Blob(colour, areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM);
     }
 }

@@ -41,7 +41,7 @@ final class RepairedTree implements BroadPhaseStrategy {
         return tree.moveProxy(proxy, away, displacement) && tree.moveProxy(proxy, box, displacement);
     }
 
-    /** What {@code AABB.contains} is for; in jbox2d 2.2.1.1 that one is the wrong way round, which is the fault. */
+    /** What {@code AABB.contains} is for; in jbox2d 2.2.1.1 that one is the wrong way round, which is where the fault comes from. */
     private static boolean holds(AABB outer, AABB inner) {
         return outer.lowerBound.x <= inner.lowerBound.x
                 && outer.lowerBound.y <= inner.lowerBound.y

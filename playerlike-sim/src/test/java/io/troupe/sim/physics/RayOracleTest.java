@@ -3,90 +3,103 @@ package io.troupe.sim.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.sim.TestWorlds;
-import io.troupe.sim.device.RayGrid;
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.SonarSpec;
+import io.troupe.sim.scenario.WorldSpec;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyDef;
-import org.jbox2d.dynamics.World;
 import org.junit.jupiter.api.Test;
 
 /** Our rays against jbox2d's own, which are slower and in single precision. */
 class RayOracleTest {
     private static final double REACH_M = 6;
+    private static final int RAYS = 200;
     /** jbox2d turns bodies by a table of sines: its answer must lie between those of our rays this much to both sides. */
     private static final double GRAZING_RAD = 3e-5;
 
     @Test
-    void gridRays_agreeWithJbox2d_toAMillimetre() {
+    void sonarRays_agreeWithJbox2d_toAMillimetre() {
         long seed = 42;
         var random = new Random(seed);
-        var world = new World(new Vec2(0, 0));
-        var things = new ArrayList<RayGrid.Thing>();
-        var poses = new ArrayList<Pose>();
-        for (int index = 0; index < 120; index++) {
-            double length = 0.1 + random.nextDouble();
-            double width = 0.1 + random.nextDouble();
-            var pose = new Pose(20 * random.nextDouble() - 10, 20 * random.nextDouble() - 10, 7 * random.nextDouble());
-            things.add(new RayGrid.Thing(TestWorlds.box(length, width), index, RayGrid.FOR_RANGERS));
-            poses.add(pose);
-            var shape = new PolygonShape();
-            shape.setAsBox((float) (length / 2), (float) (width / 2));
-            var definition = new BodyDef();
-            definition.position.set((float) pose.x(), (float) pose.y());
-            definition.angle = (float) pose.headingRad();
-            world.createBody(definition).createFixture(shape, 0);
-        }
-        var grid = new RayGrid(things, poses, List.of());
+        List<ObstacleSpec> obstacles = obstacles(random);
+        var oracle = new org.jbox2d.dynamics.World(new Vec2(0, 0));
+        obstacles.forEach(obstacle -> addTo(oracle, obstacle));
         double largest = 0;
         int hits = 0;
-        for (int ray = 0; ray < 20_000; ray++) {
-            double x = 22 * random.nextDouble() - 11;
-            double y = 22 * random.nextDouble() - 11;
-            double heading = 2 * Math.PI * random.nextDouble();
-            if (isInside(world, x, y)) {
-                continue; // jbox2d does not see a body from within
+        for (int place = 0; place < 300; place++) {
+            var pose = new Pose(22 * random.nextDouble() - 11, 22 * random.nextDouble() - 11, 0);
+            if (isCrowded(obstacles, pose)) {
+                continue;
             }
-            double theirs = cast(world, x, y, heading);
-            if (theirs < 0.001) {
-                continue; // begins on a surface: within for one, outside for the other
+            double first = random.nextDouble();
+            List<Double> headings = IntStream.range(0, RAYS).mapToObj(ray -> first + ray * 2 * StrictMath.PI / RAYS).toList();
+            List<Double> straight = cast(obstacles, pose, headings, 0);
+            List<Double> left = cast(obstacles, pose, headings, GRAZING_RAD);
+            List<Double> right = cast(obstacles, pose, headings, -GRAZING_RAD);
+            for (int ray = 0; ray < RAYS; ray++) {
+                double theirs = cast(oracle, pose, headings.get(ray));
+                double least = Math.min(straight.get(ray), Math.min(left.get(ray), right.get(ray)));
+                double most = Math.max(straight.get(ray), Math.max(left.get(ray), right.get(ray)));
+                largest = Math.max(largest, Math.max(least - theirs, theirs - most));
+                hits += theirs < REACH_M ? 1 : 0;
             }
-            double least = Double.POSITIVE_INFINITY;
-            double most = 0;
-            for (double aside : new double[] {0, -GRAZING_RAD, GRAZING_RAD}) {
-                double ours = grid.cast(x, y, heading + aside, REACH_M, RayGrid.NOBODY, RayGrid.FOR_RANGERS);
-                least = Math.min(least, ours);
-                most = Math.max(most, ours);
-            }
-            double difference = Math.max(least - theirs, theirs - most);
-            largest = Math.max(largest, difference);
-            hits += theirs < REACH_M ? 1 : 0;
         }
         assertThat(hits).as("seed %d", seed).isGreaterThan(5_000);
         assertThat(largest).as("seed %d", seed).isLessThan(0.001);
     }
 
-    private static boolean isInside(World world, double x, double y) {
-        var point = new Vec2((float) x, (float) y);
-        for (var body = world.getBodyList(); body != null; body = body.getNext()) {
-            if (body.getFixtureList().testPoint(point)) {
-                return true;
-            }
+    private static List<ObstacleSpec> obstacles(Random random) {
+        var obstacles = new ArrayList<ObstacleSpec>();
+        for (int index = 0; index < 120; index++) {
+            var pose = new Pose(20 * random.nextDouble() - 10, 20 * random.nextDouble() - 10, 7 * random.nextDouble());
+            var shape = TestWorlds.box(0.1 + random.nextDouble(), 0.1 + random.nextDouble());
+            obstacles.add(new ObstacleSpec("box " + index, pose, shape, 0, true, true, true, TestWorlds.NOWHERE));
         }
-        return false;
+        return obstacles;
     }
 
-    private static double cast(World world, double x, double y, double heading) {
-        var from = new Vec2((float) x, (float) y);
-        var to = new Vec2((float) (x + REACH_M * Math.cos(heading)), (float) (y + REACH_M * Math.sin(heading)));
+    private static void addTo(org.jbox2d.dynamics.World oracle, ObstacleSpec obstacle) {
+        var corner = obstacle.shape().polygons().getFirst().get(2);
+        var shape = new PolygonShape();
+        shape.setAsBox((float) corner.x(), (float) corner.y());
+        var definition = new BodyDef();
+        definition.position.set((float) obstacle.pose().x(), (float) obstacle.pose().y());
+        definition.angle = (float) obstacle.pose().headingRad();
+        oracle.createBody(definition).createFixture(shape, 0);
+    }
+
+    /** No place for a robot of 10 cm. */
+    private static boolean isCrowded(List<ObstacleSpec> obstacles, Pose pose) {
+        return obstacles.stream().anyMatch(each -> StrictMath.hypot(each.pose().x() - pose.x(), each.pose().y() - pose.y()) < 0.9);
+    }
+
+    /** The readings of a robot that has a sonar in each direction. */
+    private static List<Double> cast(List<ObstacleSpec> obstacles, Pose pose, List<Double> headings, double aside) {
+        var sonar = new SonarSpec(headings.stream().map(heading -> new Pose(0, 0, heading + aside)).toList(), 0, REACH_M, 0.1);
+        var robot = new RobotSpec(
+                "r", pose, TestWorlds.box(0.1, 0.1), 0, 0.1, 0.1, 1, Pose.ORIGIN, Pose.ORIGIN, sonar, null, true, true, TestWorlds.NOWHERE);
+        var world = World.create(new WorldSpec("rays", Path.of("rays.world"), 100, List.of(robot), obstacles), WorldSettings.DEFAULT);
+        return Objects.requireNonNull(world.latest().robots().getFirst().sonarM());
+    }
+
+    private static double cast(org.jbox2d.dynamics.World oracle, Pose pose, double heading) {
+        var from = new Vec2((float) pose.x(), (float) pose.y());
+        var to = new Vec2((float) (pose.x() + REACH_M * Math.cos(heading)), (float) (pose.y() + REACH_M * Math.sin(heading)));
         float[] best = {1};
-        world.raycast(
+        oracle.raycast(
                 (fixture, point, normal, fraction) -> {
-                    best[0] =
-                            Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
+                    best[0] = Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
                     return best[0];
                 },
                 from,

@@ -1,0 +1,100 @@
+package io.troupe.sim;
+
+import io.troupe.sim.physics.Physics;
+import io.troupe.sim.scenario.ObstacleSpec;
+import io.troupe.sim.scenario.Point;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.Shape;
+import io.troupe.sim.scenario.SourcePosition;
+import io.troupe.sim.scenario.WorldFileException;
+import io.troupe.sim.scenario.WorldSpec;
+import java.util.List;
+
+/** Refuses worlds the simulator cannot run as they are meant. */
+final class SpecCheck {
+    /** Beyond this, single-precision physics gets coarse. */
+    private static final double FARTHEST_M = 500;
+
+    private static final double STRAIGHT = 1e-9;
+
+    private SpecCheck() {}
+
+    static void check(WorldSpec spec, WorldSettings settings) {
+        checkSteps(spec, settings);
+        for (ObstacleSpec obstacle : spec.obstacles()) {
+            checkBody("obstacle '" + obstacle.name() + "'", obstacle.pose(), obstacle.shape(), obstacle.where());
+        }
+        for (RobotSpec robot : spec.robots()) {
+            String title = "robot '" + robot.name() + "'";
+            checkBody(title, robot.pose(), robot.shape(), robot.where());
+            if (robot.shape().polygons().isEmpty()) {
+                throw new WorldFileException(robot.where(), title + " has no body");
+            }
+            if (!(robot.massKg() > 0 && robot.massKg() < Double.POSITIVE_INFINITY)) {
+                throw new WorldFileException(
+                        robot.where(), title + " has a mass of " + robot.massKg() + ", expected kilograms above 0");
+            }
+        }
+    }
+
+    private static void checkSteps(WorldSpec spec, WorldSettings settings) {
+        long intervalMicros = spec.intervalMillis() * 1000L;
+        int stepMicros = settings.physicsStepMicros();
+        if (intervalMicros <= 0 || intervalMicros % stepMicros != 0) {
+            throw new IllegalArgumentException("the interval of world '" + spec.name() + "' is " + intervalMicros
+                    + " us, expected a whole multiple of the physics step of " + stepMicros + " us");
+        }
+        double travelM = settings.maxForwardMps() * stepMicros / 1e6;
+        double turnRad = settings.maxTurnRadps() * stepMicros / 1e6;
+        if (travelM > Physics.MAX_TRAVEL_M || turnRad > Physics.MAX_TURN_RAD) {
+            throw new IllegalArgumentException("a physics step of " + stepMicros + " us is too long for "
+                    + settings.maxForwardMps() + " m/s and " + settings.maxTurnRadps() + " rad/s: a body may move "
+                    + Physics.MAX_TRAVEL_M + " m and turn " + Physics.MAX_TURN_RAD + " rad in one step");
+        }
+    }
+
+    private static void checkBody(String title, Pose pose, Shape shape, SourcePosition where) {
+        if (!Double.isFinite(pose.headingRad())) {
+            throw new WorldFileException(where, title + " has the heading " + pose.headingRad());
+        }
+        for (List<Point> polygon : shape.polygons()) {
+            if (polygon.size() < 3 || polygon.size() > 8) {
+                throw new WorldFileException(
+                        where, title + " has a polygon of " + polygon.size() + " vertices, expected 3 to 8");
+            }
+            for (Point vertex : polygon) {
+                Point placed = pose.place(vertex);
+                if (!(Math.abs(placed.x()) <= FARTHEST_M && Math.abs(placed.y()) <= FARTHEST_M)) {
+                    throw new WorldFileException(where, title + " reaches to (" + placed.x() + ", " + placed.y()
+                            + "), expected at most " + FARTHEST_M + " m from the origin along x and y");
+                }
+            }
+            if (!isConvexCounterClockwise(polygon)) {
+                throw new WorldFileException(
+                        where, title + " has a polygon that is not convex and counter-clockwise: " + polygon);
+            }
+        }
+    }
+
+    /** Whether every vertex lies to the left of every edge, or on its line. */
+    private static boolean isConvexCounterClockwise(List<Point> polygon) {
+        double area = 0;
+        int n = polygon.size();
+        for (int i = 0; i < n; i++) {
+            Point a = polygon.get(i);
+            Point b = polygon.get((i + 1) % n);
+            if (a.equals(b)) {
+                return false;
+            }
+            area += a.x() * b.y() - a.y() * b.x();
+            for (int k = 2; k < n; k++) {
+                Point c = polygon.get((i + k) % n);
+                if ((b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()) < -STRAIGHT) {
+                    return false;
+                }
+            }
+        }
+        return area > 0;
+    }
+}

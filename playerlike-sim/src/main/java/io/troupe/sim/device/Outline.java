@@ -1,0 +1,56 @@
+package io.troupe.sim.device;
+
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.Shape;
+import java.util.List;
+
+/**
+ * A body's edge, placed in the world.
+ *
+ * <p><b>Threads.</b> One thread at a time.
+ * <p><b>Cost.</b> Moving it and measuring from it allocate nothing.
+ */
+public final class Outline {
+    private final List<ConvexPolygon> polygons;
+
+    public Outline(Shape shape, Pose pose) {
+        polygons = shape.polygons().stream().map(ConvexPolygon::new).toList();
+        place(pose);
+    }
+
+    /** Moves the body. */
+    public void place(Pose pose) {
+        for (int i = 0; i < polygons.size(); i++) {
+            polygons.get(i).place(pose);
+        }
+    }
+
+    /** Shortest distance from edge to edge; 0 if the bodies touch or overlap. */
+    public double gapM(Outline other) {
+        return gapM(other, Double.POSITIVE_INFINITY);
+    }
+
+    /** The gap to the other body if it is below {@code limitM}, else {@code limitM}. */
+    double gapM(Outline other, double limitM) {
+        double gap = limitM;
+        for (int i = 0; i < polygons.size(); i++) {
+            ConvexPolygon mine = polygons.get(i);
+            for (int j = 0; j < other.polygons.size(); j++) {
+                ConvexPolygon theirs = other.polygons.get(j);
+                if (mine.gapAtLeast(theirs) < gap) {
+                    gap = Math.min(gap, mine.gap(theirs));
+                }
+            }
+        }
+        return gap;
+    }
+
+    /** Whether the bodies reach into each other; touching is not overlapping. */
+    public boolean overlaps(Outline other) {
+        return polygons.stream().anyMatch(mine -> other.polygons.stream().anyMatch(mine::overlaps));
+    }
+
+    List<ConvexPolygon> polygons() {
+        return polygons;
+    }
+}

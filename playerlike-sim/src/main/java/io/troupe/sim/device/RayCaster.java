@@ -1,0 +1,85 @@
+package io.troupe.sim.device;
+
+/**
+ * Finds the first segment on a ray by walking through the cells the ray crosses.
+ *
+ * <p>Only a segment's outer side stops a ray: one that starts inside a body does not see that body. Of things at the same distance
+ * the one whose segment comes first is hit, a fixed one before a moving one.
+ */
+final class RayCaster {
+    /** A ray through the corner where two segments meet must not slip between them. */
+    private static final double CORNER = 1e-12;
+
+    private final Grid grid;
+    private final CellIndex fixed;
+    private final CellIndex moving;
+
+    RayCaster(Grid grid, CellIndex fixed, CellIndex moving) {
+        this.grid = grid;
+        this.fixed = fixed;
+        this.moving = moving;
+    }
+
+    void cast(Ray ray) {
+        ray.hitThing = Ray.NOTHING;
+        ray.hitM = Double.POSITIVE_INFINITY;
+        int column = grid.column(ray.x);
+        int row = grid.row(ray.y);
+        int columnStep = ray.dirX > 0 ? 1 : -1;
+        int rowStep = ray.dirY > 0 ? 1 : -1;
+        int lastColumn = ray.dirX > 0 ? grid.columns - 1 : 0;
+        int lastRow = ray.dirY > 0 ? grid.rows - 1 : 0;
+        // distances along the ray to the next column and row of cells, and from one to the next after that
+        double toColumn = crossingM(grid.minX, ray.dirX > 0 ? column + 1 : column, ray.x, ray.dirX);
+        double toRow = crossingM(grid.minY, ray.dirY > 0 ? row + 1 : row, ray.y, ray.dirY);
+        double acrossColumn = grid.cellM / Math.abs(ray.dirX);
+        double acrossRow = grid.cellM / Math.abs(ray.dirY);
+        while (true) {
+            int cell = row * grid.columns + column;
+            nearest(fixed, cell, ray);
+            nearest(moving, cell, ray);
+            double columnEnd = column == lastColumn ? Double.POSITIVE_INFINITY : toColumn;
+            double rowEnd = row == lastRow ? Double.POSITIVE_INFINITY : toRow;
+            if (Math.min(columnEnd, rowEnd) >= Math.min(ray.hitM, ray.maxM)) {
+                return;
+            }
+            if (columnEnd <= rowEnd) {
+                column += columnStep;
+                toColumn += acrossColumn;
+            } else {
+                row += rowStep;
+                toRow += acrossRow;
+            }
+        }
+    }
+
+    private double crossingM(double min, int line, double from, double dir) {
+        return dir == 0 ? Double.POSITIVE_INFINITY : (min + line * grid.cellM - from) / dir;
+    }
+
+    private static void nearest(CellIndex index, int cell, Ray ray) {
+        Segments segments = index.segments;
+        int end = index.start[cell + 1];
+        for (int i = index.start[cell]; i < end; i++) {
+            int s = index.items[i];
+            if ((segments.stops[s] & ray.kind) == 0 || segments.thing[s] == ray.skip) {
+                continue;
+            }
+            double dx = segments.dx[s];
+            double dy = segments.dy[s];
+            double facing = dx * ray.dirY - dy * ray.dirX; // positive: the ray comes from the right, from outside
+            if (!(facing > 0)) {
+                continue;
+            }
+            double offX = segments.x[s] - ray.x;
+            double offY = segments.y[s] - ray.y;
+            double distanceM = (offY * dx - offX * dy) / facing;
+            double along = (offY * ray.dirX - offX * ray.dirY) / facing;
+            boolean onSegment = along >= -CORNER && along <= 1 + CORNER;
+            if (onSegment && distanceM >= 0 && distanceM <= ray.maxM && distanceM < ray.hitM) {
+                ray.hitM = distanceM;
+                ray.hitThing = segments.thing[s];
+            }
+        }
+    }
+}
