@@ -16,4 +16,8 @@ import org.jspecify.annotations.Nullable;
  *     none
  */
 public record RobotReading(
-        Pose pose, Odometry odometry, @Nullable List<Double> sonarM, @Nullable BlobImage blobs, double wallGapM) {}
+        Pose pose,
+        Odometry odometry,
+        @Nullable List<Double> sonarM,
+        @Nullable BlobImage blobs,
+        double wallGapM) {}

@@ -13,12 +13,7 @@ package io.troupe.sim;
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
  */
 public record WorldSettings(
-        long seed,
-        double jitterM,
-        double jitterRad,
-        int physicsStepMicros,
-        double maxForwardMps,
-        double maxTurnRadps) {
+        long seed, double jitterM, double jitterRad, int physicsStepMicros, double maxForwardMps, double maxTurnRadps) {
     /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most. */
     public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10);
 

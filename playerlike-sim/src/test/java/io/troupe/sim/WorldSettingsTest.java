@@ -22,7 +22,9 @@ class WorldSettingsTest {
         assertThatThrownBy(() -> WorldSettings.DEFAULT.withJitter(-0.1, 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("jitterM is -0.1, expected a finite number, 0 or more");
-        assertThatThrownBy(() -> WorldSettings.DEFAULT.withLimits(1, Double.NaN)).hasMessageContaining("maxTurnRadps is NaN");
-        assertThatThrownBy(() -> WorldSettings.DEFAULT.withPhysicsStepMicros(0)).hasMessageContaining("physicsStepMicros is 0");
+        assertThatThrownBy(() -> WorldSettings.DEFAULT.withLimits(1, Double.NaN))
+                .hasMessageContaining("maxTurnRadps is NaN");
+        assertThatThrownBy(() -> WorldSettings.DEFAULT.withPhysicsStepMicros(0))
+                .hasMessageContaining("physicsStepMicros is 0");
     }
 }

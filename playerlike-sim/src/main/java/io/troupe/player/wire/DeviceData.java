@@ -5,8 +5,8 @@ import java.util.List;
 /** The content of a DATA message; immutable, SI units, angles in radians. */
 public sealed interface DeviceData {
     /** position2d DATA 1: pose in the odometry frame, velocity in the robot's frame. */
-    record Position2d(
-            double px, double py, double pa, double vx, double vy, double va, boolean stall) implements DeviceData {}
+    record Position2d(double px, double py, double pa, double vx, double vy, double va, boolean stall)
+            implements DeviceData {}
 
     /** sonar DATA 1: one range in metres per sonar. */
     record SonarRanges(List<Float> rangesM) implements DeviceData {
@@ -23,6 +23,5 @@ public sealed interface DeviceData {
     }
 
     /** One blob, in pixels; colour {@code 0x00RRGGBB}; range in metres. */
-    record Blob(
-            int id, int colour, int area, int x, int y, int left, int right, int top, int bottom, float rangeM) {}
+    record Blob(int id, int colour, int area, int x, int y, int left, int right, int top, int bottom, float rangeM) {}
 }

@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * A client's line to a server.
  *
- * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method throws {@link io.troupe.player.PlayerException} once the line is closed.
+ * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link LineClosedException} once the line is closed.
  */
 public interface PlayerConnection extends AutoCloseable {
     List<DeviceAddress> devices();
@@ -13,7 +13,7 @@ public interface PlayerConnection extends AutoCloseable {
     /** Name of the driver behind a device, {@code stage} for simulated ones. */
     String driverName(DeviceAddress device);
 
-    /** From now on the device's data come with every frame; the address may be partial (interface and index count). */
+    /** From now on the device's data come with every frame. */
     void subscribe(DeviceAddress device);
 
     void unsubscribe(DeviceAddress device);

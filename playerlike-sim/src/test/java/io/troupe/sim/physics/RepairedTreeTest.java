@@ -66,6 +66,17 @@ class RepairedTreeTest {
     }
 
     @Test
+    void reach_keepsBoxesKnownAStepAhead() {
+        var tree = new RepairedTree(1.5);
+        int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
+        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1.5f, -1.5f, 2.5f, 2.5f))).isTrue();
+
+        assertThat(tree.moveProxy(proxy, box(0.5f, 0, 1.5f, 1), STILL)).isTrue();
+
+        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1, -1.5f, 3, 2.5f))).isTrue();
+    }
+
+    @Test
     void randomMoves_keepEveryBoxWithinItsFatBox() {
         long seed = 20260;
         var random = new Random(seed);

@@ -1,0 +1,87 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Timer;
+import java.time.Duration;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Base class of an actor that wants to know its space, or is itself the type others call ({@code class Demo3 extends Actor}).
+ *
+ * <p><b>Role.</b> Optional: any object can be the implementation of an actor interface. Made by the factory given to
+ * {@link ActorSpace#spawn}; its public methods that return {@code void} or {@link Promise} are its messages.
+ * <p><b>Threads.</b> The space's thread; calling these methods from another one throws {@link IllegalStateException}.
+ * <p><b>Source.</b> Paper, Figures 17 and 20.
+ */
+public abstract class Actor {
+    private @Nullable ActorCell cell;
+
+    protected Actor() {}
+
+    final void join(ActorCell mine) {
+        cell = mine;
+    }
+
+    /**
+     * The proxy of this actor: what to hand to others, and to call when the call shall wait its turn behind the messages already queued.
+     * ({@code this} calls at once.)
+     */
+    @SuppressWarnings("unchecked") // the caller names the type it spawned this actor as
+    protected final <A> A self() {
+        return (A) java.util.Objects.requireNonNull(cell("self()").proxy());
+    }
+
+    /** The space this actor lives in. */
+    protected final ActorSpace space() {
+        return cell("space()").space();
+    }
+
+    /** Called before the first message. */
+    protected void started() {}
+
+    /** Called after the last message; not if the constructor threw. */
+    protected void stopped() {}
+
+    /** Stops this actor after the current message; the messages behind it become dead letters, the requests are rejected. */
+    protected final void stop() {
+        var mine = cell("stop()");
+        mine.space().stop(mine);
+    }
+
+    /** Runs a task once, later, unless this actor has stopped. */
+    protected final Timer after(Duration delay, Runnable task) {
+        return cell("after(..)").space().timer(cell, delay, Duration.ZERO, task);
+    }
+
+    /** Runs a task again and again, the first time after one period, until this actor has stopped. */
+    protected final Timer every(Duration period, Runnable task) {
+        if (period.isZero() || period.isNegative()) {
+            throw new IllegalArgumentException("the period is " + period + ", expected more than zero");
+        }
+        return cell("every(..)").space().timer(cell, period, period, task);
+    }
+
+    /** The paper's {@code while}, one turn of the space for each round: see {@link ActorSpace#repeatWhile(BooleanSupplier, Runnable)}. */
+    protected final Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
+        return space().repeatWhile(condition, body);
+    }
+
+    /** A loop whose next round begins when the promise of the last one is fulfilled. */
+    protected final Promise<@Nullable Void> repeatWhile(
+            BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
+        return space().repeatWhile(condition, body);
+    }
+
+    private ActorCell cell(String call) {
+        ActorCell mine = cell;
+        if (mine == null) {
+            throw new IllegalStateException(
+                    call + " of " + getClass().getName()
+                            + " is for a spawned actor itself, from started() on: not for its constructor, and not through its proxy");
+        }
+        mine.space().checkCurrent(call);
+        return mine;
+    }
+}

@@ -1,0 +1,7 @@
+package io.troupe.actor;
+
+/** What every generated proxy is as well. For generated code. */
+public interface ActorProxy {
+    /** The actor behind the proxy; the name cannot meet a user's method. */
+    ActorCell troupe$cell();
+}

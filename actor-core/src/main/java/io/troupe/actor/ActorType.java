@@ -1,0 +1,90 @@
+package io.troupe.actor;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.lang.invoke.VarHandle;
+import org.objenesis.ObjenesisStd;
+import org.objenesis.instantiator.ObjectInstantiator;
+
+/** What was generated for an actor type: how to make its proxies. One per type, kept as long as the type. */
+abstract class ActorType {
+    private static final ClassValue<ActorType> TYPES = new ClassValue<>() {
+        @Override
+        protected ActorType computeValue(Class<?> type) {
+            return generate(type);
+        }
+    };
+
+    static ActorType of(Class<?> type) {
+        return TYPES.get(type);
+    }
+
+    /** A proxy that sends to the cell. */
+    abstract <A> A newProxy(ActorCell cell);
+
+    private static ActorType generate(Class<?> type) {
+        var methods = ActorMethods.of(type);
+        MethodHandles.Lookup lookup = lookupIn(type);
+        Class<?> proxyClass = new ProxyGenerator(type, methods.messages(), methods.refused(), lookup).generate();
+        try {
+            return type.isInterface() ? new OfInterface(lookup, proxyClass) : new OfClass(lookup, proxyClass);
+        } catch (ReflectiveOperationException e) {
+            throw new ActorTypeException("the proxy of " + type.getName() + " cannot be made", e);
+        }
+    }
+
+    private static MethodHandles.Lookup lookupIn(Class<?> type) {
+        try {
+            return MethodHandles.privateLookupIn(type, MethodHandles.lookup());
+        } catch (IllegalAccessException e) {
+            String module = type.getModule().getName();
+            throw new ActorTypeException(
+                    type.getName() + " cannot be an actor type: its proxy belongs into its package, and module "
+                            + module
+                            + " does not let it in; write \"opens " + type.getPackageName()
+                            + ";\" in the module-info of " + module
+                            + ", or use an interface of your own",
+                    e);
+        }
+    }
+
+    private static final class OfInterface extends ActorType {
+        private final MethodHandle constructor;
+
+        OfInterface(MethodHandles.Lookup lookup, Class<?> proxyClass) throws ReflectiveOperationException {
+            constructor = lookup.findConstructor(proxyClass, MethodType.methodType(void.class, ActorCell.class))
+                    .asType(MethodType.methodType(Object.class, ActorCell.class));
+        }
+
+        @Override
+        @SuppressWarnings("unchecked") // the proxy class was generated for A
+        <A> A newProxy(ActorCell cell) {
+            try {
+                return (A) constructor.invokeExact(cell);
+            } catch (Throwable e) {
+                throw new AssertionError("a generated constructor does not throw", e);
+            }
+        }
+    }
+
+    /** The proxy of a class actor is a subclass, made without running the constructors of the class, which are for the real actor. */
+    private static final class OfClass extends ActorType {
+        private final ObjectInstantiator<?> instantiator;
+        private final VarHandle cellField;
+
+        OfClass(MethodHandles.Lookup lookup, Class<?> proxyClass) throws ReflectiveOperationException {
+            instantiator = new ObjenesisStd(false).getInstantiatorOf(proxyClass);
+            cellField = lookup.findVarHandle(proxyClass, ProxyGenerator.CELL, ActorCell.class);
+        }
+
+        @Override
+        @SuppressWarnings("unchecked") // the proxy class was generated for A
+        <A> A newProxy(ActorCell cell) {
+            Object proxy = instantiator.newInstance();
+            cellField.set(proxy, cell);
+            VarHandle.releaseFence(); // as a final field would: whoever is handed the proxy sees its cell
+            return (A) proxy;
+        }
+    }
+}

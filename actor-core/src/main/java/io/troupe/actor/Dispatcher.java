@@ -1,0 +1,120 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Node;
+import io.troupe.actor.promise.NodeQueue;
+import io.troupe.actor.time.TimerWheel;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The queues of a space and the order in which they are served; on the space's thread, but for {@link #inbox}.
+ *
+ * <p><b>Order.</b> Entries from outside wait in the inbox, entries from inside in two rings: callbacks and mails. An entry from the inbox
+ * runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one receiver keep their order.
+ * Callbacks come before mails, but after {@value #QUOTA} in a row one mail has its turn, so that neither starves the other.
+ */
+final class Dispatcher {
+    private static final int QUOTA = 256;
+
+    final NodeQueue inbox = new NodeQueue();
+    final TimerWheel timers;
+    private final ActorSpace space;
+    private final NodeRing callbacks = new NodeRing();
+    private final NodeRing mails = new NodeRing();
+    private final List<Runnable> idleActions = new ArrayList<>();
+
+    Dispatcher(ActorSpace space, TimerWheel timers) {
+        this.space = space;
+        this.timers = timers;
+    }
+
+    void addCallback(Node node) {
+        callbacks.add(node);
+    }
+
+    void addMail(Node node) {
+        mails.add(node);
+    }
+
+    void addIdleAction(Runnable action) {
+        idleActions.add(action);
+    }
+
+    /** One round through the queues; false if nothing was there to do. */
+    boolean pass() {
+        boolean worked = drainInbox();
+        worked |= drainRings();
+        worked |= timers.runDue(space::runTimer) > 0;
+        return worked;
+    }
+
+    /** Nothing waits, and no timer is due. */
+    boolean isQuiet() {
+        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && !timers.isDue();
+    }
+
+    /** Runs what waited for quiet; false if nothing did. */
+    boolean runIdleActions() {
+        if (idleActions.isEmpty()) {
+            return false;
+        }
+        var actions = List.copyOf(idleActions);
+        idleActions.clear();
+        actions.forEach(space::runGuarded);
+        return true;
+    }
+
+    /** Takes out an entry that will not be served any more. */
+    @Nullable
+    Node pollLeftover() {
+        Node node = callbacks.poll();
+        if (node == null) {
+            node = mails.poll();
+        }
+        return node != null ? node : inbox.poll();
+    }
+
+    private boolean drainInbox() {
+        for (int count = 0; count < QUOTA; count++) {
+            Node node = inbox.poll();
+            if (node == null) {
+                return count > 0;
+            }
+            if (callbacks.isEmpty() && mails.isEmpty()) {
+                space.serve(node);
+            } else if (ActorSpace.goesToMailbox(node)) {
+                mails.add(node);
+            } else {
+                callbacks.add(node);
+            }
+        }
+        return true;
+    }
+
+    private boolean drainRings() {
+        boolean worked = false;
+        for (int count = 0; count < QUOTA; count++) {
+            boolean called = drainCallbacks();
+            Node mail = mails.poll();
+            if (mail != null) {
+                space.serve(mail);
+            } else if (!called) {
+                return worked;
+            }
+            worked = true;
+        }
+        return worked;
+    }
+
+    private boolean drainCallbacks() {
+        for (int count = 0; count < QUOTA; count++) {
+            Node callback = callbacks.poll();
+            if (callback == null) {
+                return count > 0;
+            }
+            space.serve(callback);
+        }
+        return true;
+    }
+}

@@ -1,0 +1,56 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Node;
+import java.util.Arrays;
+import java.util.stream.Collectors;
+
+/**
+ * A one-way call on its way. For generated code: each {@code void} method of an actor type has its subclass, whose fields are the
+ * arguments.
+ */
+public abstract class Message extends Node {
+    private final ActorCell cell;
+
+    protected Message(ActorCell cell) {
+        this.cell = cell;
+    }
+
+    /** Calls the method. */
+    protected abstract void invoke(Object implementation) throws Throwable;
+
+    /** The method's name and parameter types. */
+    protected abstract String method();
+
+    /** The arguments, for messages about this message. */
+    protected abstract Object[] arguments();
+
+    @Override
+    protected final void run() {
+        cell.deliver(this);
+    }
+
+    @Override
+    protected final boolean isMail() {
+        return true;
+    }
+
+    @Override
+    public final String toString() {
+        return describe(method(), arguments());
+    }
+
+    static String describe(String method, Object[] arguments) {
+        String name = method.substring(0, method.indexOf('('));
+        return name + Arrays.stream(arguments).map(Message::show).collect(Collectors.joining(", ", "(", ")"));
+    }
+
+    private static String show(Object argument) {
+        String text;
+        try {
+            text = String.valueOf(argument);
+        } catch (RuntimeException broken) {
+            return argument.getClass().getName() + " whose toString throws " + broken;
+        }
+        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
+    }
+}

@@ -1,0 +1,210 @@
+package io.troupe.actor;
+
+import static org.objectweb.asm.Opcodes.*;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.reflect.Method;
+import java.util.List;
+import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.MethodVisitor;
+import org.objectweb.asm.Type;
+
+/**
+ * Writes the classes of one actor type, into its own package: for each message a class whose typed fields are the arguments, and the proxy,
+ * whose methods make them.
+ *
+ * <p>For {@code interface Greeter { Promise<String> greet(String name); }} it writes what this would compile to:
+ * {@snippet lang=java :
+ * final class Greeter$$greet extends Request<String> {
+ *     final String a0;
+ *     Greeter$$greet(ActorCell cell, String a0) { super(cell); this.a0 = a0; }
+ *     protected Promise<String> invoke(Object implementation) { return ((Greeter) implementation).greet(a0); }
+ * }
+ * final class Greeter$$Proxy implements Greeter, ActorProxy {
+ *     ActorCell troupe$cell;
+ *     public Promise<String> greet(String a0) {
+ *         var request = new Greeter$$greet(troupe$cell, a0);
+ *         troupe$cell.send(request);
+ *         return request;
+ *     }
+ * }
+ * }
+ */
+final class ProxyGenerator {
+    static final String CELL = "troupe$cell";
+    private static final String CELL_TYPE = Type.getInternalName(ActorCell.class);
+    private static final String CELL_DESCRIPTOR = Type.getDescriptor(ActorCell.class);
+
+    private final Class<?> type;
+    private final String typeName;
+    private final List<Method> messages;
+    private final List<Method> refused;
+    private final MethodHandles.Lookup lookup;
+
+    ProxyGenerator(Class<?> type, List<Method> messages, List<Method> refused, MethodHandles.Lookup lookup) {
+        this.type = type;
+        this.typeName = Type.getInternalName(type);
+        this.messages = messages;
+        this.refused = refused;
+        this.lookup = lookup;
+    }
+
+    Class<?> generate() {
+        for (int index = 0; index < messages.size(); index++) {
+            define(new MessageGenerator(type, messages.get(index), messageName(index)).generate());
+        }
+        return define(proxy());
+    }
+
+    private Class<?> define(byte[] bytes) {
+        try {
+            return lookup.defineClass(bytes);
+        } catch (IllegalAccessException | LinkageError e) {
+            throw new ActorTypeException("the proxy of " + type.getName() + " cannot be defined in its package", e);
+        }
+    }
+
+    /** Overloads are told apart by their number. */
+    private String messageName(int index) {
+        String name = messages.get(index).getName();
+        boolean overloaded =
+                messages.stream().filter(each -> each.getName().equals(name)).count() > 1;
+        return typeName + "$$" + name + (overloaded ? "$" + index : "");
+    }
+
+    private byte[] proxy() {
+        boolean isInterface = type.isInterface();
+        String superName = isInterface ? "java/lang/Object" : typeName;
+        String proxyMarker = Type.getInternalName(ActorProxy.class);
+        var writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
+        writer.visit(
+                V21,
+                ACC_FINAL | ACC_SUPER | ACC_SYNTHETIC,
+                typeName + "$$Proxy",
+                null,
+                superName,
+                isInterface ? new String[] {typeName, proxyMarker} : new String[] {proxyMarker});
+        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, CELL_DESCRIPTOR, null, null)
+                .visitEnd();
+        if (isInterface) {
+            constructor(writer);
+        }
+        cellAccessor(writer);
+        for (int index = 0; index < messages.size(); index++) {
+            send(writer, messages.get(index), messageName(index));
+        }
+        for (Method method : refused) {
+            refuse(writer, method);
+        }
+        nameAsText(writer);
+        writer.visitEnd();
+        return writer.toByteArray();
+    }
+
+    private void constructor(ClassWriter writer) {
+        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + CELL_DESCRIPTOR + ")V", null, null);
+        code.visitCode();
+        code.visitVarInsn(ALOAD, 0);
+        code.visitMethodInsn(INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
+        code.visitVarInsn(ALOAD, 0);
+        code.visitVarInsn(ALOAD, 1);
+        code.visitFieldInsn(PUTFIELD, typeName + "$$Proxy", CELL, CELL_DESCRIPTOR);
+        code.visitInsn(RETURN);
+        finish(code);
+    }
+
+    private void cellAccessor(ClassWriter writer) {
+        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, CELL, "()" + CELL_DESCRIPTOR, null, null);
+        code.visitCode();
+        loadCell(code);
+        code.visitInsn(ARETURN);
+        finish(code);
+    }
+
+    /** {@code new Message(cell, arguments)}, send, return it if it is a request. */
+    private void send(ClassWriter writer, Method method, String messageName) {
+        boolean oneWay = method.getReturnType() == void.class;
+        MethodVisitor code =
+                writer.visitMethod(ACC_PUBLIC, method.getName(), Type.getMethodDescriptor(method), null, null);
+        code.visitCode();
+        loadCell(code);
+        code.visitTypeInsn(NEW, messageName);
+        code.visitInsn(DUP);
+        loadCell(code);
+        int local = 1;
+        var descriptor = new StringBuilder("(").append(CELL_DESCRIPTOR);
+        for (Type argument : Type.getArgumentTypes(method)) {
+            code.visitVarInsn(argument.getOpcode(ILOAD), local);
+            local += argument.getSize();
+            descriptor.append(argument.getDescriptor());
+        }
+        code.visitMethodInsn(
+                INVOKESPECIAL, messageName, "<init>", descriptor.append(")V").toString(), false);
+        if (!oneWay) {
+            code.visitInsn(DUP_X1); // message, cell, message
+        }
+        Class<?> parent = oneWay ? Message.class : Request.class;
+        code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "send", "(" + Type.getDescriptor(parent) + ")V", false);
+        code.visitInsn(oneWay ? RETURN : ARETURN);
+        finish(code);
+    }
+
+    private void refuse(ClassWriter writer, Method method) {
+        int access = method.getModifiers() & (ACC_PUBLIC | ACC_PROTECTED);
+        MethodVisitor code = writer.visitMethod(access, method.getName(), Type.getMethodDescriptor(method), null, null);
+        code.visitCode();
+        code.visitTypeInsn(NEW, "java/lang/IllegalStateException");
+        code.visitInsn(DUP);
+        code.visitLdcInsn(
+                ActorMethods.show(method)
+                        + " was called on a proxy, and is no message because it is not public: make it public, or call it inside the actor");
+        code.visitMethodInsn(
+                INVOKESPECIAL, "java/lang/IllegalStateException", "<init>", "(Ljava/lang/String;)V", false);
+        code.visitInsn(ATHROW);
+        finish(code);
+    }
+
+    private void nameAsText(ClassWriter writer) {
+        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "toString", "()Ljava/lang/String;", null, null);
+        code.visitCode();
+        loadCell(code);
+        code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "toString", "()Ljava/lang/String;", false);
+        code.visitInsn(ARETURN);
+        finish(code);
+        if (!type.isInterface()) {
+            identity(writer);
+        }
+    }
+
+    /** A class actor's own equals and hashCode would look at fields that a proxy does not have. */
+    private static void identity(ClassWriter writer) {
+        MethodVisitor hash = writer.visitMethod(ACC_PUBLIC, "hashCode", "()I", null, null);
+        hash.visitCode();
+        hash.visitVarInsn(ALOAD, 0);
+        hash.visitMethodInsn(INVOKESTATIC, "java/lang/System", "identityHashCode", "(Ljava/lang/Object;)I", false);
+        hash.visitInsn(IRETURN);
+        finish(hash);
+        MethodVisitor equals = writer.visitMethod(ACC_PUBLIC, "equals", "(Ljava/lang/Object;)Z", null, null);
+        equals.visitCode();
+        equals.visitVarInsn(ALOAD, 0);
+        equals.visitVarInsn(ALOAD, 1);
+        equals.visitMethodInsn(
+                INVOKESTATIC,
+                Type.getInternalName(ActorCell.class),
+                "same",
+                "(Ljava/lang/Object;Ljava/lang/Object;)Z",
+                false);
+        equals.visitInsn(IRETURN);
+        finish(equals);
+    }
+
+    private void loadCell(MethodVisitor code) {
+        code.visitVarInsn(ALOAD, 0);
+        code.visitFieldInsn(GETFIELD, typeName + "$$Proxy", CELL, CELL_DESCRIPTOR);
+    }
+
+    private static void finish(MethodVisitor code) {
+        code.visitMaxs(0, 0);
+        code.visitEnd();
+    }
+}

@@ -1,0 +1,58 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.util.Objects;
+import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** A loop that shares the thread: each round is a turn of the space. */
+final class Repetition {
+    private final ActorSpace space;
+    private final BooleanSupplier condition;
+    private final Supplier<? extends @Nullable Promise<?>> body;
+    private final Deferred<@Nullable Void> end = new Deferred<>();
+
+    private Repetition(ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
+        this.space = space;
+        this.condition = Objects.requireNonNull(condition, "condition");
+        this.body = Objects.requireNonNull(body, "body");
+    }
+
+    static Promise<@Nullable Void> start(
+            ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
+        space.checkCurrent("repeatWhile(..)");
+        var repetition = new Repetition(space, condition, body);
+        repetition.round();
+        return repetition.end;
+    }
+
+    private void round() {
+        try {
+            if (!condition.getAsBoolean()) {
+                end.resolve(null);
+                return;
+            }
+            Promise<?> step = body.get();
+            if (step == null) {
+                space.nextTurn(
+                        this::round, () -> end.reject(new CancellationException("the actor of this loop has stopped")));
+            } else {
+                step.handle((value, error) -> next(error));
+            }
+        } catch (Throwable thrown) {
+            end.reject(thrown);
+        }
+    }
+
+    private @Nullable Void next(@Nullable Throwable error) {
+        if (error == null) {
+            round();
+        } else {
+            end.reject(error);
+        }
+        return null;
+    }
+}

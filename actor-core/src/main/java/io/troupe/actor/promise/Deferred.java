@@ -1,0 +1,52 @@
+package io.troupe.actor.promise;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A promise that is settled by hand.
+ *
+ * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred.
+ * <p><b>Threads.</b> Any thread may settle it; the first one wins.
+ */
+public final class Deferred<T extends @Nullable Object> extends Promise<T> {
+    private final @Nullable Home home;
+
+    /** Belongs to the actor space whose thread is calling, if any. */
+    public Deferred() {
+        this(Home.current());
+    }
+
+    Deferred(@Nullable Home home) {
+        this.home = home;
+    }
+
+    /** Fulfils the promise; false if it was settled before. */
+    public boolean resolve(T value) {
+        return settleValue(value);
+    }
+
+    /** Rejects the promise; false if it was settled before. */
+    public boolean reject(Throwable error) {
+        return settleError(error);
+    }
+
+    /** Settles the promise as the other one is, as soon as it is. */
+    public void resolveFrom(Promise<? extends T> other) {
+        follow(other);
+    }
+
+    @Override
+    protected @Nullable Home home() {
+        return home;
+    }
+
+    @Override
+    protected void run() {
+        throw new IllegalStateException("a deferred promise is never queued");
+    }
+
+    @Override
+    public String toString() {
+        return "promise";
+    }
+}

@@ -1,0 +1,29 @@
+package io.troupe.actor.promise;
+
+import java.util.concurrent.CompletionException;
+
+/** Small rules about throwables. */
+final class Errors {
+    private Errors() {}
+
+    static Throwable unwrapCompletion(Throwable error) {
+        return error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
+    }
+
+    /** A virtual machine that cannot go on must not be talked over by a rejected promise. */
+    static void rethrowIfFatal(Throwable error) {
+        if (error instanceof VirtualMachineError fatal && !(error instanceof StackOverflowError)) {
+            throw fatal;
+        }
+    }
+
+    /** Throws the error as it is; the answer's type lets the caller write {@code throw}. */
+    static RuntimeException rethrow(Throwable error) {
+        return Errors.<RuntimeException>sneak(error);
+    }
+
+    @SuppressWarnings("unchecked")
+    private static <E extends Throwable> E sneak(Throwable error) throws E {
+        throw (E) error;
+    }
+}

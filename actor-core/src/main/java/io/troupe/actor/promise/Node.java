@@ -1,0 +1,22 @@
+package io.troupe.actor.promise;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Something that can wait in a queue for its {@link Home}'s thread.
+ *
+ * <p><b>Role.</b> For generated code and for the rooms of this library, not for applications: a message, a request and a listener are
+ * nodes, so that queueing one allocates nothing.
+ */
+public abstract class Node {
+    /** Link to the node behind; owned by the queue, or by the promise it listens to, that holds this node. */
+    volatile @Nullable Node next;
+
+    /** Does what this node is for, on its home's thread. */
+    protected abstract void run();
+
+    /** Whether this goes to a mailbox; everything else goes to the callback queue, which is served first. */
+    protected boolean isMail() {
+        return false;
+    }
+}

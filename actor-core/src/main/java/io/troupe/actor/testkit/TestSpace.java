@@ -1,0 +1,130 @@
+package io.troupe.actor.testkit;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.DeadLetter;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.ManualClock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+
+/**
+ * An actor space for tests: no thread of its own, a clock that stands still, the same code as in production.
+ *
+ * <p><b>Role.</b> Made in a test, in a try-with-resources or with {@link #close} at its end: that is where forgotten errors, dead letters and
+ * unserved messages fail the test.
+ * <p><b>Threads.</b> The test's thread; it is the space's thread while it cranks.
+ */
+public final class TestSpace implements AutoCloseable {
+    /** Something that went wrong where nobody else could be told. */
+    public record Problem(String where, Throwable error) {}
+
+    private final ManualClock clock = new ManualClock();
+    private final List<Problem> problems = new ArrayList<>();
+    private final List<DeadLetter> deadLetters = new ArrayList<>();
+    private final ActorSpace space = ActorSpace.create(SpaceSettings.named("test-space")
+            .withClock(clock)
+            .withOnError((where, error) -> problems.add(new Problem(where, error)))
+            .withOnDeadLetter(deadLetters::add)
+            .withHandCrank());
+
+    public ActorSpace space() {
+        return space;
+    }
+
+    public ManualClock clock() {
+        return clock;
+    }
+
+    /** Makes an actor and lets it start. */
+    public <A> A spawn(Class<A> type, Supplier<? extends A> factory) {
+        A proxy = space.spawn(type, factory);
+        crank();
+        return proxy;
+    }
+
+    /** Serves what waits, and what comes of it, until nothing waits. */
+    public void crank() {
+        space.crank();
+    }
+
+    /** Runs a task on the space's thread, and serves what comes of it. */
+    public void run(Runnable task) {
+        space.execute(task);
+        crank();
+    }
+
+    /** Moves the clock, and serves what is due then. A periodic timer runs once for each period that is over. */
+    public void advance(Duration duration) {
+        clock.advance(duration);
+        crank();
+    }
+
+    /**
+     * The value of a promise, after serving what waits.
+     *
+     * @throws AssertionError if it is not settled then: nothing in the space could settle it any more
+     */
+    public <T> T get(Promise<T> promise) {
+        crank();
+        if (!promise.isDone()) {
+            throw new AssertionError("nothing is left to do, and " + promise + " is still pending");
+        }
+        try {
+            return promise.get(Duration.ZERO);
+        } catch (InterruptedException | java.util.concurrent.TimeoutException impossible) {
+            throw new AssertionError("a settled promise does not wait", impossible);
+        }
+    }
+
+    /** The error of a promise, after serving what waits. */
+    public Throwable error(Promise<?> promise) {
+        promise.handle((value, ignored) -> null); // somebody listens: the test
+        crank();
+        Throwable error = promise.error();
+        if (error == null) {
+            throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending")
+                    + ", expected it to be rejected");
+        }
+        return error;
+    }
+
+    /** What has been reported so far; taking it says that the test expected it. */
+    public List<Problem> takeProblems() {
+        var taken = List.copyOf(problems);
+        problems.clear();
+        return taken;
+    }
+
+    /** What has reached nobody so far; taking it says that the test expected it. */
+    public List<DeadLetter> takeDeadLetters() {
+        var taken = List.copyOf(deadLetters);
+        deadLetters.clear();
+        return taken;
+    }
+
+    /**
+     * Closes the space.
+     *
+     * @throws AssertionError if something was left: messages nobody served, problems or dead letters nobody took
+     */
+    @Override
+    public void close() {
+        boolean quiet = space.isQuiet();
+        space.close();
+        if (!problems.isEmpty()) {
+            var failure = new AssertionError("the space reported " + problems.size() + " problem(s), the first in "
+                    + problems.getFirst().where());
+            problems.forEach(problem -> failure.addSuppressed(problem.error()));
+            throw failure;
+        }
+        if (!deadLetters.isEmpty()) {
+            throw new AssertionError("messages reached nobody: " + deadLetters);
+        }
+        if (!quiet) {
+            throw new AssertionError("the test ended while messages waited in the space: crank() it, or say why not");
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package io.troupe.actor.time;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * A clock that somebody else moves: a test, or a simulated world. Starts at zero.
+ *
+ * <p><b>Threads.</b> Any thread. Spaces that use it wake up when it moves.
+ */
+public final class ManualClock implements Clock {
+    private final AtomicLong nanos = new AtomicLong();
+    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+
+    @Override
+    public long nanos() {
+        return nanos.get();
+    }
+
+    /** Moves the clock forward by a duration. */
+    public void advance(Duration duration) {
+        advanceTo(nanos.get() + duration.toNanos());
+    }
+
+    /**
+     * Moves the clock to a moment.
+     *
+     * @throws IllegalArgumentException if that moment is over
+     */
+    public void advanceTo(long newNanos) {
+        long before = nanos.getAndAccumulate(newNanos, Math::max);
+        if (newNanos < before) {
+            throw new IllegalArgumentException(
+                    "a clock does not go back: from " + before + " ns to " + newNanos + " ns");
+        }
+        listeners.forEach(Runnable::run);
+    }
+
+    @Override
+    public Runnable onMove(Runnable wake) {
+        Objects.requireNonNull(wake, "wake");
+        Runnable registration = wake::run; // its own identity, so that the same listener can be registered twice
+        listeners.add(registration);
+        return () -> listeners.remove(registration);
+    }
+
+    @Override
+    public boolean runsByItself() {
+        return false;
+    }
+}

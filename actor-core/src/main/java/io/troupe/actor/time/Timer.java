@@ -1,0 +1,42 @@
+package io.troupe.actor.time;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A task that waits on a {@link TimerWheel} for its moment.
+ *
+ * <p><b>Threads.</b> The wheel's thread.
+ */
+public final class Timer {
+    final Runnable task;
+    final long periodNanos;
+    final long sequence;
+    long deadlineNanos;
+    boolean waiting;
+
+    @Nullable
+    Timer before;
+
+    @Nullable
+    Timer after;
+
+    private final TimerWheel wheel;
+
+    Timer(TimerWheel wheel, Runnable task, long deadlineNanos, long periodNanos, long sequence) {
+        this.wheel = wheel;
+        this.task = task;
+        this.deadlineNanos = deadlineNanos;
+        this.periodNanos = periodNanos;
+        this.sequence = sequence;
+    }
+
+    /** Takes the task back; false if it has run (and is not periodic) or was cancelled before. */
+    public boolean cancel() {
+        return wheel.remove(this);
+    }
+
+    /** Whether it is still going to run. */
+    public boolean isWaiting() {
+        return waiting;
+    }
+}

@@ -1,0 +1,173 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.ManualClock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** On real threads: latches only, generous waits. */
+@Tag("threads")
+@Timeout(60)
+class ActorSpaceThreadTest {
+    private static final Duration LONG = Duration.ofSeconds(30);
+
+    interface Tally {
+        void add(int sender, int number);
+
+        Promise<List<Integer>> disordered();
+
+        Promise<Long> count();
+    }
+
+    static final class StrictTally implements Tally {
+        private final int[] last = new int[8];
+        private final List<Integer> disordered = new ArrayList<>();
+        private long count;
+
+        @Override
+        public void add(int sender, int number) {
+            if (number != last[sender] + 1) {
+                disordered.add(number);
+            }
+            last[sender] = number;
+            count++;
+        }
+
+        @Override
+        public Promise<List<Integer>> disordered() {
+            return Promise.of(disordered);
+        }
+
+        @Override
+        public Promise<Long> count() {
+            return Promise.of(count);
+        }
+    }
+
+    @Test
+    void messages_ofSeveralThreads_allArriveInEachSendersOrder() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("tally"))) {
+            Tally tally = space.spawn(Tally.class, StrictTally::new);
+            int senders = 4;
+            int each = 50_000;
+            var threads = new ArrayList<Thread>();
+            for (int sender = 0; sender < senders; sender++) {
+                int id = sender;
+                threads.add(Thread.ofPlatform().start(() -> {
+                    for (int number = 1; number <= each; number++) {
+                        tally.add(id, number);
+                    }
+                }));
+            }
+            for (var thread : threads) {
+                thread.join();
+            }
+            assertThat(tally.count().get(LONG)).isEqualTo((long) senders * each);
+            assertThat(tally.disordered().get(LONG)).isEmpty();
+        }
+    }
+
+    @Test
+    void spacesTalkToEachOther_andListenersRunWhereTheyWereRegistered() throws Exception {
+        try (var left = ActorSpace.create(SpaceSettings.named("left"));
+                var right = ActorSpace.create(SpaceSettings.named("right"))) {
+            Tally tally = right.spawn(Tally.class, StrictTally::new);
+            var thread = new AtomicReference<String>();
+            var done = new CountDownLatch(1);
+            left.execute(() -> tally.count().then(count -> {
+                thread.set(Thread.currentThread().getName());
+                done.countDown();
+            }));
+            assertThat(done.await(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(thread.get()).isEqualTo("left");
+        }
+    }
+
+    @Test
+    void get_onTheSpacesThread_throwsAndNamesTheAlternative() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("own"))) {
+            Tally tally = space.spawn(Tally.class, StrictTally::new);
+            var answer = new Deferred<Throwable>();
+            space.execute(() -> {
+                try {
+                    tally.count().get(LONG);
+                } catch (Exception e) {
+                    answer.resolve(e);
+                }
+            });
+            assertThat(answer.get(LONG))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("then(..)");
+        }
+    }
+
+    @Test
+    void get_thatTakesTooLong_saysWhatItWaitedFor() {
+        interface Silent {
+            Promise<String> ask(String what);
+        }
+        try (var space = ActorSpace.create(SpaceSettings.named("silent"))) {
+            Silent silent = space.spawn(Silent.class, () -> what -> new Deferred<>());
+            assertThatThrownBy(() -> silent.ask("why").get(Duration.ofMillis(1)))
+                    .isInstanceOf(TimeoutException.class)
+                    .hasMessageContaining("Silent.ask(why) of Silent#1");
+        }
+    }
+
+    @Test
+    void sleepingSpace_isWokenByItsManualClock() throws Exception {
+        var clock = new ManualClock();
+        try (var space = ActorSpace.create(SpaceSettings.named("timed").withClock(clock))) {
+            class Alarm extends Actor {
+                private final Deferred<Long> rang;
+
+                Alarm(Deferred<Long> rang) {
+                    this.rang = rang;
+                }
+
+                @Override
+                protected void started() {
+                    after(Duration.ofSeconds(5), () -> rang.resolve(clock.nanos()));
+                }
+            }
+            var rang = new Deferred<Long>();
+            space.spawn(Alarm.class, () -> new Alarm(rang));
+            var set = new Deferred<String>();
+            space.onIdle(() -> set.resolve("set"));
+            set.get(LONG);
+            clock.advance(Duration.ofSeconds(4));
+            assertThat(rang.isDone()).isFalse();
+            clock.advance(Duration.ofSeconds(1));
+            assertThat(rang.get(LONG)).isEqualTo(5_000_000_000L);
+        }
+    }
+
+    @Test
+    void closedSpace_servesWhatWasQueuedAndRefusesWhatComesLater() throws Exception {
+        var letters = new ArrayList<DeadLetter>();
+        var space = ActorSpace.create(SpaceSettings.named("brief").withOnDeadLetter(letters::add));
+        Tally tally = space.spawn(Tally.class, StrictTally::new);
+        tally.add(0, 1);
+        Promise<Long> before = tally.count();
+        space.close();
+        assertThat(before.get(LONG)).isEqualTo(1);
+        assertThatThrownBy(() -> tally.count().get(LONG))
+                .isInstanceOf(ActorStoppedException.class)
+                .hasMessageContaining("space brief is closed");
+        tally.add(0, 2);
+        assertThat(letters).containsExactly(new DeadLetter("Tally#1", "Tally.add(0, 2)", "space brief is closed"));
+        assertThatThrownBy(() -> space.spawn(Tally.class, StrictTally::new)).isInstanceOf(ActorStoppedException.class);
+    }
+}

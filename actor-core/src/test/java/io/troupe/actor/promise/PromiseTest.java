@@ -1,0 +1,182 @@
+package io.troupe.actor.promise;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeoutException;
+import org.junit.jupiter.api.Test;
+
+/** Outside every space, where listeners run on the settling thread. */
+class PromiseTest {
+    private static final Duration AT_ONCE = Duration.ZERO;
+
+    private final Deferred<String> deferred = new Deferred<>();
+    private final List<String> log = new ArrayList<>();
+
+    @Test
+    void listeners_runInTheOrderOfRegistration() {
+        for (int i = 0; i < 5; i++) {
+            int number = i;
+            deferred.then(value -> {
+                log.add(value + number);
+            });
+        }
+        deferred.resolve("x");
+        assertThat(log).containsExactly("x0", "x1", "x2", "x3", "x4");
+    }
+
+    @Test
+    void settling_happensOnce() throws Exception {
+        assertThat(deferred.resolve("first")).isTrue();
+        assertThat(deferred.resolve("second")).isFalse();
+        assertThat(deferred.reject(new IOException())).isFalse();
+        assertThat(deferred.cancel()).isFalse();
+        assertThat(deferred.get(AT_ONCE)).isEqualTo("first");
+    }
+
+    @Test
+    void listenerRegisteredLate_runsToo() {
+        deferred.resolve("early");
+        deferred.thenAccept(log::add);
+        assertThat(log).containsExactly("early");
+    }
+
+    @Test
+    void values_nullAndPromisesAmongThem_comeBackAsTheyAre() throws Exception {
+        assertThat(Promise.of(null).get(AT_ONCE)).isNull();
+        Promise<String> inner = Promise.of("inner");
+        assertThat(Promise.of(inner).get(AT_ONCE)).isSameAs(inner);
+        assertThat(Promise.of(inner).isDone()).isTrue();
+    }
+
+    @Test
+    void vocabulary_ofCompletableFuture() throws Exception {
+        Promise<Integer> length = deferred.thenApply(String::length);
+        Promise<String> composed = deferred.thenCompose(value -> Promise.of(value + "!"));
+        Promise<String> combined = deferred.thenCombine(length, (text, number) -> text + number);
+        Promise<String> handled = deferred.handle((value, error) -> value + error);
+        deferred.thenRun(() -> log.add("ran"));
+        deferred.whenComplete((value, error) -> log.add(value + error));
+        deferred.resolve("abc");
+        assertThat(length.get(AT_ONCE)).isEqualTo(3);
+        assertThat(composed.get(AT_ONCE)).isEqualTo("abc!");
+        assertThat(combined.get(AT_ONCE)).isEqualTo("abc3");
+        assertThat(handled.get(AT_ONCE)).isEqualTo("abcnull");
+        assertThat(log).containsExactly("ran", "abcnull");
+    }
+
+    @Test
+    void error_travelsUnwrappedUntilSomebodyHandlesIt() throws Exception {
+        var boom = new IOException("boom");
+        Promise<String> rescued =
+                deferred.thenApply(String::length).thenApply(n -> "n" + n).exceptionally(Throwable::getMessage);
+        Promise<String> replaced =
+                deferred.exceptionallyCompose(error -> Promise.of("instead of " + error.getMessage()));
+        deferred.reject(boom);
+        assertThat(rescued.get(AT_ONCE)).isEqualTo("boom");
+        assertThat(replaced.get(AT_ONCE)).isEqualTo("instead of boom");
+        assertThat(deferred.error()).isSameAs(boom);
+        assertThatThrownBy(() -> deferred.get(AT_ONCE)).isSameAs(boom);
+    }
+
+    @Test
+    void listenerThatThrows_rejectsWhatThenAnswered() {
+        Promise<String> next = deferred.then(value -> {
+            throw new IllegalStateException("listener");
+        });
+        deferred.resolve("x");
+        assertThat(next.error()).hasMessage("listener");
+    }
+
+    @Test
+    void observerThatThrowsOnAnError_keepsTheFirstErrorAsSuppressed() {
+        Promise<String> next = deferred.whenComplete((value, error) -> {
+            throw new IllegalStateException("second");
+        });
+        deferred.reject(new IOException("first"));
+        assertThat(next.error()).hasMessage("second");
+        assertThat(next.error().getSuppressed())
+                .singleElement()
+                .satisfies(first -> assertThat(first).hasMessage("first"));
+    }
+
+    @Test
+    void paperThen_takesResultAndError() {
+        deferred.then((result, error) -> log.add(result + "/" + error.getMessage()));
+        deferred.reject(new IOException("gone"));
+        assertThat(log).containsExactly("null/gone");
+    }
+
+    @Test
+    void cancel_rejectsWithCancellation() {
+        assertThat(deferred.cancel()).isTrue();
+        assertThat(deferred.isCancelled()).isTrue();
+        assertThat(deferred.error()).isInstanceOf(CancellationException.class);
+        assertThat(deferred.resolve("late")).isFalse();
+    }
+
+    @Test
+    void all_gathersInOrder_orFailsWithTheFirstError() throws Exception {
+        var second = new Deferred<String>();
+        Promise<List<String>> all = Promise.all(List.of(deferred, second));
+        second.resolve("b");
+        assertThat(all.isDone()).isFalse();
+        deferred.resolve("a");
+        assertThat(all.get(AT_ONCE)).containsExactly("a", "b");
+        assertThat(Promise.all(List.of()).get(AT_ONCE)).isEmpty();
+        assertThat(Promise.all(List.of(deferred, Promise.failed(new IOException("no"))))
+                        .error())
+                .hasMessage("no");
+    }
+
+    @Test
+    void allSettled_neverFails() throws Exception {
+        var boom = new IOException("no");
+        Promise<List<Outcome<String>>> settled = Promise.allSettled(List.of(deferred, Promise.failed(boom)));
+        deferred.resolve("a");
+        assertThat(settled.get(AT_ONCE)).containsExactly(new Outcome.Fulfilled<>("a"), new Outcome.Rejected<>(boom));
+    }
+
+    @Test
+    void any_isTheFirstSuccess_andRaceTheFirstOutcome() throws Exception {
+        Promise<String> failed = Promise.failed(new IOException("no"));
+        Promise<String> any = Promise.any(List.of(failed, deferred));
+        Promise<String> race = Promise.race(List.of(failed, deferred));
+        deferred.resolve("yes");
+        assertThat(any.get(AT_ONCE)).isEqualTo("yes");
+        assertThat(race.error()).hasMessage("no");
+        Promise<String> none = Promise.any(List.of(failed, Promise.failed(new IOException("neither"))));
+        assertThat(none.error()).hasMessageContaining("none of 2");
+        assertThat(none.error().getSuppressed()).hasSize(2);
+    }
+
+    @Test
+    void completionStages_convertBothWays() throws Exception {
+        CompletableFuture<String> future = deferred.toCompletableFuture();
+        Promise<Integer> back = Promise.from(future.thenApply(String::length));
+        Promise<Integer> failing = Promise.from(future.thenApply(Integer::parseInt));
+        deferred.resolve("four");
+        assertThat(back.get(AT_ONCE)).isEqualTo(4);
+        assertThat(failing.error()).isExactlyInstanceOf(NumberFormatException.class);
+    }
+
+    @Test
+    void get_withoutAnAnswer_timesOut() {
+        assertThatThrownBy(() -> deferred.get(Duration.ofMillis(1))).isInstanceOf(TimeoutException.class);
+    }
+
+    @Test
+    void longChains_ofSettledPromises_doNotOverflowTheStack() throws Exception {
+        Promise<Integer> chain = Promise.of(0);
+        for (int i = 0; i < 100_000; i++) {
+            chain = chain.thenApply(n -> n + 1);
+        }
+        assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
+    }
+}

@@ -1,0 +1,34 @@
+package io.troupe.checks;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** The checkout that the running test belongs to. */
+public final class Repository {
+    private Repository() {}
+
+    /** The folder that holds the settings of the Gradle build, looked for from the working directory upwards. */
+    public static Path root() {
+        var start = Path.of("").toAbsolutePath();
+        for (Path folder = start; folder != null; folder = folder.getParent()) {
+            if (Files.exists(folder.resolve("settings.gradle.kts"))) {
+                return folder;
+            }
+        }
+        throw new IllegalStateException("no settings.gradle.kts in " + start + " or a folder above it");
+    }
+
+    /** The folders of all modules, by name: those with a POM of their own. */
+    public static List<Path> modules() {
+        try (var folders = Files.list(root())) {
+            return folders.filter(folder -> Files.exists(folder.resolve("pom.xml")))
+                    .sorted()
+                    .toList();
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+}

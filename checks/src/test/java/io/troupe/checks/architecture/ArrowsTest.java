@@ -1,0 +1,115 @@
+package io.troupe.checks.architecture;
+
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackage;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import com.tngtech.archunit.lang.ArchRule;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Who may import whom. */
+class ArrowsTest {
+    private static final String PROMISE = "io.troupe.actor.promise";
+    private static final String TIME = "io.troupe.actor.time";
+    private static final String ACTOR = "io.troupe.actor";
+
+    @ParameterizedTest
+    @CsvSource({
+        "actor-core,     io.troupe.actor..",
+        "playerlike-sim, io.troupe.player.. io.troupe.sim..",
+        "services,       io.troupe.services..",
+        "verification,   io.troupe.petri..",
+        "demo,           io.troupe.demo..",
+        "jmh,            io.troupe.bench..",
+        "stress,         io.troupe.actor.."
+    })
+    void module_holdsOnlyItsOwnPackages(String module, String packages) {
+        classes()
+                .should()
+                .resideInAnyPackage(packages.split(" "))
+                .as("the module " + module + " should hold only " + packages)
+                .allowEmptyShould(true)
+                .check(Classes.of(module));
+    }
+
+    @Test
+    void actorCore_importsNoOtherModule() {
+        arrow("io.troupe.actor..").check(Classes.MAIN);
+    }
+
+    @Test
+    void actorCore_takesOnlyItsFewLibraries() {
+        classes()
+                .that()
+                .resideInAPackage("io.troupe.actor..")
+                .should()
+                .onlyDependOnClassesThat()
+                .resideInAnyPackage(
+                        "io.troupe.actor..",
+                        "java..",
+                        "jdk.jfr..",
+                        "org.jspecify.annotations..",
+                        "org.objectweb.asm..",
+                        "org.objenesis..")
+                .check(Classes.MAIN);
+    }
+
+    @Test
+    void playerlikeSim_importsActorCore() {
+        arrow("io.troupe.player..", "io.troupe.actor..", "io.troupe.sim..").check(Classes.MAIN);
+        arrow("io.troupe.sim..", "io.troupe.actor..", "io.troupe.player..").check(Classes.MAIN);
+    }
+
+    @Test
+    void services_importActorCoreAndTheClientApi_neverTheSimulator() {
+        arrow("io.troupe.services..", "io.troupe.actor..", "io.troupe.player..").check(Classes.MAIN);
+    }
+
+    @Test
+    void verification_importsNoOtherModule() {
+        arrow("io.troupe.petri..").check(Classes.MAIN);
+    }
+
+    @Test
+    void promise_importsNoOtherRoom() {
+        arrow(PROMISE).check(Classes.MAIN);
+    }
+
+    @Test
+    void time_importsNoOtherRoom() {
+        arrow(TIME).check(Classes.MAIN);
+    }
+
+    @Test
+    void actor_importsPromiseAndTime() {
+        arrow(ACTOR, PROMISE, TIME).check(Classes.MAIN);
+    }
+
+    @Test
+    void testkit_importsActor() {
+        arrow("io.troupe.actor.testkit..", ACTOR, PROMISE, TIME).check(Classes.MAIN);
+    }
+
+    @Test
+    void packages_haveNoCycles() {
+        slices().matching("io.troupe.(**)").should().beFreeOfCycles().check(Classes.MAIN);
+    }
+
+    /** Classes in {@code from} see themselves, the packages in {@code to}, and whatever is not Troupe's. */
+    private static ArchRule arrow(String from, String... to) {
+        var seen = Stream.concat(Stream.of(from), Stream.of(to)).toArray(String[]::new);
+        var allowed = resideInAnyPackage(seen).or(resideOutsideOfPackage("io.troupe.."));
+        var names = to.length == 0 ? "itself" : "itself and " + String.join(", ", to);
+        return classes()
+                .that()
+                .resideInAPackage(from)
+                .should()
+                .onlyDependOnClassesThat(describe("reside in no other room of Troupe than " + names, allowed))
+                .allowEmptyShould(true);
+    }
+}

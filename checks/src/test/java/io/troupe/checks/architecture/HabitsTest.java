@@ -1,0 +1,129 @@
+package io.troupe.checks.architecture;
+
+import static com.tngtech.archunit.lang.conditions.ArchConditions.accessTargetWhere;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noFields;
+import static com.tngtech.archunit.library.GeneralCodingRules.ACCESS_STANDARD_STREAMS;
+import static java.util.stream.Collectors.toCollection;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaAccess;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaConstructorCall;
+import com.tngtech.archunit.core.domain.JavaField;
+import java.util.Collection;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.random.RandomGenerator;
+import org.junit.jupiter.api.Test;
+
+/** What no class does, with the few named places that may. */
+class HabitsTest {
+    /** The mutable statics that the design allows, each by name. */
+    private static final Set<String> MUTABLE_STATICS = Set.of(
+            "io.troupe.actor.ActorSpace$Global.SPACE", // the global space
+            "io.troupe.actor.ActorType.TYPES", // the cache of generated classes
+            "io.troupe.actor.promise.Home.CURRENT", // the home a thread belongs to, one per thread
+            "io.troupe.player.PlayerPorts.OPEN"); // the in-process Player ports
+
+    /** What a machine says of the time, and waiting for it. */
+    private static final Map<String, Set<String>> CLOCKS = Map.of(
+            "java.lang.System", Set.of("nanoTime", "currentTimeMillis"),
+            "java.lang.Thread", Set.of("sleep"),
+            "java.time.Clock", Set.of("systemUTC", "systemDefaultZone", "system"),
+            "java.time.Instant", Set.of("now"),
+            "java.time.LocalDate", Set.of("now"),
+            "java.time.LocalDateTime", Set.of("now"),
+            "java.time.LocalTime", Set.of("now"),
+            "java.time.ZonedDateTime", Set.of("now"));
+
+    @Test
+    void everyPackage_isNullMarked() {
+        var packages = Classes.MAIN.stream().map(JavaClass::getPackage).toList();
+        var unmarked = packages.stream()
+                .filter(each -> !each.isAnnotatedWith("org.jspecify.annotations.NullMarked"))
+                .map(each -> each.getName())
+                .collect(toCollection(TreeSet::new));
+        assertThat(unmarked)
+                .as("packages whose package-info.java is missing or not @NullMarked")
+                .isEmpty();
+    }
+
+    @Test
+    void standardStreams_areUsedByTheCommandLineOnly() {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage("io.troupe.demo..")
+                .should(ACCESS_STANDARD_STREAMS)
+                .check(Classes.MAIN);
+    }
+
+    @Test
+    void machineTime_isAskedForInTheTimeRoomOnly() {
+        var clock = DescribedPredicate.<JavaAccess<?>>describe(
+                "asks the machine for the time or sleeps",
+                access -> CLOCKS.getOrDefault(access.getTargetOwner().getName(), Set.of())
+                        .contains(access.getTarget().getName()));
+        noClasses()
+                .that()
+                .resideOutsideOfPackages("io.troupe.actor.time", "io.troupe.demo..", "io.troupe.bench..")
+                .should(accessTargetWhere(clock))
+                .check(Classes.MAIN);
+    }
+
+    @Test
+    void staticFields_areFinal() {
+        fields().that().areStatic().should().beFinal().check(Classes.MAIN);
+    }
+
+    @Test
+    void staticFields_holdNothingThatIsMadeToChange() {
+        noFields()
+                .that()
+                .areStatic()
+                .and(DescribedPredicate.describe(
+                        "are not among the exceptions of the design",
+                        field -> !MUTABLE_STATICS.contains(field.getFullName())))
+                .should()
+                .haveRawType(DescribedPredicate.describe("is made to change", HabitsTest::isMadeToChange))
+                .check(Classes.MAIN);
+    }
+
+    /** Finds the map behind a field that is declared as {@code Map}. */
+    @Test
+    void staticInitializers_makeNothingThatIsMadeToChange() {
+        var made = Classes.MAIN.stream()
+                .flatMap(each -> each.getStaticInitializer().stream())
+                .flatMap(initializer -> initializer.getConstructorCallsFromSelf().stream())
+                .filter(call -> isMadeToChange(call.getTargetOwner()))
+                .filter(call -> MUTABLE_STATICS.stream()
+                        .noneMatch(
+                                field -> field.startsWith(call.getOriginOwner().getName() + ".")))
+                .map(JavaConstructorCall::getDescription)
+                .toList();
+        assertThat(made).as("mutable objects made for static fields").isEmpty();
+    }
+
+    @Test
+    void mutableStatics_thatAreAllowed_exist() {
+        var all = Classes.MAIN.stream()
+                .flatMap(each -> each.getFields().stream())
+                .map(JavaField::getFullName)
+                .toList();
+        assertThat(all).as("fields of all classes").containsAll(MUTABLE_STATICS);
+    }
+
+    private static boolean isMadeToChange(JavaClass type) {
+        return type.getPackageName().startsWith("java.util.concurrent") && !type.isEnum()
+                || type.isEquivalentTo(StringBuilder.class)
+                || type.isAssignableTo(ClassValue.class)
+                || type.isAssignableTo(ThreadLocal.class)
+                || type.isAssignableTo(Thread.class)
+                || type.isAssignableTo(RandomGenerator.class)
+                || type.isAssignableTo("io.troupe.actor.ActorSpace")
+                || !type.isInterface() && (type.isAssignableTo(Collection.class) || type.isAssignableTo(Map.class));
+    }
+}

@@ -1,0 +1,53 @@
+package io.troupe.checks.architecture;
+
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import org.junit.jupiter.api.Test;
+
+/** Which library is allowed in which room. */
+class LibrariesTest {
+    @Test
+    void jbox2d_staysInThePhysicsRoom() {
+        library("org.jbox2d..", "io.troupe.sim.physics");
+    }
+
+    @Test
+    void asm_staysInTheActorRoom() {
+        library("org.objectweb.asm..", "io.troupe.actor");
+    }
+
+    @Test
+    void objenesis_staysInTheActorRoom() {
+        library("org.objenesis..", "io.troupe.actor");
+    }
+
+    @Test
+    void jmh_staysInTheBenchmarks() {
+        library("org.openjdk.jmh..", "io.troupe.bench..");
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("org.openjdk.jmh..")
+                .allowEmptyShould(true)
+                .check(Classes.STRESS);
+    }
+
+    @Test
+    void jcstress_staysInTheStressModule() {
+        noClasses()
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage("org.openjdk.jcstress..")
+                .check(Classes.MAIN);
+    }
+
+    private static void library(String library, String room) {
+        noClasses()
+                .that()
+                .resideOutsideOfPackage(room)
+                .should()
+                .dependOnClassesThat()
+                .resideInAPackage(library)
+                .check(Classes.MAIN);
+    }
+}

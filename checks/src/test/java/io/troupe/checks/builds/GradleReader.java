@@ -1,0 +1,211 @@
+package io.troupe.checks.builds;
+
+import io.troupe.checks.builds.KotlinScript.Statement;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/**
+ * The Gradle build, read from its scripts without running Gradle.
+ *
+ * <p><b>Errors.</b> It understands the few forms that our scripts are written in. Whatever it does not understand is a
+ * {@link BuildFileException}, as is a part it passes over that speaks of anything the two builds must agree on.
+ */
+final class GradleReader {
+    private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
+    private static final Pattern INCLUDE = Pattern.compile("include\\(\\s*(\"[\\w-]+\"\\s*,?\\s*)+\\)");
+    private static final Pattern DESCRIPTION = Pattern.compile("description = \"([^\"]*)\"");
+    private static final Pattern ON_MODULE = Pattern.compile("(\\w+)\\(project\\(\":([\\w-]+)\"\\)\\)");
+    private static final Pattern ON_LIBRARY = Pattern.compile("(\\w+)\\(libs\\.([\\w.]+)\\)");
+    private static final Pattern ON_LIBRARY_FOR_ALL =
+            Pattern.compile("\"(\\w+)\"\\(libs\\.findLibrary\\(\"([\\w-]+)\"\\)\\.get\\(\\)\\)");
+    private static final Pattern MANIFEST =
+            Pattern.compile("\\s*manifest \\{ attributes\\(\"Automatic-Module-Name\" to \"([\\w.]+)\"\\) }\\s*");
+    private static final Pattern RELEASE = Pattern.compile("options\\.release\\.set\\((\\d+)\\)");
+    private static final Pattern TELLING = Pattern.compile(
+            "\\b(dependencies|libs|findLibrary|project\\s*\\(|release|exclude|constraints|configurations|resolutionStrategy|platform|include|maven\\s*[({]|url\\s*=)");
+    private static final String CATALOG_IN_ROOT =
+            "val libs = rootProject.extensions.getByType<VersionCatalogsExtension>().named(\"libs\")";
+    private static final String REPOSITORIES =
+            "repositoriesMode.set(RepositoriesMode.FAIL_ON_PROJECT_REPOS) repositories { mavenCentral() }";
+
+    private final Properties properties = new Properties();
+    private final VersionCatalog catalog;
+    private final List<Dependency> forAll = new ArrayList<>();
+    private String release = "";
+
+    private GradleReader(String properties, String catalog) throws IOException {
+        this.properties.load(new StringReader(properties));
+        this.catalog = new VersionCatalog(catalog);
+    }
+
+    static Build read(Path root) throws IOException {
+        return of(root).readBuild(root);
+    }
+
+    /** The libraries of the catalog that no script asks for. */
+    static Set<String> unusedLibraries(Path root) throws IOException {
+        var reader = of(root);
+        reader.readBuild(root);
+        return reader.catalog.unused();
+    }
+
+    private static GradleReader of(Path root) throws IOException {
+        return new GradleReader(
+                Files.readString(root.resolve("gradle.properties")),
+                Files.readString(root.resolve("gradle/libs.versions.toml")));
+    }
+
+    private Build readBuild(Path root) throws IOException {
+        readRootScript(Files.readString(root.resolve("build.gradle.kts")));
+        Map<String, Module> modules = new LinkedHashMap<>();
+        for (String name : modules(Files.readString(root.resolve("settings.gradle.kts")))) {
+            var file = name + "/build.gradle.kts";
+            modules.put(name, readModule(file, Files.readString(root.resolve(file))));
+        }
+        return new Build("Gradle", property("group"), property("version"), modules);
+    }
+
+    static List<String> modules(String settings) {
+        var file = "settings.gradle.kts";
+        List<String> modules = new ArrayList<>();
+        for (var statement : KotlinScript.statements(file, settings)) {
+            if (INCLUDE.matcher(statement.head()).matches()) {
+                QUOTED.matcher(statement.head()).results().forEach(name -> modules.add(name.group(1)));
+            } else if (statement.head().equals("dependencyResolutionManagement")) {
+                var body = statement.body().strip().replaceAll("\\s+", " ");
+                if (!body.equals(REPOSITORIES)) {
+                    throw new BuildFileException(file + ": expected " + REPOSITORIES + ", found " + body);
+                }
+            } else if (!statement.head().equals("rootProject.name = \"troupe\"")) {
+                throw notUnderstood(file, statement);
+            }
+        }
+        return modules;
+    }
+
+    private void readRootScript(String script) {
+        var file = "build.gradle.kts";
+        for (var statement : KotlinScript.statements(file, script)) {
+            if (statement.head().equals("subprojects")) {
+                statement.inner(file).forEach(inner -> readShared(file, inner));
+            } else if (statement.head().startsWith("val ") || statement.head().startsWith("if (")) {
+                requireNothingTelling(file, statement);
+            } else {
+                throw notUnderstood(file, statement);
+            }
+        }
+        if (release.isEmpty()) {
+            throw new BuildFileException(file + ": no options.release.set(..) for JavaCompile");
+        }
+    }
+
+    private void readShared(String file, Statement statement) {
+        if (statement.head().equals("dependencies")) {
+            for (var inner : statement.inner(file)) {
+                var match = ON_LIBRARY_FOR_ALL.matcher(inner.head());
+                if (!match.matches()) {
+                    throw notUnderstood(file, inner);
+                }
+                addLibrary(forAll, match.group(1), match.group(2));
+            }
+        } else if (statement.head().equals("tasks.withType<JavaCompile>().configureEach")) {
+            for (var inner : statement.inner(file)) {
+                var match = RELEASE.matcher(inner.head());
+                if (match.matches()) {
+                    release = match.group(1);
+                } else {
+                    requireNothingTelling(file, inner);
+                }
+            }
+        } else if (!statement.head().equals(CATALOG_IN_ROOT)) {
+            requireNothingTelling(file, statement);
+        }
+    }
+
+    private Module readModule(String file, String script) {
+        var description = "";
+        var automaticName = "";
+        List<Dependency> dependencies = new ArrayList<>(forAll);
+        for (var statement : KotlinScript.statements(file, script)) {
+            var described = DESCRIPTION.matcher(statement.head());
+            var named = MANIFEST.matcher(statement.body());
+            if (described.matches()) {
+                description = described.group(1);
+            } else if (statement.head().equals("dependencies")) {
+                statement.inner(file).forEach(inner -> dependencies.add(dependency(file, inner)));
+            } else if (statement.head().equals("tasks.jar") && named.matches()) {
+                automaticName = named.group(1);
+            } else if (statement.head().equals("plugins")
+                    && !statement.body().strip().equals("application")) {
+                throw notUnderstood(file, statement);
+            } else if (statement.block() && statement.head().matches("plugins|application|tasks\\b.*")) {
+                requireNothingTelling(file, statement);
+            } else {
+                throw notUnderstood(file, statement);
+            }
+        }
+        return new Module(description, release, automaticName, dependencies);
+    }
+
+    private Dependency dependency(String file, Statement statement) {
+        var onModule = ON_MODULE.matcher(statement.head());
+        if (!statement.block() && onModule.matches()) {
+            var coordinates = property("group") + ":" + onModule.group(2);
+            return new Dependency(scope(onModule.group(1)), coordinates, property("version"));
+        }
+        var onLibrary = ON_LIBRARY.matcher(statement.head());
+        if (!statement.block() && onLibrary.matches()) {
+            return catalog.library(scope(onLibrary.group(1)), onLibrary.group(2));
+        }
+        throw notUnderstood(file, statement);
+    }
+
+    /** JUnit's launcher has no twin: Surefire brings its own. */
+    private void addLibrary(List<Dependency> dependencies, String configuration, String alias) {
+        var library = catalog.library(scope(configuration), alias);
+        if (!library.coordinates().equals("org.junit.platform:junit-platform-launcher")) {
+            dependencies.add(library);
+        }
+    }
+
+    private static Scope scope(String configuration) {
+        return switch (configuration) {
+            case "api", "implementation" -> Scope.COMPILE;
+            case "compileOnly" -> Scope.PROVIDED;
+            case "runtimeOnly" -> Scope.RUNTIME;
+            case "testImplementation", "testRuntimeOnly" -> Scope.TEST;
+            case "annotationProcessor" -> Scope.PROCESSOR;
+            default -> throw new BuildFileException("configuration " + configuration + " is not understood");
+        };
+    }
+
+    private String property(String name) {
+        var value = properties.getProperty(name);
+        if (value == null) {
+            throw new BuildFileException("gradle.properties: " + name + " is missing");
+        }
+        return value;
+    }
+
+    private static void requireNothingTelling(String file, Statement statement) {
+        var telling = TELLING.matcher(statement.head() + " {" + statement.body());
+        if (telling.find()) {
+            throw new BuildFileException(
+                    file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
+        }
+    }
+
+    private static BuildFileException notUnderstood(String file, Statement statement) {
+        return new BuildFileException(
+                file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+    }
+}

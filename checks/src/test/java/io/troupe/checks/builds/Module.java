@@ -1,0 +1,18 @@
+package io.troupe.checks.builds;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.SequencedCollection;
+
+/** One module as a build describes it; {@code automaticName} is empty when its jar gives no module name. */
+record Module(String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
+    Map<String, Dependency> byKey() {
+        var byKey = new LinkedHashMap<String, Dependency>();
+        for (var dependency : dependencies) {
+            if (byKey.putIfAbsent(dependency.key(), dependency) != null) {
+                throw new BuildFileException(dependency.key() + " is listed twice");
+            }
+        }
+        return byKey;
+    }
+}

@@ -1,0 +1,215 @@
+package io.troupe.checks.builds;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import java.util.stream.IntStream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import org.w3c.dom.Element;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+
+/**
+ * The Maven build, read from its POMs without running Maven.
+ *
+ * <p><b>Errors.</b> As {@link GradleReader}: what it does not understand, and Gradle would have to say too, is a
+ * {@link BuildFileException}.
+ */
+final class PomReader {
+    private static final Set<String> UNDERSTOOD = Set.of(
+            "modelVersion",
+            "parent",
+            "groupId",
+            "artifactId",
+            "version",
+            "packaging",
+            "name",
+            "description",
+            "url",
+            "inceptionYear",
+            "licenses",
+            "developers",
+            "scm",
+            "modules",
+            "properties",
+            "dependencies",
+            "build",
+            "profiles");
+    private static final Set<String> IN_DEPENDENCY = Set.of("groupId", "artifactId", "version", "scope");
+    private static final Set<String> IN_PROFILE = Set.of("id", "activation", "properties");
+    private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
+
+    private final Map<String, String> shared = new LinkedHashMap<>();
+    private final List<Element> forAll;
+    private final List<String> modules;
+
+    private PomReader(Element root) {
+        requireUnderstood("pom.xml", root);
+        shared.putAll(properties(root));
+        shared.put("project.groupId", text(root, "groupId"));
+        shared.put("project.version", text(root, "version"));
+        forAll = all(root, "dependencies", "dependency");
+        modules = all(root, "modules", "module").stream().map(PomReader::text).toList();
+    }
+
+    static Build read(Path root) throws IOException {
+        var reader = new PomReader(parse("pom.xml", Files.readString(root.resolve("pom.xml"))));
+        Map<String, Module> modules = new LinkedHashMap<>();
+        for (String name : reader.modules) {
+            var file = name + "/pom.xml";
+            modules.put(name, reader.readModule(file, name, parse(file, Files.readString(root.resolve(file)))));
+        }
+        return new Build("Maven", reader.value("project.groupId"), reader.value("project.version"), modules);
+    }
+
+    static Module module(String rootPom, String name, String pom) {
+        return new PomReader(parse("pom.xml", rootPom)).readModule(name + "/pom.xml", name, parse(name, pom));
+    }
+
+    private Module readModule(String file, String name, Element project) {
+        requireUnderstood(file, project);
+        var parent = all(project, "parent").getFirst();
+        require(file, "parent's version", text(parent, "version"), value("project.version"));
+        require(file, "parent's groupId", text(parent, "groupId"), value("project.groupId"));
+        require(file, "artifactId", text(project, "artifactId"), name);
+        Map<String, String> properties = new LinkedHashMap<>(shared);
+        properties.putAll(properties(project));
+
+        List<Dependency> dependencies = new ArrayList<>();
+        forAll.forEach(each -> dependencies.add(dependency("pom.xml", each, properties)));
+        all(project, "dependencies", "dependency")
+                .forEach(each -> dependencies.add(dependency(file, each, properties)));
+        for (Element plugin : all(project, "build", "plugins", "plugin")) {
+            for (Element path : all(plugin, "configuration", "annotationProcessorPaths", "path")) {
+                var processor = dependency(file, path, properties);
+                dependencies.add(new Dependency(Scope.PROCESSOR, processor.coordinates(), processor.version()));
+            }
+        }
+        return new Module(
+                text(project, "description"),
+                interpolate("${maven.compiler.release}", properties),
+                properties.getOrDefault("module.name", ""),
+                dependencies);
+    }
+
+    private static Dependency dependency(String file, Element dependency, Map<String, String> properties) {
+        for (Element child : children(dependency)) {
+            if (!IN_DEPENDENCY.contains(child.getTagName())) {
+                throw new BuildFileException(file + ": <" + child.getTagName() + "> in a dependency is not understood");
+            }
+        }
+        var group = interpolate(text(dependency, "groupId"), properties);
+        var artifact = interpolate(text(dependency, "artifactId"), properties);
+        var version = interpolate(text(dependency, "version"), properties);
+        return new Dependency(scope(text(dependency, "scope")), group + ":" + artifact, version);
+    }
+
+    private static Scope scope(String text) {
+        return switch (text) {
+            case "", "compile" -> Scope.COMPILE;
+            case "provided" -> Scope.PROVIDED;
+            case "runtime" -> Scope.RUNTIME;
+            case "test" -> Scope.TEST;
+            default -> throw new BuildFileException("scope " + text + " is not understood");
+        };
+    }
+
+    /** Whatever could add a dependency or change the release level by another road than the ones that are read. */
+    private static void requireUnderstood(String file, Element project) {
+        for (Element child : children(project)) {
+            if (!UNDERSTOOD.contains(child.getTagName())) {
+                throw new BuildFileException(file + ": <" + child.getTagName() + "> is not understood");
+            }
+        }
+        for (Element profile : all(project, "profiles", "profile")) {
+            for (Element child : children(profile)) {
+                if (!IN_PROFILE.contains(child.getTagName())) {
+                    throw new BuildFileException(
+                            file + ": <" + child.getTagName() + "> in a profile is not understood");
+                }
+            }
+        }
+        for (String name : List.of("release", "source", "target", "testRelease")) {
+            if (project.getElementsByTagName(name).getLength() > 0) {
+                throw new BuildFileException(
+                        file + ": <" + name + "> is not understood, the level is the property maven.compiler.release");
+            }
+        }
+    }
+
+    private static void require(String file, String what, String value, String expected) {
+        if (!value.equals(expected)) {
+            throw new BuildFileException(file + ": " + what + " is " + value + ", expected " + expected);
+        }
+    }
+
+    private String value(String property) {
+        return interpolate("${" + property + "}", shared);
+    }
+
+    private static String interpolate(String text, Map<String, String> properties) {
+        return PROPERTY.matcher(text).replaceAll(match -> {
+            var value = properties.get(match.group(1));
+            if (value == null) {
+                throw new BuildFileException("POM: no property " + match.group(1));
+            }
+            return value;
+        });
+    }
+
+    private static Map<String, String> properties(Element project) {
+        Map<String, String> properties = new LinkedHashMap<>();
+        all(project, "properties")
+                .forEach(each ->
+                        children(each).forEach(property -> properties.put(property.getTagName(), text(property))));
+        return properties;
+    }
+
+    private static List<Element> all(Element from, String... path) {
+        List<Element> found = List.of(from);
+        for (String name : path) {
+            found = found.stream()
+                    .flatMap(each -> children(each).stream())
+                    .filter(each -> each.getTagName().equals(name))
+                    .toList();
+        }
+        return found;
+    }
+
+    private static List<Element> children(Element parent) {
+        var nodes = parent.getChildNodes();
+        return IntStream.range(0, nodes.getLength())
+                .mapToObj(nodes::item)
+                .filter(Element.class::isInstance)
+                .map(Element.class::cast)
+                .toList();
+    }
+
+    private static String text(Element parent, String child) {
+        return all(parent, child).stream().map(PomReader::text).findFirst().orElse("");
+    }
+
+    private static String text(Element element) {
+        return element.getTextContent().strip();
+    }
+
+    private static Element parse(String file, String xml) {
+        try {
+            var factory = DocumentBuilderFactory.newInstance();
+            factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+            return factory.newDocumentBuilder()
+                    .parse(new InputSource(new StringReader(xml)))
+                    .getDocumentElement();
+        } catch (ParserConfigurationException | SAXException | IOException failure) {
+            throw new BuildFileException(file + ": " + failure.getMessage());
+        }
+    }
+}

@@ -1,0 +1,171 @@
+package io.troupe.demo;
+
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Contact;
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.scenario.WorldSpec;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes down what happens in a run.
+ *
+ * <p><b>Threads.</b> The services tell it on the actor space's thread, the world on its own; in lock step they never do so at the same time, and each
+ * tick makes visible to one what the other wrote.
+ */
+final class Ledger implements ServiceObserver, Arbitrator.StateListener {
+    private final SubsumptionTable table;
+    private final RunLog log;
+    private final Consumer<String> changes;
+    private final List<RobotRecord> robots;
+    private final List<StateChange> states = new ArrayList<>();
+    private int statesLogged;
+    private Snapshot last;
+
+    Ledger(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
+        this.table = table;
+        this.log = log;
+        this.changes = changes;
+        this.robots = IntStream.range(0, world.robots().size())
+                .mapToObj(RobotRecord::new)
+                .toList();
+    }
+
+    // ---- from the services
+
+    @Override
+    public void began(int robot, Service service) {
+        robots.get(robot).began(service);
+    }
+
+    @Override
+    public void cycled(int robot, Service service) {
+        robots.get(robot).cycled(service);
+    }
+
+    @Override
+    public void ended(int robot, Service service) {
+        robots.get(robot).ended(service);
+    }
+
+    @Override
+    public void began(State state, @Nullable Integer seenBy) {
+        states.add(new StateChange(last == null ? 0 : last.timeMicros(), state, seenBy));
+    }
+
+    // ---- from the world
+
+    /** The world before the first tick. */
+    void start(Snapshot snapshot) throws IOException {
+        last = snapshot;
+        logStates();
+        logPoses(snapshot);
+    }
+
+    /** The world after a tick; what the services did at the tick comes before what it led to. */
+    void record(Snapshot snapshot) throws IOException {
+        logStates();
+        logCharge();
+        for (Contact contact : snapshot.contacts()) {
+            logContact(contact);
+        }
+        last = snapshot;
+        logPoses(snapshot);
+    }
+
+    RunResult finish() throws IOException {
+        var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots);
+        log.write(result.toJson());
+        return result;
+    }
+
+    private void logStates() throws IOException {
+        for (; statesLogged < states.size(); statesLogged++) {
+            StateChange change = states.get(statesLogged);
+            var line = Json.line(change.timeMicros(), "state")
+                    .put("state", change.state().number());
+            if (change.seenBy() != null) {
+                line.put("robot", change.seenBy() + 1);
+            }
+            log.write(line.put("colour", change.state().colour())
+                    .put("services", Json.texts(change.state().services())));
+            changes.accept(change.describe());
+        }
+    }
+
+    /** The handshake's promise: between two readings every robot has exactly one service. */
+    private void logCharge() throws IOException {
+        for (RobotRecord robot : robots) {
+            if (robot.servicesInCharge().size() != 1) {
+                robot.countChargeFault();
+                log.write(Json.line(last.timeMicros(), "charge")
+                        .put("robot", robot.index() + 1)
+                        .put("services", Json.texts(robot.servicesInCharge())));
+            }
+        }
+    }
+
+    private void logContact(Contact contact) throws IOException {
+        RobotRecord robot = robots.get(contact.robot());
+        robot.touched(contact);
+        var line = Json.line(contact.timeMicros(), "contact")
+                .put("robot", contact.robot() + 1)
+                .put("service", robot.serviceName());
+        if (contact.otherRobot() >= 0) {
+            robots.get(contact.otherRobot()).touched(contact);
+            line.put("otherRobot", contact.otherRobot() + 1);
+        } else {
+            line.put("obstacle", contact.other());
+        }
+        log.write(line);
+    }
+
+    private void logPoses(Snapshot snapshot) throws IOException {
+        for (int index = 0; index < robots.size(); index++) {
+            RobotReading reading = snapshot.robots().get(index);
+            RobotRecord robot = robots.get(index);
+            robot.moved(snapshot.timeMicros(), reading);
+            log.write(Json.line(snapshot.timeMicros(), "pose")
+                    .put("robot", index + 1)
+                    .put("x", reading.pose().x())
+                    .put("y", reading.pose().y())
+                    .put("heading", reading.pose().headingRad())
+                    .put("gap", reading.wallGapM())
+                    .put("service", robot.serviceName()));
+        }
+    }
+
+    /** A state that began. */
+    record StateChange(
+            long timeMicros, State state, @Nullable Integer seenBy) {
+        String describe() {
+            var assignment = new StringBuilder();
+            for (int robot = 0; robot < state.services().size(); robot++) {
+                assignment
+                        .append(robot == 0 ? "" : ", ")
+                        .append("robot ")
+                        .append(robot + 1)
+                        .append(' ')
+                        .append(state.services().get(robot));
+            }
+            String cause = seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + Colours.name(state.colour());
+            return String.format(
+                    java.util.Locale.ROOT,
+                    "%7.1f s  %-18s state %d: %s",
+                    timeMicros / 1e6,
+                    cause,
+                    state.number(),
+                    assignment);
+        }
+    }
+}

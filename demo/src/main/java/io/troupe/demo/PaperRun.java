@@ -1,0 +1,114 @@
+package io.troupe.demo;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.WorldFileException;
+import java.io.IOException;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
+ *
+ * <p><b>Threads.</b> The calling thread moves the world, one actor space drives the robots; at any moment one of them waits for the other.
+ * <p><b>Source.</b> Paper, section 3.6.
+ */
+final class PaperRun {
+    private static final double JITTER_M = 0.02;
+    private static final double JITTER_RAD = StrictMath.toRadians(2);
+
+    private final Scenario scenario;
+    private final WorldSettings settings;
+    private final long endMicros;
+    private final CornerStyle corners;
+    private final boolean realtime;
+    private final SubsumptionTable table = SubsumptionTable.ofThePaper();
+
+    PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
+        this.corners = corners;
+        this.scenario = scenario;
+        this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
+        this.endMicros = StrictMath.round(seconds * 1e6);
+        this.realtime = realtime;
+        int robots = scenario.world().robots().size();
+        if (robots != table.robots()) {
+            throw new WorldFileException(scenario.world().file() + " has " + robots + " robots, expected "
+                    + table.robots() + " for the services of the paper");
+        }
+    }
+
+    /**
+     * Runs to the end, or until {@code stop} says so.
+     *
+     * @param changes is told of every state change as it happens, for people
+     */
+    RunResult run(RunLog log, Consumer<String> changes, ProgressBar progress, BooleanSupplier stop)
+            throws IOException, InterruptedException {
+        var failure = new AtomicReference<@Nullable Throwable>();
+        try (var simulation = Simulation.open(scenario, settings);
+                var space = ActorSpace.create(SpaceSettings.named("robots")
+                        .withClock(simulation.clock())
+                        .withOnError((where, error) -> failure.compareAndSet(null, error)))) {
+            var ledger = new Ledger(scenario.world(), table, log, changes);
+            begin(space, ledger, failure);
+            ledger.start(simulation.latest());
+            long origin = System.nanoTime();
+            while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
+                Snapshot snapshot = simulation.tick();
+                rethrow(failure.get());
+                ledger.record(snapshot);
+                progress.show(snapshot.timeMicros() / 1e6);
+                if (realtime) {
+                    awaitRealTime(origin + snapshot.timeMicros() * 1000);
+                }
+            }
+            return ledger.finish();
+        }
+    }
+
+    private void begin(ActorSpace space, Ledger ledger, AtomicReference<@Nullable Throwable> failure)
+            throws InterruptedException {
+        var serviceSettings = RobotServices.Settings.ofThePaper()
+                .withPort(scenario.devices().getFirst().port())
+                .withCornerStyle(corners)
+                .withObserver(ledger);
+        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
+        Arbitrator arbitrator = space.spawn(Arbitrator.class, () -> new Arbitrator(services, table, ledger));
+        arbitrator.ended().exceptionally(error -> {
+            failure.compareAndSet(null, error);
+            return null;
+        });
+        arbitrator.live();
+        var begun = new CountDownLatch(1);
+        space.onIdle(begun::countDown);
+        begun.await();
+        rethrow(failure.get());
+    }
+
+    private static void rethrow(@Nullable Throwable failure) {
+        if (failure instanceof RuntimeException unchecked) {
+            throw unchecked;
+        }
+        if (failure != null) {
+            throw new IllegalStateException("the services failed", failure);
+        }
+    }
+
+    private static void awaitRealTime(long deadlineNanos) {
+        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
+            LockSupport.parkNanos(left);
+        }
+    }
+}

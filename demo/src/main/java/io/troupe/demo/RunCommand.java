@@ -1,0 +1,121 @@
+package io.troupe.demo;
+
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe run}: two robots, two services, three colours. */
+@Command(
+        name = "run",
+        description = "Lets the robots of a world follow walls, wander, and swap services by the colours they see.",
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+final class RunCommand implements Callable<Integer> {
+    private static final long CLOSING_SECONDS = 10;
+    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.world"));
+
+    @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
+    private double seconds = 300;
+
+    @Option(names = "--seed", paramLabel = "N", description = "moves the start poses by up to 2 cm and 2 degrees")
+    private long seed = 1;
+
+    @Option(
+            names = "--corners",
+            paramLabel = "STYLE",
+            description =
+                    "how the wall follower turns at a wall ahead: FORWARD as the paper says, BACKWARD as its model program does")
+    private CornerStyle corners = CornerStyle.FORWARD;
+
+    @Option(names = "--realtime", description = "no faster than real time")
+    private boolean realtime;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "where trajectory.svg and run.jsonl go")
+    private Path out = Path.of("out");
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        if (!(seconds > 0) || seconds > 1e6) {
+            throw new ParameterException(
+                    spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
+        }
+        Scenario scenario = ScenarioReader.read(world);
+        makeOutputDirectory();
+        var interrupted = new AtomicBoolean();
+        var finished = new CountDownLatch(1);
+        var hook = new Thread(() -> awaitSummary(interrupted, finished), "finish");
+        Runtime.getRuntime().addShutdownHook(hook);
+        try {
+            run(scenario, interrupted);
+        } finally {
+            finished.countDown();
+            if (!interrupted.get()) {
+                Runtime.getRuntime().removeShutdownHook(hook);
+            }
+        }
+        return 0;
+    }
+
+    private void run(Scenario scenario, AtomicBoolean interrupted) throws IOException, InterruptedException {
+        PrintWriter terminal = spec.commandLine().getOut();
+        var progress = ProgressBar.onTerminal(seconds);
+        var run = new PaperRun(scenario, seed, seconds, corners, realtime);
+        long begin = System.nanoTime();
+        RunResult result;
+        try (var log = new RunLog(out.resolve("run.jsonl"))) {
+            result = run.run(
+                    log, change -> progress.interrupt(() -> terminal.println(change)), progress, interrupted::get);
+        } finally {
+            progress.close();
+        }
+        double wallSeconds = (System.nanoTime() - begin) / 1e9;
+        Path picture = out.resolve("trajectory.svg");
+        Files.writeString(picture, new TrajectorySvg(scenario.world(), result).draw());
+        terminal.print(result.summary(scenario.world().name(), seed, wallSeconds));
+        terminal.println("wrote " + picture + " and " + out.resolve("run.jsonl"));
+        terminal.flush();
+    }
+
+    private void makeOutputDirectory() {
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+        }
+    }
+
+    /** On Ctrl-C the machine ends when this returns: after the summary has been printed. */
+    private static void awaitSummary(AtomicBoolean interrupted, CountDownLatch finished) {
+        interrupted.set(true);
+        try {
+            finished.await(CLOSING_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

@@ -1,0 +1,116 @@
+package io.troupe.demo;
+
+import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionTable;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * What came out of a run.
+ *
+ * @param states those that began, in order
+ * @param robots by index
+ */
+record RunResult(long endMicros, SubsumptionTable table, List<Ledger.StateChange> states, List<RobotRecord> robots) {
+    /** How often a state began. */
+    long visits(State state) {
+        return states.stream().filter(change -> change.state().equals(state)).count();
+    }
+
+    Json toJson() {
+        var json = Json.line(endMicros, "summary").put("switches", states.size() - 1);
+        json.put(
+                "states",
+                Json.objects(table.states().stream()
+                        .map(state -> new Json()
+                                .put("state", state.number())
+                                .put("visits", visits(state))
+                                .put("seconds", secondsIn(state)))
+                        .toList()));
+        return json.put(
+                "robots", Json.objects(robots.stream().map(RunResult::toJson).toList()));
+    }
+
+    private static Json toJson(RobotRecord robot) {
+        var loops = new Json();
+        robot.loops().forEach(loops::put);
+        return new Json()
+                .put("robot", robot.index() + 1)
+                .put("distance", robot.distanceM())
+                .put("closest", robot.closestM())
+                .put("wallContacts", robot.wallContacts())
+                .put("wallContactsWhileFollowing", robot.followingContacts())
+                .put("robotContacts", robot.robotContacts())
+                .put("chargeFaults", robot.chargeFaults())
+                .put("loops", loops);
+    }
+
+    /** For people. */
+    String summary(String world, long seed, double wallSeconds) {
+        var text = new StringBuilder();
+        line(
+                text,
+                "%n%s, seed %d: %s s simulated in %.1f s, %.0f times real time",
+                world,
+                seed,
+                Json.seconds(endMicros),
+                wallSeconds,
+                endMicros / 1e6 / wallSeconds);
+        line(text, "%-34s%s", "", columns(robot -> "robot " + (robot.index() + 1)));
+        line(
+                text,
+                "%-34s%s",
+                "distance driven",
+                columns(robot -> String.format(Locale.ROOT, "%.1f m", robot.distanceM())));
+        line(
+                text,
+                "%-34s%s",
+                "closest approach to a wall",
+                columns(robot -> String.format(Locale.ROOT, "%.3f m", robot.closestM())));
+        line(text, "%-34s%s", "contacts with walls and boxes", columns(robot -> "" + robot.wallContacts()));
+        line(text, "%-34s%s", "  while following a wall", columns(robot -> "" + robot.followingContacts()));
+        line(text, "%-34s%s", "contacts with a robot", columns(robot -> "" + robot.robotContacts()));
+        for (String service : table.services().stream().map(Object::toString).toList()) {
+            line(
+                    text,
+                    "%-34s%s",
+                    "loops of " + service,
+                    columns(robot -> "" + robot.loops().getOrDefault(service, 0L)));
+        }
+        line(text, "%-34s%s", "ticks without exactly one service", columns(robot -> "" + robot.chargeFaults()));
+        for (State state : table.states()) {
+            line(
+                    text,
+                    "state %d (%s): %d times, %.1f s",
+                    state.number(),
+                    Colours.name(state.colour()),
+                    visits(state),
+                    secondsIn(state));
+        }
+        return text.toString();
+    }
+
+    private double secondsIn(State state) {
+        long micros = 0;
+        for (int i = 0; i < states.size(); i++) {
+            if (states.get(i).state().equals(state)) {
+                micros += (i + 1 < states.size() ? states.get(i + 1).timeMicros() : endMicros)
+                        - states.get(i).timeMicros();
+            }
+        }
+        return micros / 1e6;
+    }
+
+    private String columns(Function<RobotRecord, String> value) {
+        return robots.stream()
+                .map(robot -> String.format("%12s", value.apply(robot)))
+                .collect(Collectors.joining());
+    }
+
+    private static void line(StringBuilder text, String format, Object... values) {
+        text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
+    }
+}

@@ -1,0 +1,104 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The command line: one clear line and exit status 2 for whatever was wrong. */
+class MainTest {
+    private static final String WORLD = Path.of("worlds", "paper-arena.world").toString();
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    @TempDir
+    private Path directory;
+
+    private int troupe(String... arguments) {
+        return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments);
+    }
+
+    private void assertComplaint(int status, String... parts) {
+        assertThat(status).isEqualTo(2);
+        assertThat(err.toString().lines())
+                .singleElement()
+                .satisfies(line -> assertThat(line).startsWith("troupe: ").contains(parts));
+    }
+
+    @Test
+    void run_printsChangesAndSummary_andWritesBothFiles() {
+        assertThat(troupe(
+                        "run",
+                        "--world",
+                        WORLD,
+                        "--seconds",
+                        "2",
+                        "--out",
+                        directory.resolve("o").toString()))
+                .isZero();
+        assertThat(out.toString())
+                .contains("state 1: robot 1 wallFollower, robot 2 spaceWanderer", "times real time", "distance driven");
+        assertThat(directory.resolve("o/run.jsonl")).isNotEmptyFile();
+        assertThat(directory.resolve("o/trajectory.svg")).isNotEmptyFile();
+        assertThat(err.toString()).isEmpty();
+    }
+
+    @Test
+    void wrongOption() {
+        assertComplaint(troupe("run", "--sed", "1"), "--sed", "troupe run --help");
+    }
+
+    @Test
+    void wrongCommand() {
+        assertComplaint(troupe("dance"), "dance");
+    }
+
+    @Test
+    void wrongNumber() {
+        assertComplaint(troupe("run", "--seconds", "soon"), "--seconds", "soon");
+    }
+
+    @Test
+    void numberOutOfRange() {
+        assertComplaint(troupe("run", "--seconds", "-3"), "--seconds is -3.0", "above 0");
+    }
+
+    @Test
+    void missingWorld() {
+        assertComplaint(
+                troupe("run", "--world", directory.resolve("nowhere.world").toString()), "nowhere.world");
+    }
+
+    @Test
+    void wrongWorld_isNamedByFileLineAndColumn() throws Exception {
+        Path world = directory.resolve("wrong.world");
+        Files.writeString(world, "interval_sim 100\nmodel ( siez [ 1 1 1 ] )\n");
+        assertComplaint(
+                troupe(
+                        "run",
+                        "--world",
+                        world.toString(),
+                        "--out",
+                        directory.resolve("o").toString()),
+                "wrong.world:2:9: ",
+                "siez",
+                "size");
+    }
+
+    @Test
+    void outputThatIsAFile() throws Exception {
+        Path file = Files.writeString(directory.resolve("taken"), "x");
+        assertComplaint(troupe("run", "--world", WORLD, "--out", file.toString()), "--out", "taken");
+    }
+
+    @Test
+    void help_namesEveryOption() {
+        assertThat(troupe("run", "--help")).isZero();
+        assertThat(out.toString()).contains("--world=FILE", "--seconds=N", "--seed=N", "--realtime", "--out=DIR");
+    }
+}

@@ -1,0 +1,137 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.State;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.scenario.WorldFileException;
+import io.troupe.sim.scenario.WorldSpec;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The main job: what it promises is measured here on the real world file, on real threads. */
+@Timeout(300)
+class PaperRunTest {
+    private static final Path WORLD = Path.of("worlds", "paper-arena.world");
+
+    @TempDir
+    private Path out;
+
+    private RunResult run(long seed, double seconds, Path file) throws Exception {
+        try (var log = new RunLog(file)) {
+            return new PaperRun(ScenarioReader.read(WORLD), seed, seconds, CornerStyle.FORWARD, false)
+                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
+        }
+    }
+
+    @Test
+    void threeHundredSeconds_visitEveryState_withoutTouchingAWallWhileFollowingOne_andAlwaysWithOneServicePerRobot()
+            throws Exception {
+        RunResult result = run(1, 300, out.resolve("run.jsonl"));
+        for (State state : result.table().states()) {
+            assertThat(result.visits(state))
+                    .as("visits of state %d", state.number())
+                    .isGreaterThan(1);
+        }
+        assertThat(result.robots()).allSatisfy(robot -> {
+            assertThat(robot.followingContacts()).isZero();
+            assertThat(robot.chargeFaults()).isZero();
+            assertThat(robot.loops().values().stream()
+                            .mapToLong(Long::longValue)
+                            .sum())
+                    .as("one loop for each reading, and one more when a service takes over")
+                    .isEqualTo(3_000 + result.states().size() - 1);
+        });
+        List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
+        assertThat(lines.getFirst()).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
+        assertThat(lines)
+                .anyMatch(line -> line.matches(
+                        "\\{\"t\":[0-9.]+,\"type\":\"state\",\"state\":2,\"robot\":[12],\"colour\":16711680,.*"));
+        assertThat(lines.getLast()).startsWith("{\"t\":300.0,\"type\":\"summary\",");
+    }
+
+    @Test
+    void sameSeed_sameFile_anotherSeed_anotherFile() throws Exception {
+        run(7, 20, out.resolve("first"));
+        run(7, 20, out.resolve("second"));
+        run(8, 20, out.resolve("third"));
+        assertThat(out.resolve("second")).hasSameBinaryContentAs(out.resolve("first"));
+        assertThat(Files.mismatch(out.resolve("first"), out.resolve("third"))).isNotNegative();
+    }
+
+    @Test
+    void interpretedJvm_writesTheSameFile() throws Exception {
+        run(7, 20, out.resolve("here"));
+        var java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        var interpreted = new ProcessBuilder(
+                        java,
+                        "-Xint",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        "io.troupe.demo.Main",
+                        "run",
+                        "--world",
+                        WORLD.toString(),
+                        "--seed",
+                        "7",
+                        "--seconds",
+                        "20",
+                        "--out",
+                        out.resolve("there").toString())
+                .redirectErrorStream(true)
+                .redirectOutput(out.resolve("log").toFile())
+                .start();
+        assertThat(interpreted.waitFor())
+                .as(Files.readString(out.resolve("log")))
+                .isZero();
+        assertThat(out.resolve("there").resolve("run.jsonl")).hasSameBinaryContentAs(out.resolve("here"));
+    }
+
+    @Test
+    void stop_endsTheRunWithTheSummarySoFar() throws Exception {
+        var polls = new int[1];
+        RunResult result;
+        try (var log = new RunLog(out.resolve("short"))) {
+            result = new PaperRun(ScenarioReader.read(WORLD), 1, 300, CornerStyle.FORWARD, false)
+                    .run(log, change -> {}, ProgressBar.hidden(), () -> polls[0]++ == 50);
+        }
+        assertThat(result.endMicros()).isEqualTo(5_000_000);
+        assertThat(Files.readAllLines(out.resolve("short")).getLast()).startsWith("{\"t\":5.0,\"type\":\"summary\"");
+    }
+
+    @Test
+    void picture_showsEveryObstacleBothPathsAndEveryStateChange() throws Exception {
+        RunResult result = run(1, 60, out.resolve("run.jsonl"));
+        String svg = new TrajectorySvg(ScenarioReader.read(WORLD).world(), result).draw();
+        assertThat(svg).startsWith("<svg").endsWith("</svg>" + System.lineSeparator());
+        assertThat(svg).contains("<title>red box 1</title>", "wallFollower", "spaceWanderer", "stroke-dasharray");
+        assertThat(svg.split("<circle", -1)).hasSize(result.states().size()); // one for each change, none for the start
+        javax.xml.parsers.DocumentBuilderFactory.newInstance()
+                .newDocumentBuilder()
+                .parse(new java.io.ByteArrayInputStream(svg.getBytes(java.nio.charset.StandardCharsets.UTF_8)));
+    }
+
+    @Test
+    void worldWithAnotherNumberOfRobots_isRefused() {
+        Scenario two = ScenarioReader.read(WORLD);
+        WorldSpec world = two.world();
+        var one = new Scenario(
+                new WorldSpec(
+                        world.name(),
+                        world.file(),
+                        world.intervalMillis(),
+                        world.robots().subList(0, 1),
+                        world.obstacles()),
+                two.devices());
+        assertThatThrownBy(() -> new PaperRun(one, 1, 1, CornerStyle.FORWARD, false))
+                .isInstanceOf(WorldFileException.class)
+                .hasMessageContaining("has 1 robots, expected 2");
+    }
+}

@@ -1,0 +1,58 @@
+package io.troupe.player;
+
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderBlob;
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.player.wire.DeviceData;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A camera that reports patches of colour.
+ *
+ * <p><b>Units and shapes.</b> Pixels, x to the right and y down; colours {@code 0x00RRGGBB}; ranges in metres.
+ * <p><b>Source.</b> Player interface blobfinder.
+ */
+public class BlobfinderInterface extends PlayerDevice {
+    private final Latest<PlayerBlobfinderData> data = new Latest<>();
+
+    public BlobfinderInterface(PlayerClient client) {
+        super(client);
+    }
+
+    /** The newest data, or null before there are any. */
+    public @Nullable PlayerBlobfinderData getData() {
+        return data.get();
+    }
+
+    /** True once for each new message. */
+    public boolean isDataReady() {
+        return takeNew(data);
+    }
+
+    @Override
+    void accept(DeviceData message) {
+        if (message instanceof DeviceData.Blobs image) {
+            var newest = new PlayerBlobfinderData();
+            newest.setWidth(image.width());
+            newest.setHeight(image.height());
+            newest.setBlobs_count(image.blobs().size());
+            newest.setBlobs(
+                    image.blobs().stream().map(BlobfinderInterface::convert).toArray(PlayerBlobfinderBlob[]::new));
+            data.put(newest);
+        }
+    }
+
+    private static PlayerBlobfinderBlob convert(DeviceData.Blob blob) {
+        var converted = new PlayerBlobfinderBlob();
+        converted.setId(blob.id());
+        converted.setColor(blob.colour());
+        converted.setArea(blob.area());
+        converted.setX(blob.x());
+        converted.setY(blob.y());
+        converted.setLeft(blob.left());
+        converted.setRight(blob.right());
+        converted.setTop(blob.top());
+        converted.setBottom(blob.bottom());
+        converted.setRange(blob.rangeM());
+        return converted;
+    }
+}

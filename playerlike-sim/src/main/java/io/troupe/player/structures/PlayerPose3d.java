@@ -1,0 +1,59 @@
+package io.troupe.player.structures;
+
+/** A pose in space: metres and radians. */
+public class PlayerPose3d {
+    private double px;
+    private double py;
+    private double pz;
+    private double proll;
+    private double ppitch;
+    private double pyaw;
+
+    public synchronized double getPx() {
+        return px;
+    }
+
+    public synchronized void setPx(double value) {
+        px = value;
+    }
+
+    public synchronized double getPy() {
+        return py;
+    }
+
+    public synchronized void setPy(double value) {
+        py = value;
+    }
+
+    public synchronized double getPz() {
+        return pz;
+    }
+
+    public synchronized void setPz(double value) {
+        pz = value;
+    }
+
+    public synchronized double getProll() {
+        return proll;
+    }
+
+    public synchronized void setProll(double value) {
+        proll = value;
+    }
+
+    public synchronized double getPpitch() {
+        return ppitch;
+    }
+
+    public synchronized void setPpitch(double value) {
+        ppitch = value;
+    }
+
+    public synchronized double getPyaw() {
+        return pyaw;
+    }
+
+    public synchronized void setPyaw(double value) {
+        pyaw = value;
+    }
+}

@@ -1,0 +1,34 @@
+package io.troupe.player.structures.position2d;
+
+import io.troupe.player.structures.PlayerPose;
+
+/** What position2d reports. */
+public class PlayerPosition2dData {
+    private PlayerPose pos = new PlayerPose();
+    private PlayerPose vel = new PlayerPose();
+    private byte stall;
+
+    public synchronized PlayerPose getPos() {
+        return pos;
+    }
+
+    public synchronized void setPos(PlayerPose value) {
+        pos = value;
+    }
+
+    public synchronized PlayerPose getVel() {
+        return vel;
+    }
+
+    public synchronized void setVel(PlayerPose value) {
+        vel = value;
+    }
+
+    public synchronized byte getStall() {
+        return stall;
+    }
+
+    public synchronized void setStall(byte value) {
+        stall = value;
+    }
+}

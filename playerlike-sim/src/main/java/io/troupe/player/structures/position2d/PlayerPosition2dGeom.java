@@ -1,0 +1,26 @@
+package io.troupe.player.structures.position2d;
+
+import io.troupe.player.structures.PlayerBbox;
+import io.troupe.player.structures.PlayerPose;
+
+/** The body in the robot's frame: its centre and its size. */
+public class PlayerPosition2dGeom {
+    private PlayerPose pose = new PlayerPose();
+    private PlayerBbox size = new PlayerBbox();
+
+    public synchronized PlayerPose getPose() {
+        return pose;
+    }
+
+    public synchronized void setPose(PlayerPose value) {
+        pose = value;
+    }
+
+    public synchronized PlayerBbox getSize() {
+        return size;
+    }
+
+    public synchronized void setSize(PlayerBbox value) {
+        size = value;
+    }
+}

@@ -1,0 +1,5 @@
+/** Data of the position2d interface: odometry and wheels. */
+@NullMarked
+package io.troupe.player.structures.position2d;
+
+import org.jspecify.annotations.NullMarked;

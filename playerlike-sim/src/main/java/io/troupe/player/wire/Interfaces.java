@@ -1,0 +1,35 @@
+package io.troupe.player.wire;
+
+/** Player's interfaces by code and name, as far as they are offered. */
+public enum Interfaces {
+    POSITION2D(4, "position2d"),
+    SONAR(5, "sonar"),
+    BLOBFINDER(7, "blobfinder"),
+    SIMULATION(31, "simulation");
+
+    private final int code;
+    private final String playerName;
+
+    Interfaces(int code, String playerName) {
+        this.code = code;
+        this.playerName = playerName;
+    }
+
+    public int code() {
+        return code;
+    }
+
+    public String playerName() {
+        return playerName;
+    }
+
+    /** The name of an interface, or its number if we do not know it. */
+    public static String name(int code) {
+        for (var each : values()) {
+            if (each.code == code) {
+                return each.playerName;
+            }
+        }
+        return "interface" + code;
+    }
+}

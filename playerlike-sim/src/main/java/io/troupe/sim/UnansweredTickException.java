@@ -1,0 +1,16 @@
+package io.troupe.sim;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** In lock step a client did not answer a tick in time; the message names it. */
+public final class UnansweredTickException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    UnansweredTickException(long tick, Duration limit, List<ClientLine> silent) {
+        super("tick " + tick + " was not answered within " + limit + " by "
+                + silent.stream().map(ClientLine::toString).collect(Collectors.joining(", "))
+                + ": a client answers by readAll(), by isDataReady() being false, or by its actor space becoming idle");
+    }
+}

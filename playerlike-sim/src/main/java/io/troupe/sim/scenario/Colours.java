@@ -1,0 +1,73 @@
+package io.troupe.sim.scenario;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.TreeMap;
+
+/** Colour names of X11 and CSS, whatever their case and spaces. */
+final class Colours {
+    private static final Map<String, Integer> BY_NAME = load();
+
+    private Colours() {}
+
+    /** The colour of that name, {@code 0x00RRGGBB}. */
+    static int named(String name, SourcePosition where) {
+        Integer colour = BY_NAME.get(name.toLowerCase(Locale.ROOT).replace(" ", ""));
+        if (colour == null) {
+            String nearest = Suggestions.nearest(name, BY_NAME.keySet());
+            throw new WorldFileException(
+                    where,
+                    "unknown colour \"" + name + '"'
+                            + (nearest.isEmpty()
+                                    ? "; expected a colour name of X11, such as \"red\""
+                                    : "; did you mean \"" + nearest + "\"?"));
+        }
+        return colour;
+    }
+
+    /** The colour of an entity, red unless it says otherwise; of a name and a mixture the one given last counts. */
+    static int of(Entity entity) {
+        int colour = 0xff0000;
+        for (Property property : entity.properties().values()) {
+            if (property.name().equals("color")) {
+                colour = named(entity.text("color", ""), property.value().where());
+            } else if (property.name().equals("color_rgba")) {
+                colour = mixed(entity.numbers("color_rgba"), property.value().where());
+            }
+        }
+        return colour;
+    }
+
+    private static int mixed(double[] rgba, SourcePosition where) {
+        int colour = 0;
+        for (int i = 0; i < 4; i++) {
+            if (rgba[i] < 0 || rgba[i] > 1) {
+                throw new WorldFileException(where, "\"color_rgba\" must be four shares from 0 to 1, not " + rgba[i]);
+            }
+            if (i < 3) {
+                colour = colour << 8 | (int) StrictMath.rint(rgba[i] * 255);
+            }
+        }
+        return colour;
+    }
+
+    private static Map<String, Integer> load() {
+        var colours = new TreeMap<String, Integer>();
+        var resource = Objects.requireNonNull(Colours.class.getResourceAsStream("x11-colours.txt"), "x11-colours.txt");
+        try (var lines = new BufferedReader(new InputStreamReader(resource, StandardCharsets.UTF_8))) {
+            lines.lines().filter(line -> !line.startsWith("#")).forEach(line -> {
+                String[] valueAndName = line.split(" ", 2);
+                colours.put(valueAndName[1], Integer.parseInt(valueAndName[0], 16));
+            });
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return colours;
+    }
+}

@@ -1,0 +1,82 @@
+package io.troupe.sim.scenario;
+
+import java.util.ArrayDeque;
+import java.util.List;
+
+/**
+ * Tells walls around a space from things that stand about in the open, by pouring water from outside over a grid of
+ * cells.
+ *
+ * <p>A gap narrower than a cell, a hundredth of the extent, counts as closed.
+ */
+final class Enclosure {
+    private static final int CELLS = 100;
+
+    private final Box extent;
+    /** One row of cells more on each side, where the water starts. */
+    private final boolean[][] taken = new boolean[CELLS + 2][CELLS + 2];
+
+    private Enclosure(Box extent) {
+        this.extent = extent;
+    }
+
+    /** Whether there is free space inside the extent that cannot be reached from outside. */
+    static boolean isClosed(Box extent, List<List<Point>> convexPieces) {
+        if (convexPieces.isEmpty()) {
+            return false;
+        }
+        var enclosure = new Enclosure(extent);
+        convexPieces.forEach(enclosure::take);
+        enclosure.pour();
+        for (boolean[] column : enclosure.taken) {
+            for (boolean cell : column) {
+                if (!cell) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private void take(List<Point> piece) {
+        double width = extent.width() / CELLS;
+        double height = extent.height() / CELLS;
+        Box box = Box.around(List.of(piece));
+        int lastX = cell(box.maxX() - extent.minX(), width);
+        int lastY = cell(box.maxY() - extent.minY(), height);
+        for (int x = cell(box.minX() - extent.minX(), width); x <= lastX; x++) {
+            for (int y = cell(box.minY() - extent.minY(), height); y <= lastY; y++) {
+                double left = extent.minX() + x * width;
+                double below = extent.minY() + y * height;
+                List<Point> cell = Polygons.rectangle(left, below, left + width, below + height);
+                if (!taken[x + 1][y + 1] && Polygons.overlap(piece, cell)) {
+                    taken[x + 1][y + 1] = true;
+                }
+            }
+        }
+    }
+
+    private static int cell(double distance, double cellSize) {
+        return Math.clamp((long) (distance / cellSize), 0, CELLS - 1);
+    }
+
+    private void pour() {
+        var front = new ArrayDeque<int[]>();
+        wet(front, 0, 0);
+        while (!front.isEmpty()) {
+            int[] cell = front.remove();
+            wet(front, cell[0] - 1, cell[1]);
+            wet(front, cell[0] + 1, cell[1]);
+            wet(front, cell[0], cell[1] - 1);
+            wet(front, cell[0], cell[1] + 1);
+        }
+    }
+
+    private void wet(ArrayDeque<int[]> front, int x, int y) {
+        boolean inside = x >= 0 && y >= 0 && x < CELLS + 2 && y < CELLS + 2;
+        if (inside && !taken[x][y]) {
+            taken[x][y] = true;
+            front.add(new int[] {x, y});
+        }
+    }
+}

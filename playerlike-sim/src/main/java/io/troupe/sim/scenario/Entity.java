@@ -1,0 +1,68 @@
+package io.troupe.sim.scenario;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A node of the file's tree, macros expanded: {@code type ( properties and children )}.
+ *
+ * <p>The typed readers may be used once {@link VocabularyCheck} has passed the tree: they rely on values of the right
+ * kind.
+ *
+ * @param properties by {@link Property#key()}; overridden ones stand where they were given last
+ * @param weight how many entities there are from here down
+ */
+record Entity(String type, SourcePosition where, Map<String, Property> properties, List<Entity> children, long weight) {
+    Entity {
+        properties = Collections.unmodifiableMap(new LinkedHashMap<>(properties));
+        children = List.copyOf(children);
+    }
+
+    boolean has(String key) {
+        return properties.containsKey(key);
+    }
+
+    /** Where the property's value stands, or the entity itself if the property is not given. */
+    SourcePosition whereOf(String key) {
+        Property property = properties.get(key);
+        return property == null ? where : property.value().where();
+    }
+
+    double number(String key, double otherwise) {
+        return value(key) instanceof Value.Num number ? number.value() : otherwise;
+    }
+
+    int whole(String key, int otherwise) {
+        return (int) number(key, otherwise);
+    }
+
+    boolean flag(String key, boolean otherwise) {
+        return number(key, otherwise ? 1 : 0) != 0;
+    }
+
+    String text(String key, String otherwise) {
+        return value(key) instanceof Value.Text text ? text.text() : otherwise;
+    }
+
+    double[] numbers(String key, double... otherwise) {
+        return value(key) instanceof Value.Tuple tuple
+                ? tuple.items().stream()
+                        .mapToDouble(item -> ((Value.Num) item).value())
+                        .toArray()
+                : otherwise;
+    }
+
+    List<Value.Text> texts(String key) {
+        return value(key) instanceof Value.Tuple tuple
+                ? tuple.items().stream().map(Value.Text.class::cast).toList()
+                : List.of();
+    }
+
+    private @Nullable Value value(String key) {
+        Property property = properties.get(key);
+        return property == null ? null : property.value();
+    }
+}

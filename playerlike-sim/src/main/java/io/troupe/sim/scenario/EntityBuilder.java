@@ -1,0 +1,54 @@
+package io.troupe.sim.scenario;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** Collects what stands between an entity's parentheses, on top of the macro it is an instance of. */
+final class EntityBuilder {
+    /** Macros inside macros grow exponentially; real worlds stay far below. */
+    private static final long MOST_ENTITIES = 100_000;
+
+    private final String type;
+    private final SourcePosition where;
+    private final Map<String, Property> inherited = new LinkedHashMap<>();
+    private final Map<String, Property> own = new LinkedHashMap<>();
+    private final List<Entity> children = new ArrayList<>();
+    private long weight = 1;
+
+    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where) {
+        this.type = macro == null ? word : macro.type();
+        this.where = where;
+        if (macro != null) {
+            inherited.putAll(macro.properties());
+            macro.children().forEach(this::add);
+        }
+    }
+
+    void add(Property property) {
+        inherited.remove(property.key());
+        Property earlier = own.putIfAbsent(property.key(), property);
+        // the same place twice: a file included along two ways
+        if (earlier != null && !earlier.where().equals(property.where())) {
+            throw new WorldFileException(
+                    property.where(),
+                    "\"" + property.key() + "\" is given twice; the first time at " + earlier.where());
+        }
+    }
+
+    void add(Entity child) {
+        weight += child.weight();
+        if (weight > MOST_ENTITIES) {
+            throw new WorldFileException(child.where(), "more than " + MOST_ENTITIES + " entities in one file");
+        }
+        children.add(child);
+    }
+
+    Entity build() {
+        var properties = new LinkedHashMap<>(inherited);
+        properties.putAll(own);
+        return new Entity(type, where, properties, children, weight);
+    }
+}

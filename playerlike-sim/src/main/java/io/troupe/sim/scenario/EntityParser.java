@@ -1,0 +1,195 @@
+package io.troupe.sim.scenario;
+
+import io.troupe.sim.scenario.Token.Kind;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the grammar that world and configuration files share into a tree, without knowing any entity or property.
+ *
+ * <p>{@code include "file"} is relative to the including file; {@code define new old ( .. )} makes a macro, also of a
+ * macro.
+ */
+final class EntityParser {
+    private static final int DEEPEST_NESTING = 64;
+    private static final int MOST_FILES = 1000;
+    private static final int HIGHEST_INDEX = 1_000_000;
+
+    private final Map<String, Entity> macros = new LinkedHashMap<>();
+    private final Map<String, SourcePosition> macroNames = new LinkedHashMap<>();
+    private final List<Path> open = new ArrayList<>();
+    private final EntityBuilder root;
+    private int filesRead;
+
+    private EntityParser(String rootType, Path file) {
+        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1));
+    }
+
+    /**
+     * The tree of a file.
+     *
+     * @param rootType the entity type that stands for the file itself
+     * @param asker where the file is named; null if the user named it
+     */
+    static Document parse(String rootType, Path file, @Nullable SourcePosition asker) {
+        var parser = new EntityParser(rootType, file);
+        parser.file(file, asker);
+        return new Document(parser.root.build(), parser.macros);
+    }
+
+    private void file(Path file, @Nullable SourcePosition asker) {
+        String text = SourceText.read(file, asker);
+        guardIncludes(file, asker);
+        open.add(file);
+        var cursor = new TokenCursor(file, Lexer.tokens(text, file));
+        while (!cursor.at(Kind.END)) {
+            Token word = cursor.expect(Kind.WORD, "a property, an entity, include or define");
+            switch (word.text()) {
+                case "include" -> include(cursor);
+                case "define" -> define(cursor);
+                default -> statement(word, cursor, root, 0);
+            }
+        }
+        open.removeLast();
+    }
+
+    private void guardIncludes(Path file, @Nullable SourcePosition asker) {
+        if (asker == null) {
+            return;
+        }
+        Path absolute = file.toAbsolutePath().normalize();
+        if (open.stream().anyMatch(other -> other.toAbsolutePath().normalize().equals(absolute))) {
+            String chain = Stream.concat(open.stream(), Stream.of(file))
+                    .map(path -> String.valueOf(path.getFileName()))
+                    .collect(Collectors.joining(" -> "));
+            throw new WorldFileException(asker, "a file cannot include itself: " + chain);
+        }
+        if (++filesRead > MOST_FILES) {
+            throw new WorldFileException(asker, "more than " + MOST_FILES + " files are included");
+        }
+    }
+
+    private void include(TokenCursor cursor) {
+        Token name = cursor.expect(Kind.TEXT, "a file name in double quotes after include");
+        file(SourceText.sibling(cursor.file(), name.text(), name.where()), name.where());
+    }
+
+    private void define(TokenCursor cursor) {
+        Token name = cursor.expect(Kind.WORD, "the new name after define");
+        Token base = cursor.expect(Kind.WORD, "an entity type or macro after define " + name.text());
+        cursor.require(Kind.OPEN, "'(' after define " + name.text() + " " + base.text());
+        if (Vocabulary.isType(name.text())) {
+            throw new WorldFileException(name.where(), "\"" + name.text() + "\" is a built-in entity type");
+        }
+        SourcePosition earlier = macroNames.putIfAbsent(name.text(), name.where());
+        if (earlier != null && !earlier.equals(name.where())) {
+            throw new WorldFileException(
+                    name.where(), "macro \"" + name.text() + "\" is already defined at " + earlier);
+        }
+        macros.put(name.text(), entity(base, cursor, 1));
+    }
+
+    private void statement(Token word, TokenCursor cursor, EntityBuilder into, int depth) {
+        if (cursor.at(Kind.OPEN)) {
+            into.add(entity(word, cursor, depth + 1));
+        } else {
+            into.add(property(word, cursor));
+        }
+    }
+
+    private Entity entity(Token word, TokenCursor cursor, int depth) {
+        if (depth > DEEPEST_NESTING) {
+            throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
+        }
+        Token opening = cursor.next();
+        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where());
+        while (!cursor.at(Kind.CLOSE)) {
+            if (cursor.at(Kind.END)) {
+                throw new WorldFileException(
+                        cursor.peek(0).where(),
+                        "missing ')': \"" + word.text() + "\" opened at " + opening.where() + " is never closed");
+            }
+            Token inner = cursor.expect(Kind.WORD, "a property, an entity or ')'");
+            if (inner.text().equals("include") || inner.text().equals("define")) {
+                throw new WorldFileException(
+                        inner.where(), inner.text() + " belongs at the top level, not inside \"" + word.text() + '"');
+            }
+            statement(inner, cursor, entity, depth);
+        }
+        cursor.next();
+        return entity.build();
+    }
+
+    private Property property(Token name, TokenCursor cursor) {
+        int index = hasIndex(cursor) ? index(name, cursor) : Property.NO_INDEX;
+        String key = Property.key(name.text(), index);
+        return switch (cursor.peek(0).kind()) {
+            case NUMBER, TEXT -> new Property(name.text(), index, scalar(cursor.next()), name.where());
+            case OPEN_TUPLE -> new Property(name.text(), index, tuple(key, cursor), name.where());
+            case WORD ->
+                throw new WorldFileException(
+                        cursor.peek(0).where(),
+                        "expected the value of \"" + key + "\", found "
+                                + cursor.peek(0).shown() + "; texts stand in double quotes");
+            default ->
+                throw new WorldFileException(
+                        cursor.peek(0).where(),
+                        "expected the value of \"" + key + "\" (a number, a text in double quotes or a tuple [ .. ])"
+                                + ", found " + cursor.peek(0).shown());
+        };
+    }
+
+    /** {@code point[0] [1 2]} has an index, {@code scale [1]} has not: an index is followed by a value. */
+    private static boolean hasIndex(TokenCursor cursor) {
+        if (cursor.peek(0).kind() != Kind.OPEN_TUPLE
+                || cursor.peek(1).kind() != Kind.NUMBER
+                || cursor.peek(2).kind() != Kind.CLOSE_TUPLE) {
+            return false;
+        }
+        return switch (cursor.peek(3).kind()) {
+            case NUMBER, TEXT, OPEN_TUPLE -> true;
+            default -> false;
+        };
+    }
+
+    private static int index(Token name, TokenCursor cursor) {
+        cursor.next();
+        Token number = cursor.next();
+        cursor.next();
+        double index = Double.parseDouble(number.text());
+        if (index != StrictMath.rint(index) || index < 0 || index > HIGHEST_INDEX) {
+            throw new WorldFileException(
+                    number.where(),
+                    "the index of \"" + name.text() + "\" must be a whole number from 0, not " + number.text());
+        }
+        return (int) index;
+    }
+
+    private static Value scalar(Token token) {
+        return token.kind() == Kind.NUMBER
+                ? new Value.Num(Double.parseDouble(token.text()), token.text(), token.where())
+                : new Value.Text(token.text(), token.where());
+    }
+
+    private static Value tuple(String key, TokenCursor cursor) {
+        Token opening = cursor.next();
+        var items = new ArrayList<Value>();
+        while (!cursor.at(Kind.CLOSE_TUPLE)) {
+            if (!cursor.at(Kind.NUMBER) && !cursor.at(Kind.TEXT)) {
+                throw new WorldFileException(
+                        cursor.peek(0).where(),
+                        "missing ']': the tuple of \"" + key + "\" opened at " + opening.where()
+                                + " is not closed before " + cursor.peek(0).shown());
+            }
+            items.add(scalar(cursor.next()));
+        }
+        cursor.next();
+        return new Value.Tuple(List.copyOf(items), opening.where());
+    }
+}

@@ -1,0 +1,19 @@
+package io.troupe.sim.scenario;
+
+/**
+ * A name and its value: {@code size [1 2 3]}, {@code point[0] [0 1]}.
+ *
+ * @param index the number in brackets after the name, {@link #NO_INDEX} if there is none
+ */
+record Property(String name, int index, Value value, SourcePosition where) {
+    static final int NO_INDEX = -1;
+
+    /** Different for every element of an array. */
+    String key() {
+        return key(name, index);
+    }
+
+    static String key(String name, int index) {
+        return index == NO_INDEX ? name : name + "[" + index + "]";
+    }
+}

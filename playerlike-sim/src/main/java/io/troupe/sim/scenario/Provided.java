@@ -1,0 +1,60 @@
+package io.troupe.sim.scenario;
+
+import java.util.Set;
+
+/** One item of {@code provides}, {@code key:host:port:interface:index}; leading fields may be left out or empty. */
+record Provided(int port, String interfaceName, int index) {
+    private static final int HIGHEST = 65_535;
+    private static final Set<String> HERE = Set.of("", "localhost", "127.0.0.1");
+
+    static Provided parse(Value.Text item) {
+        String[] fields = item.text().split(":", -1);
+        if (fields.length > 5) {
+            throw new WorldFileException(
+                    item.where(), "\"" + item.text() + "\" has more fields than key:host:port:interface:index");
+        }
+        // interface alone means index 0
+        int last = fields.length - 1;
+        String interfaceName = fields[Math.max(0, last - 1)];
+        int index = last == 0 ? 0 : number(fields[last], "index", 0, item);
+        checkInterface(interfaceName, item);
+        boolean portGiven = last >= 2 && !fields[last - 2].isEmpty();
+        int port = portGiven ? number(fields[last - 2], "port", 1, item) : DeviceOffer.DEFAULT_PORT;
+        if (last >= 3 && !HERE.contains(fields[last - 3])) {
+            throw new WorldFileException(
+                    item.where(),
+                    "host \"" + fields[last - 3] + "\" in \"" + item.text() + "\" is not supported: devices are"
+                            + " provided by this machine; leave the host empty");
+        }
+        return new Provided(port, interfaceName, index);
+    }
+
+    private static void checkInterface(String name, Value.Text item) {
+        if (DeviceOffer.INTERFACES.contains(name)) {
+            return;
+        }
+        if (DeviceOffer.LATER.contains(name)) {
+            throw new WorldFileException(
+                    item.where(),
+                    "interface \"" + name + "\" is not supported yet; supported: "
+                            + Suggestions.list(DeviceOffer.INTERFACES));
+        }
+        throw new WorldFileException(
+                item.where(),
+                "unknown interface \"" + name + "\" in \"" + item.text() + '"'
+                        + Suggestions.of(name, DeviceOffer.INTERFACES));
+    }
+
+    private static int number(String field, String what, int least, Value.Text item) {
+        boolean digits =
+                !field.isEmpty() && field.length() <= 5 && field.chars().allMatch(c -> c >= '0' && c <= '9');
+        int number = digits ? Integer.parseInt(field) : -1;
+        if (number < least || number > HIGHEST) {
+            throw new WorldFileException(
+                    item.where(),
+                    "the " + what + " in \"" + item.text() + "\" must be a whole number from " + least + " to "
+                            + HIGHEST + ", not \"" + field + '"');
+        }
+        return number;
+    }
+}

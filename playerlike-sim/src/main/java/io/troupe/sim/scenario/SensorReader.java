@@ -1,0 +1,103 @@
+package io.troupe.sim.scenario;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reads the sensors a robot carries: a {@code ranger} as its sonar ring, a {@code blobfinder}. */
+final class SensorReader {
+    private static final int MOST_SONARS = 1000;
+    private static final int MOST_PIXELS = 10_000;
+    private static final double FARTHEST_M = 1000;
+    private static final double FULL_CIRCLE_RAD = 2 * Math.PI;
+
+    private final Units units;
+
+    SensorReader(Units units) {
+        this.units = units;
+    }
+
+    SonarSpec sonar(Entity ranger) {
+        if (!ranger.has("scount")) {
+            throw new WorldFileException(ranger.where(), "a ranger needs \"scount\", the number of its sonars");
+        }
+        int count = ranger.whole("scount", 0);
+        SourcePosition where = ranger.whereOf("scount");
+        if (count < 1 || count > MOST_SONARS) {
+            throw new WorldFileException(where, "\"scount\" must be from 1 to " + MOST_SONARS + ", not " + count);
+        }
+        long given = ranger.properties().values().stream()
+                .filter(p -> p.name().equals("spose"))
+                .count();
+        Pose pose = units.pose(ranger, "pose");
+        var mounts = new ArrayList<Pose>();
+        for (int i = 0; i < count; i++) {
+            String key = Property.key("spose", i);
+            if (!ranger.has(key)) {
+                throw new WorldFileException(where, "\"scount\" is " + count + ", but " + key + " is missing");
+            }
+            mounts.add(pose.compose(units.pose(ranger, key)));
+        }
+        if (given > count) {
+            throw new WorldFileException(where, "\"scount\" is " + count + ", but " + given + " sposes are given");
+        }
+        return view(ranger, mounts);
+    }
+
+    private SonarSpec view(Entity ranger, List<Pose> mounts) {
+        if (!ranger.has("sview")) {
+            return new SonarSpec(mounts, 0, 5, Math.PI / mounts.size());
+        }
+        double[] view = ranger.numbers("sview");
+        SourcePosition where = ranger.whereOf("sview");
+        double least = units.metres(view[0], where);
+        double most = units.metres(view[1], where);
+        if (least < 0 || most <= least || most > FARTHEST_M) {
+            throw new WorldFileException(
+                    where, "\"sview\" [min max fov] needs 0 <= min < max <= 1000 m, not " + least + " and " + most);
+        }
+        return new SonarSpec(mounts, least, most, fieldOfView(view[2], where));
+    }
+
+    BlobfinderSpec blobfinder(Entity blobfinder) {
+        double[] image = blobfinder.numbers("image", 80, 60);
+        for (double pixels : image) {
+            if (pixels < 1 || pixels > MOST_PIXELS || pixels != StrictMath.rint(pixels)) {
+                throw new WorldFileException(
+                        blobfinder.whereOf("image"),
+                        "\"image\" must be two whole numbers from 1 to " + MOST_PIXELS + ", not " + pixels);
+            }
+        }
+        SourcePosition where = blobfinder.whereOf("range");
+        double range = blobfinder.has("range") ? units.metres(blobfinder.number("range", 0), where) : 12;
+        if (range <= 0 || range > FARTHEST_M) {
+            throw new WorldFileException(where, "\"range\" must be above 0 and at most 1000 m, not " + range);
+        }
+        double fov = blobfinder.has("fov")
+                ? fieldOfView(blobfinder.number("fov", 0), blobfinder.whereOf("fov"))
+                : StrictMath.toRadians(60);
+        Pose mount = units.pose(blobfinder, "pose").compose(new Pose(0, 0, units.radians(blobfinder.number("pan", 0))));
+        return new BlobfinderSpec(mount, (int) image[0], (int) image[1], range, fov, colours(blobfinder));
+    }
+
+    private static List<Integer> colours(Entity blobfinder) {
+        List<Value.Text> names = blobfinder.texts("colors");
+        int count = blobfinder.whole("colors_count", 0);
+        if (count != names.size()) {
+            throw new WorldFileException(
+                    blobfinder.whereOf(blobfinder.has("colors_count") ? "colors_count" : "colors"),
+                    "\"colors_count\" is " + count + ", but \"colors\" has " + names.size());
+        }
+        return names.stream()
+                .map(name -> Colours.named(name.text(), name.where()))
+                .toList();
+    }
+
+    private double fieldOfView(double written, SourcePosition where) {
+        double fov = units.radians(written);
+        if (fov <= 0 || fov > FULL_CIRCLE_RAD) {
+            throw new WorldFileException(
+                    where, "the field of view must be above 0 and at most a full circle, not " + written);
+        }
+        return fov;
+    }
+}

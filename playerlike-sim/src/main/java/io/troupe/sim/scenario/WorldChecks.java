@@ -1,0 +1,135 @@
+package io.troupe.sim.scenario;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/** What must hold of a world as a whole before it can start: names, places, nothing inside anything else. */
+final class WorldChecks {
+    private static final Logger LOG = System.getLogger(WorldChecks.class.getName());
+    private static final double EXACT_WITHIN_M = 150;
+    private static final double USABLE_WITHIN_M = 500;
+
+    /** A body where it stands in the world. */
+    private record Body(String name, SourcePosition where, List<List<Point>> pieces, Box box) {
+        static Body of(RobotSpec robot) {
+            return of("robot \"" + robot.name() + '"', robot.where(), robot.pose(), robot.shape());
+        }
+
+        static Body of(ObstacleSpec obstacle) {
+            return of("obstacle \"" + obstacle.name() + '"', obstacle.where(), obstacle.pose(), obstacle.shape());
+        }
+
+        private static Body of(String name, SourcePosition where, Pose pose, Shape shape) {
+            List<List<Point>> pieces = shape.polygons().stream()
+                    .map(polygon -> polygon.stream().map(pose::place).toList())
+                    .toList();
+            return new Body(name, where, pieces, Box.around(pieces));
+        }
+
+        boolean overlaps(Body other) {
+            return box.meets(other.box)
+                    && pieces.stream()
+                            .anyMatch(mine -> other.pieces.stream().anyMatch(its -> Polygons.overlap(mine, its)));
+        }
+    }
+
+    private WorldChecks() {}
+
+    static void check(WorldSpec world) {
+        checkNames(world);
+        List<Body> robots = world.robots().stream().map(Body::of).toList();
+        List<Body> walls = world.obstacles().stream()
+                .filter(ObstacleSpec::blocksBodies)
+                .map(Body::of)
+                .toList();
+        Stream<Body> ghosts = world.obstacles().stream()
+                .filter(obstacle -> !obstacle.blocksBodies())
+                .map(Body::of);
+        Stream.of(robots.stream(), walls.stream(), ghosts)
+                .flatMap(bodies -> bodies)
+                .forEach(WorldChecks::checkReach);
+        checkOverlaps(robots, walls);
+        checkArena(world.robots(), walls);
+    }
+
+    private static void checkNames(WorldSpec world) {
+        Map<String, SourcePosition> obstacles = new TreeMap<>();
+        world.obstacles().forEach(obstacle -> obstacles.putIfAbsent(obstacle.name(), obstacle.where()));
+        Map<String, SourcePosition> robots = new TreeMap<>();
+        for (RobotSpec robot : world.robots()) {
+            SourcePosition other = robots.put(robot.name(), robot.where());
+            if (other == null) {
+                other = obstacles.get(robot.name());
+            }
+            if (other != null) {
+                throw new WorldFileException(
+                        robot.where(), "the name \"" + robot.name() + "\" is already taken at " + other);
+            }
+        }
+    }
+
+    private static void checkReach(Body body) {
+        double reach = body.box.reach();
+        if (reach > USABLE_WITHIN_M) {
+            throw new WorldFileException(
+                    body.where,
+                    body.name + " lies " + inMetres(reach) + " m from the origin along x or y; the limit is 500 m");
+        }
+        if (reach > EXACT_WITHIN_M) {
+            LOG.log(
+                    Level.WARNING,
+                    "{0}: {1} lies {2} m from the origin; beyond 150 m motion loses accuracy",
+                    body.where,
+                    body.name,
+                    inMetres(reach));
+        }
+    }
+
+    private static void checkOverlaps(List<Body> robots, List<Body> walls) {
+        for (int i = 0; i < robots.size(); i++) {
+            Body robot = robots.get(i);
+            for (Body other : robots.subList(0, i)) {
+                checkApart(robot, other);
+            }
+            for (Body wall : walls) {
+                checkApart(robot, wall);
+            }
+        }
+    }
+
+    private static void checkApart(Body robot, Body other) {
+        if (robot.overlaps(other)) {
+            throw new WorldFileException(
+                    robot.where, robot.name + " overlaps " + other.name + " (" + other.where + ") at the start");
+        }
+    }
+
+    private static void checkArena(List<RobotSpec> robots, List<Body> walls) {
+        var pieces = new ArrayList<List<Point>>();
+        walls.forEach(wall -> pieces.addAll(wall.pieces));
+        Box arena = Box.around(pieces);
+        Optional<RobotSpec> outside = robots.stream()
+                .filter(robot -> !arena.holds(robot.pose().x(), robot.pose().y()))
+                .findFirst();
+        // things that stand about in the open are no arena
+        if (outside.isPresent() && Enclosure.isClosed(arena, pieces)) {
+            RobotSpec robot = outside.get();
+            throw new WorldFileException(
+                    robot.where(),
+                    "robot \"" + robot.name() + "\" at ("
+                            + inMetres(robot.pose().x()) + ", "
+                            + inMetres(robot.pose().y()) + ") stands outside the arena, whose walls reach " + arena);
+        }
+    }
+
+    private static String inMetres(double metres) {
+        return String.format(Locale.ROOT, "%.3f", metres);
+    }
+}

@@ -1,0 +1,80 @@
+package io.troupe.sim.scenario;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ScenarioReaderTest {
+    private static final String TWO_ROBOTS = """
+            position ( name "bare" )
+            position ( name "full" pose [ 2 0 0 0 ] ranger ( scount 1 spose[0] [ 0 0 0 ] ) blobfinder () )
+            """;
+
+    @TempDir
+    private Path dir;
+
+    private Worlds worlds;
+
+    @BeforeEach
+    void files() {
+        worlds = new Worlds(dir);
+        worlds.write("pioneer.inc", Worlds.PIONEER);
+    }
+
+    @Test
+    void world_withoutConfiguration_offersEveryRobotInOrder() {
+        Scenario scenario = ScenarioReader.read(worlds.write("two.world", TWO_ROBOTS));
+
+        assertThat(scenario.devices())
+                .extracting(d -> d.port() + " " + d.interfaceName() + ":" + d.index() + " " + d.model())
+                .containsExactly(
+                        "6665 simulation:0 ",
+                        "6665 position2d:0 bare",
+                        "6665 position2d:1 full",
+                        "6665 sonar:1 full",
+                        "6665 blobfinder:1 full");
+    }
+
+    @Test
+    void world_withItsConfigurationBesideIt_isOfferedAsThatSays() {
+        worlds.write("arena.cfg", Worlds.CONFIG);
+
+        assertThat(ScenarioReader.read(worlds.write("arena.world", Worlds.ARENA))
+                        .devices())
+                .hasSize(7)
+                .anyMatch(device -> device.port() == 6667);
+    }
+
+    @Test
+    void configuration_isReadWithItsWorld() {
+        worlds.write("arena.world", Worlds.ARENA);
+
+        assertThat(ScenarioReader.read(worlds.write("my.cfg", Worlds.CONFIG))
+                        .world()
+                        .robots())
+                .hasSize(2);
+    }
+
+    @Test
+    void configuration_besideAWorldButForAnother_isNotUsedSilently() {
+        worlds.write("arena.world", Worlds.ARENA);
+        worlds.write("two.cfg", Worlds.CONFIG);
+        Path world = worlds.write("two.world", TWO_ROBOTS);
+
+        assertThat(worlds.problemOf(() -> ScenarioReader.read(world)))
+                .isEqualTo("two.cfg beside two.world is for another world, arena.world; name the .cfg file to use it");
+    }
+
+    @Test
+    void file_thatIsNeither_isRefused() {
+        assertThat(worlds.problemOf(() -> ScenarioReader.read(worlds.file("arena.yaml"))))
+                .isEqualTo("expected a .world or a .cfg file, not arena.yaml");
+        assertThat(worlds.problemOf(() -> ScenarioReader.read(worlds.file("gone.world"))))
+                .isEqualTo("there is no file gone.world");
+        assertThat(worlds.problemOf(() -> ScenarioReader.read(worlds.file("gone.cfg"))))
+                .isEqualTo("there is no file gone.cfg");
+    }
+}

@@ -1,0 +1,11 @@
+package io.troupe.services.behaviour;
+
+/**
+ * What a behaviour wants a robot to do.
+ *
+ * @param forwardMps metres per second along the robot's x axis
+ * @param turnRadps radians per second, left positive
+ */
+public record Velocity(double forwardMps, double turnRadps) {
+    public static final Velocity STOP = new Velocity(0, 0);
+}

@@ -1,0 +1,96 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Decides which service drives which robot, by the colours that the robots see: the paper's main code in promise mode.
+ *
+ * <p><b>Role.</b> Spawn it, and send {@link #live} once; it calls itself from then on.
+ * <p><b>Order.</b> A switch: the wanderer that has seen a colour has ended itself; all other services are told to stop; when all of them have stopped,
+ * the services of the next state begin. That all happens between two readings, so every robot always has exactly one service.
+ * If two robots see colours at once, the first promise to be fulfilled counts (the robot with the lower index).
+ * <p><b>Errors.</b> What rejects a service's promise rejects {@link #ended}.
+ * <p><b>Source.</b> Paper, section 3.6, Figure 20.
+ */
+public class Arbitrator extends Actor {
+    /** Is told of every state that begins. Called on the actor space's thread. */
+    @FunctionalInterface
+    public interface StateListener {
+        /**
+         * A state begins.
+         *
+         * @param seenBy index of the robot that saw its colour; null for the first state
+         */
+        void began(State state, @Nullable Integer seenBy);
+    }
+
+    private final RobotServices services;
+    private final SubsumptionTable table;
+    private final StateListener listener;
+    private final Deferred<@Nullable Void> ended = new Deferred<>();
+    private final List<AtomicReference<Integer>> references = new ArrayList<>();
+    private State state;
+    private @Nullable Integer seenBy;
+    private int switches;
+
+    public Arbitrator(RobotServices services, SubsumptionTable table, StateListener listener) {
+        this.services = services;
+        this.table = table;
+        this.listener = listener;
+        this.state = table.first();
+    }
+
+    /** Puts the services of the present state in charge. */
+    public void live() {
+        listener.began(state, seenBy);
+        for (int robot = 0; robot < state.services().size(); robot++) {
+            begin(robot);
+        }
+    }
+
+    /** Rejected when a service fails; never fulfilled. */
+    public Promise<@Nullable Void> ended() {
+        return ended;
+    }
+
+    private void begin(int robot) {
+        State present = state;
+        int switchesBefore = switches;
+        var reference = new AtomicReference<>(ServiceLoop.RUN);
+        references.add(reference);
+        Promise<?> end;
+        if (present.services().get(robot).findsColours()) {
+            var colourFinder = new AtomicReference<>(ServiceLoop.RUN);
+            end = services.spaceWanderer(robot, reference, colourFinder, present.colour())
+                    .thenAccept(colour -> {
+                        if (switches == switchesBefore) {
+                            seen(robot, colour);
+                        } // else the switch is under way: this one was told to stop, or saw something at the same time
+                    });
+        } else {
+            end = services.wallFollower(robot, reference);
+        }
+        end.exceptionally(error -> {
+            ended.reject(error);
+            return null;
+        });
+    }
+
+    /** A robot has seen a colour: the first one to do so in a state ends it. */
+    private void seen(int robot, int colour) {
+        table.next(state, colour).ifPresent(next -> {
+            state = next;
+            switches++;
+            seenBy = robot;
+            var stops = references.stream().map(services::stop).toList();
+            references.clear();
+            Promise.all(stops).thenRun(() -> ((Arbitrator) self()).live());
+        });
+    }
+}

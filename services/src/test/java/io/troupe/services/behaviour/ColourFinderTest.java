@@ -1,0 +1,38 @@
+package io.troupe.services.behaviour;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.services.behaviour.ColourFinder.Sighting;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class ColourFinderTest {
+    private static final int RED = 0xFF0000;
+    private static final int GREEN = 0x00FF00;
+
+    @Test
+    void largestSightingOfInterest_counts() {
+        var seen = List.of(new Sighting(RED, 50, 0), new Sighting(GREEN, 60, 40), new Sighting(0, 900, 60));
+        assertThat(ColourFinder.find(seen, colour -> colour != 0)).hasValue(GREEN);
+    }
+
+    @Test
+    void equalAreas_theLeftmostCounts() {
+        var seen = List.of(new Sighting(RED, 50, 30), new Sighting(GREEN, 50, 10));
+        assertThat(ColourFinder.find(seen, colour -> true)).hasValue(GREEN);
+    }
+
+    @Test
+    void sightingBelowTenPixels_isNoise() {
+        assertThat(ColourFinder.find(List.of(new Sighting(RED, 9, 0)), colour -> true))
+                .isEmpty();
+        assertThat(ColourFinder.find(List.of(new Sighting(RED, 10, 0)), colour -> true))
+                .hasValue(RED);
+    }
+
+    @Test
+    void nothingOfInterest_isNothing() {
+        assertThat(ColourFinder.find(List.of(new Sighting(RED, 90, 0)), colour -> colour == GREEN))
+                .isEmpty();
+    }
+}

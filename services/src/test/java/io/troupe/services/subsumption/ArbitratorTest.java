@@ -1,0 +1,138 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.PlayerException;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class ArbitratorTest {
+    private static final Service WF = Service.WALL_FOLLOWER;
+    private static final Service SW = Service.SPACE_WANDERER;
+
+    private final TestSpace test = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(test, 2);
+    private final ChargeBook charge = new ChargeBook();
+    private final List<String> states = new ArrayList<>();
+    private Arbitrator arbitrator;
+
+    @BeforeEach
+    void begin() {
+        RobotServices services = test.spawn(
+                RobotServices.class,
+                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                        .withPort(FakeRobots.PORT)
+                        .withObserver(charge)));
+        arbitrator = test.spawn(
+                Arbitrator.class,
+                () -> new Arbitrator(
+                        services,
+                        SubsumptionTable.ofThePaper(),
+                        (state, seenBy) -> states.add(state.number() + " by " + seenBy)));
+        arbitrator.live();
+        test.crank();
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+        robots.close();
+        assertThat(charge.most()).as("services of a robot at the same time").isEqualTo(1);
+    }
+
+    private void tick() {
+        robots.tick(100);
+        assertThat(charge.of(0)).as("robot 0 between two readings").hasSize(1);
+        assertThat(charge.of(1)).as("robot 1 between two readings").hasSize(1);
+    }
+
+    private void assertInCharge(Service first, Service second) {
+        assertThat(List.of(charge.of(0).getFirst(), charge.of(1).getFirst())).containsExactly(first, second);
+    }
+
+    @Test
+    void begins_withState1() {
+        tick();
+        assertInCharge(WF, SW);
+        assertThat(states).containsExactly("1 by null");
+    }
+
+    @Test
+    void red_swapsTheServices_betweenTwoReadings() {
+        robots.show(1, Colours.RED);
+        tick();
+        assertInCharge(SW, WF);
+        assertThat(states).containsExactly("1 by null", "2 by 1");
+    }
+
+    @Test
+    void wallFollower_doesNotSeeColours() {
+        robots.show(0, Colours.RED);
+        tick();
+        assertInCharge(WF, SW);
+    }
+
+    @Test
+    void allStates_inTurn_andBack() {
+        robots.show(1, Colours.GREEN);
+        tick();
+        assertInCharge(SW, SW);
+        robots.show(1, Colours.BLACK);
+        robots.show(0, Colours.RED);
+        tick();
+        assertInCharge(SW, WF);
+        robots.show(0, Colours.BLUE);
+        tick();
+        assertInCharge(WF, SW);
+        assertThat(states).containsExactly("1 by null", "3 by 1", "2 by 0", "1 by 0");
+    }
+
+    @Test
+    void twoColoursAtOnce_theRobotWithTheLowerIndexCounts_andOnlyOnce() {
+        robots.show(1, Colours.GREEN);
+        tick();
+        robots.show(0, Colours.BLUE);
+        robots.show(1, Colours.RED);
+        tick();
+        assertThat(states).containsExactly("1 by null", "3 by 1", "1 by 0");
+        assertInCharge(WF, SW);
+        tick(); // robot 1 still looks at red, and wanders again
+        assertThat(states).endsWith("2 by 1");
+    }
+
+    @Test
+    void robotsThatSeeEachOthersColours_switchAtEveryReading_butKeepMoving() {
+        robots.show(1, Colours.RED);
+        robots.show(0, Colours.BLUE);
+        for (int i = 0; i < 10; i++) {
+            tick();
+            assertThat(robots.lastCommand(0).vx()).isPositive();
+            assertThat(robots.lastCommand(1).vx()).isPositive();
+        }
+        assertThat(states).hasSize(11);
+    }
+
+    @Test
+    void manySwitches_neverLeaveARobotWithoutAService() {
+        int[] colours = {Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK};
+        var random = new java.util.Random(20260);
+        for (int i = 0; i < 2_000; i++) {
+            robots.show(0, colours[random.nextInt(colours.length)]);
+            robots.show(1, colours[random.nextInt(colours.length)]);
+            tick();
+        }
+        assertThat(states).hasSizeGreaterThan(500);
+    }
+
+    @Test
+    void failingService_endsTheArbitrator() {
+        tick();
+        robots.vanish();
+        assertThat(test.error(arbitrator.ended())).isInstanceOf(PlayerException.class);
+        test.takeProblems();
+    }
+}

@@ -1,0 +1,36 @@
+package io.troupe.services.subsumption;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Writes down which services are in charge of which robot. */
+final class ChargeBook implements ServiceObserver {
+    private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
+    private int most;
+
+    @Override
+    public void began(int robot, Service service) {
+        var services = inCharge.computeIfAbsent(robot, each -> new ArrayList<>());
+        services.add(service);
+        most = Math.max(most, services.size());
+    }
+
+    @Override
+    public void cycled(int robot, Service service) {}
+
+    @Override
+    public void ended(int robot, Service service) {
+        inCharge.get(robot).remove(service);
+    }
+
+    List<Service> of(int robot) {
+        return List.copyOf(inCharge.getOrDefault(robot, List.of()));
+    }
+
+    /** The most services a robot ever had at the same time. */
+    int most() {
+        return most;
+    }
+}

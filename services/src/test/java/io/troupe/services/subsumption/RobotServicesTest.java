@@ -1,0 +1,185 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.PlayerException;
+import io.troupe.player.wire.DeviceCommand;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class RobotServicesTest {
+    private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
+    private static final DeviceCommand.Velocity FOLLOWER_AHEAD = new DeviceCommand.Velocity(0.2, 0, 0, true);
+    private static final DeviceCommand.Velocity WANDERER_AHEAD = new DeviceCommand.Velocity(0.5, 0, 0, true);
+
+    private final TestSpace test = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(test, 2);
+    private final ChargeBook charge = new ChargeBook();
+    private final RobotServices services = test.spawn(
+            RobotServices.class,
+            () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                    .withPort(FakeRobots.PORT)
+                    .withObserver(charge)));
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+        robots.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        assertThat(charge.most()).as("services of a robot at the same time").isLessThanOrEqualTo(1);
+    }
+
+    private static AtomicReference<Integer> running() {
+        return new AtomicReference<>(1);
+    }
+
+    @Test
+    void wallFollower_drivesByItsLaw_untilItsReferenceIsCleared() {
+        var reference = running();
+        Promise<?> ended = services.wallFollower(0, reference);
+        test.crank();
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+        robots.range(0, 3, 0.3);
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0, 0, -0.45, true));
+        reference.set(0);
+        assertThat(ended.isDone()).isFalse();
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(reference).hasValue(2);
+        test.crank();
+        assertThat(ended.isDone()).isTrue();
+        assertThat(robots.commands(0)).hasSize(3);
+    }
+
+    @Test
+    void stop_isNoticedWithoutWaitingForTheNextReading() {
+        var reference = running();
+        services.wallFollower(0, reference);
+        test.crank();
+        robots.tick(100);
+        test.get(services.stop(reference));
+        assertThat(reference).hasValue(2);
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        test.get(services.stop(reference)); // again: nothing to do
+    }
+
+    @Test
+    void wanderer_endsItselfAtAColour_andSendsItOnce() {
+        var reference = running();
+        var finder = running();
+        Promise<Integer> colour = services.spaceWanderer(1, reference, finder, Colours.BLUE);
+        test.crank();
+        robots.tick(100);
+        assertThat(robots.lastCommand(1)).isEqualTo(WANDERER_AHEAD);
+        robots.show(1, Colours.GREEN);
+        robots.tick(100);
+        assertThat(test.get(colour)).isEqualTo(Colours.GREEN);
+        assertThat(robots.commands(1)).containsExactly(WANDERER_AHEAD, STOP);
+        assertThat(reference).hasValue(2);
+        assertThat(finder).hasValue(2);
+    }
+
+    @Test
+    void wanderer_ignoresBlackOrangeOtherColoursAndTheStatesOwn() {
+        Promise<Integer> colour = services.spaceWanderer(0, running(), running(), Colours.BLUE);
+        for (int ignored : new int[] {Colours.BLACK, Colours.ORANGE, 0x123456, Colours.BLUE}) {
+            robots.show(0, ignored);
+            robots.tick(100);
+            assertThat(colour.isDone()).as(Colours.name(ignored)).isFalse();
+        }
+        robots.show(0, Colours.RED);
+        robots.tick(100);
+        assertThat(test.get(colour)).isEqualTo(Colours.RED);
+    }
+
+    @Test
+    void wanderer_withoutItsColourFinder_seesNothing() {
+        Promise<Integer> colour = services.spaceWanderer(0, running(), new AtomicReference<>(0), Colours.BLUE);
+        robots.show(0, Colours.RED);
+        robots.tick(100);
+        robots.tick(100);
+        assertThat(colour.isDone()).isFalse();
+    }
+
+    @Test
+    void wanderer_stoppedBeforeItSawAnything_answersTheStatesOwnColour() {
+        var reference = running();
+        Promise<Integer> colour = services.spaceWanderer(0, reference, running(), Colours.GREEN);
+        test.crank();
+        services.stop(reference);
+        assertThat(test.get(colour)).isEqualTo(Colours.GREEN);
+    }
+
+    @Test
+    void cycle_takesAHundredMilliseconds_howeverOftenDataCome() {
+        services.wallFollower(0, running());
+        test.crank();
+        for (int i = 0; i < 10; i++) {
+            robots.tick(50);
+        }
+        assertThat(robots.commands(0)).hasSize(5);
+    }
+
+    @Test
+    void secondService_whileTheFirstIsNotToldToStop_isRefused() {
+        services.wallFollower(0, running());
+        Throwable error = test.error(services.spaceWanderer(0, running(), running(), Colours.BLUE));
+        assertThat(error)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("robot 0 is in the charge of wallFollower")
+                .hasMessageContaining("set the reference of the first to 0");
+    }
+
+    @Test
+    void secondService_beginsWhenTheFirstHasStopped() {
+        var first = running();
+        services.wallFollower(0, first);
+        test.crank();
+        robots.tick(100);
+        first.set(0);
+        services.spaceWanderer(0, running(), running(), Colours.BLUE);
+        test.crank();
+        assertThat(charge.of(0)).containsExactly(Service.SPACE_WANDERER);
+        assertThat(first).hasValue(2);
+        assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP, WANDERER_AHEAD);
+        robots.tick(100);
+        assertThat(robots.commands(0)).hasSize(4);
+    }
+
+    @Test
+    void robotThatDoesNotExist_rejectsThePromise() {
+        assertThat(test.error(services.wallFollower(7, running())))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("position2d:7 is not in the device list")
+                .hasMessageContaining("position2d:0, sonar:0");
+    }
+
+    @Test
+    void serverThatGoesAway_rejectsThePromiseAndFreesTheRobot() {
+        var reference = running();
+        Promise<?> ended = services.wallFollower(0, reference);
+        test.crank();
+        robots.tick(100);
+        robots.vanish();
+        assertThat(test.error(ended)).isInstanceOf(PlayerException.class).hasMessage("the server has gone");
+        assertThat(reference).hasValue(2);
+        assertThat(charge.of(0)).isEmpty();
+    }
+
+    @Test
+    void ringThatIsTooSmall_rejectsThePromise() {
+        robots.range(0, 3, Double.NaN);
+        Promise<?> ended = services.wallFollower(0, running());
+        test.crank();
+        robots.tick(100);
+        assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+    }
+}

@@ -1,0 +1,87 @@
+package io.troupe.petri;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * How many tokens each place holds.
+ *
+ * <p><b>Role.</b> Made by {@link PetriNet#marking}, by firing, or read from a {@link ReachabilityGraph}. Equal when the
+ * places and the tokens are equal, so nets that differ only in their transitions share markings.
+ * <p><b>Threads.</b> Immutable.
+ */
+public final class Marking {
+    private final List<Place> places;
+    private final int[] tokens;
+
+    /** Takes over {@code tokens}. */
+    Marking(List<Place> places, int[] tokens) {
+        this.places = places;
+        this.tokens = tokens;
+    }
+
+    /** The tokens on a place. */
+    public int tokens(Place place) {
+        if (place.index() >= places.size() || !places.get(place.index()).equals(place)) {
+            throw new IllegalArgumentException("place " + place + " is not of the net this marking belongs to");
+        }
+        return tokens[place.index()];
+    }
+
+    /** The places that hold a token, in the order of the net. */
+    public List<Place> marked() {
+        return places.stream().filter(place -> tokens[place.index()] > 0).toList();
+    }
+
+    /** Whether every place holds at least as many tokens as in {@code part}. */
+    public boolean covers(Marking part) {
+        part.requirePlaces(places, "the marking that covers it");
+        for (var i = 0; i < tokens.length; i++) {
+            if (tokens[i] < part.tokens[i]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    boolean holds(List<Arc> arcs) {
+        for (var arc : arcs) {
+            if (tokens[arc.place().index()] < arc.weight()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    int[] toArray() {
+        return tokens.clone();
+    }
+
+    void requirePlaces(List<Place> expected, String owner) {
+        if (places != expected && !places.equals(expected)) {
+            throw new IllegalArgumentException("marking " + this + " is of a net with other places than " + owner);
+        }
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Marking that && Arrays.equals(tokens, that.tokens) && places.equals(that.places);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(tokens);
+    }
+
+    /** The marked places, for example <code>{P1, 2*M4}</code>. */
+    @Override
+    public String toString() {
+        var text = new StringBuilder("{");
+        for (var place : marked()) {
+            text.append(text.length() > 1 ? ", " : "");
+            text.append(tokens[place.index()] > 1 ? tokens[place.index()] + "*" : "")
+                    .append(place);
+        }
+        return text.append('}').toString();
+    }
+}

@@ -1,0 +1,110 @@
+package io.troupe.petri;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Supplier;
+
+/* What a document holds, with lines; since an arc may stand before its ends, the net is made when all of it is here. */
+final class PnmlDocument {
+    enum Kind {
+        PLACE,
+        TRANSITION
+    }
+
+    /** A place or transition; the label is its name, if it has one, and the value its tokens or its priority. */
+    record Node(Kind kind, String id, String label, int value, int line) {}
+
+    record Reference(Kind kind, String id, String target, int line) {}
+
+    /** An arc, by the ids of its ends. */
+    record Link(String id, String source, String target, int weight, int line) {}
+
+    private record Ends(String from, String to) {}
+
+    private final String source;
+    private final Map<String, Node> nodes = new LinkedHashMap<>();
+    private final Map<String, Reference> references = new LinkedHashMap<>();
+    private final Map<String, Link> links = new LinkedHashMap<>();
+
+    PnmlDocument(String source) {
+        this.source = source;
+    }
+
+    void add(Node node) {
+        nodes.put(node.id(), node);
+    }
+
+    void add(Reference reference) {
+        references.put(reference.id(), reference);
+    }
+
+    void add(Link link) {
+        links.put(link.id(), link);
+    }
+
+    boolean has(String id) {
+        return nodes.containsKey(id) || references.containsKey(id) || links.containsKey(id);
+    }
+
+    PetriNet build(String name) {
+        var net = at(0, () -> PetriNet.builder(name));
+        var byLabel = nodes.values().stream().map(Node::label).distinct().count() == nodes.size();
+        for (var node : nodes.values()) {
+            var called = byLabel ? node.label() : node.id();
+            if (node.kind() == Kind.PLACE) {
+                at(node.line(), () -> net.place(called, node.value()));
+            } else {
+                at(node.line(), () -> net.transition(called).priority(called, node.value()));
+            }
+        }
+        var weights = new LinkedHashMap<Ends, Integer>();
+        var lines = new HashMap<Ends, Integer>();
+        for (var link : links.values()) {
+            var from = resolve(link.source(), link.line());
+            var to = resolve(link.target(), link.line());
+            var ends = byLabel ? new Ends(from.label(), to.label()) : new Ends(from.id(), to.id());
+            at(link.line(), () -> weights.merge(ends, link.weight(), Math::addExact));
+            lines.put(ends, link.line());
+        }
+        weights.forEach((ends, weight) -> at(lines.get(ends), () -> net.arc(ends.from(), ends.to(), weight)));
+        return net.build();
+    }
+
+    /** The place or transition that an arc means, through reference nodes. */
+    private Node resolve(String id, int line) {
+        var seen = new HashSet<String>();
+        var target = id;
+        for (var reference = references.get(id); reference != null; reference = references.get(target)) {
+            if (!seen.add(target)) {
+                throw bad("reference " + target + " refers to itself", reference.line());
+            }
+            target = reference.target();
+            var node = nodes.get(target);
+            if (node != null && node.kind() != reference.kind()) {
+                var kind = reference.kind().name().toLowerCase(Locale.ROOT);
+                throw bad("a reference to a " + kind + " names " + target + ", which is none", reference.line());
+            }
+        }
+        var node = nodes.get(target);
+        if (node == null) {
+            throw bad("there is no place or transition with id " + target, line);
+        }
+        return node;
+    }
+
+    private PnmlException bad(String reason, int line) {
+        return new PnmlException(source, line, reason, null);
+    }
+
+    /** What the builder refuses is an error of that line. */
+    private <T> T at(int line, Supplier<T> step) {
+        try {
+            return step.get();
+        } catch (IllegalArgumentException | ArithmeticException e) {
+            throw new PnmlException(source, line, String.valueOf(e.getMessage()), e);
+        }
+    }
+}

@@ -1,0 +1,12 @@
+package io.troupe.petri;
+
+import org.jspecify.annotations.Nullable;
+
+/** A PNML file that cannot be read; the message is {@code file:line: reason}, without a line if none is to blame. */
+public final class PnmlException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    PnmlException(String source, int line, String reason, @Nullable Throwable cause) {
+        super(source + (line > 0 ? ":" + line : "") + ": " + reason, cause);
+    }
+}

@@ -1,0 +1,231 @@
+package io.troupe.petri;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * The markings that a net can reach, and how.
+ *
+ * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, the graph is a part of
+ * the whole: {@link #isComplete} is false, {@link #summary} says in words what is then known, and every method says
+ * what its answer is worth. In a part, too, every marking is really reachable, every trace is a shortest one, and every
+ * marking was tested for being dead.
+ * <p><b>Threads.</b> Immutable.
+ * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
+ * <p><b>Cost.</b> For each marking one bit for every place of a safe net (more bits as the tokens require) and about 20
+ * bytes; 8 bytes for each edge. Time in proportion to markings x transitions.
+ */
+public final class ReachabilityGraph {
+    /** The limit of {@link #explore(PetriNet)}. */
+    public static final int DEFAULT_MAX_MARKINGS = 2_000_000;
+
+    private final Exploration found;
+    private final int maxMarkings;
+
+    private ReachabilityGraph(Exploration found, int maxMarkings) {
+        this.found = found;
+        this.maxMarkings = maxMarkings;
+    }
+
+    /** Explores up to {@link #DEFAULT_MAX_MARKINGS} markings. */
+    public static ReachabilityGraph explore(PetriNet net) {
+        return explore(net, DEFAULT_MAX_MARKINGS);
+    }
+
+    /**
+     * Explores up to {@code maxMarkings} (1 or more) markings.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static ReachabilityGraph explore(PetriNet net, int maxMarkings) {
+        if (maxMarkings < 1) {
+            throw new IllegalArgumentException("maxMarkings is " + maxMarkings + ", expected 1 or more");
+        }
+        var exploration = new Exploration(net, maxMarkings);
+        exploration.run();
+        return new ReachabilityGraph(exploration, maxMarkings);
+    }
+
+    /** A reachable marking and its place in the graph. */
+    public final class State {
+        private final int index;
+
+        private State(int index) {
+            this.index = index;
+        }
+
+        /** Its position in {@link #states}; 0 is the initial marking. */
+        public int index() {
+            return index;
+        }
+
+        public Marking marking() {
+            var tokens = new int[net().places().size()];
+            found.store.read(index, tokens);
+            return new Marking(net().places(), tokens);
+        }
+
+        /** A shortest firing sequence from the initial marking to this one. */
+        public List<Transition> shortestTrace() {
+            var trace = new ArrayList<Transition>();
+            for (var at = index; at != 0; at = found.parent.get(at)) {
+                trace.add(net().transitions().get(found.parentTransition.get(at)));
+            }
+            Collections.reverse(trace);
+            return List.copyOf(trace);
+        }
+
+        /** One edge for each transition that may fire here; without those that lead beyond the limit. */
+        public List<Edge> successors() {
+            return IntStream.range(found.edgeStart.get(index), found.edgeStart.get(index + 1))
+                    .mapToObj(edge -> new Edge(
+                            net().transitions().get(found.edgeTransition.get(edge)),
+                            new State(found.edgeTarget.get(edge))))
+                    .toList();
+        }
+
+        private ReachabilityGraph graph() {
+            return ReachabilityGraph.this;
+        }
+
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof State that && that.index == index && that.graph() == graph();
+        }
+
+        @Override
+        public int hashCode() {
+            return index;
+        }
+
+        /** The marking. */
+        @Override
+        public String toString() {
+            return marking().toString();
+        }
+    }
+
+    /** A firing and where it leads. */
+    public record Edge(Transition transition, State target) {}
+
+    public PetriNet net() {
+        return found.net;
+    }
+
+    /** Whether these are all reachable markings. */
+    public boolean isComplete() {
+        return found.open == 0;
+    }
+
+    /** The number of markings. */
+    public int size() {
+        return found.store.size();
+    }
+
+    /** The number of edges between these markings. */
+    public int edgeCount() {
+        return found.edgeTarget.size();
+    }
+
+    /** How many of these markings have a successor beyond the limit; 0 if the graph is complete. */
+    public int openCount() {
+        return found.open;
+    }
+
+    /** All markings, nearest first. */
+    public List<State> states() {
+        return IntStream.range(0, size()).mapToObj(State::new).toList();
+    }
+
+    /** The marking as a state, or nothing if it was not reached; in a complete graph that means it cannot be. */
+    public Optional<State> find(Marking marking) {
+        marking.requirePlaces(net().places(), net().name());
+        var tokens = marking.toArray();
+        if (Arrays.stream(tokens).anyMatch(held -> held > found.store.capacity())) {
+            return Optional.empty();
+        }
+        var index = found.store.find(found.store.pack(tokens));
+        return index < 0 ? Optional.empty() : Optional.of(new State(index));
+    }
+
+    /** The markings in which nothing may fire, nearest first; beyond the limit there may be more. */
+    public List<State> dead() {
+        return Arrays.stream(found.dead.toArray()).mapToObj(State::new).toList();
+    }
+
+    /** Whether no reachable marking is dead. */
+    public Verdict deadlockFree() {
+        if (found.dead.size() > 0) {
+            return Verdict.NO;
+        }
+        return isComplete() ? Verdict.YES : Verdict.UNKNOWN;
+    }
+
+    /**
+     * The largest number of tokens seen on a place: its bound if the graph is complete, otherwise the bound may be
+     * higher.
+     */
+    public int mostTokens(Place place) {
+        if (!net().places().contains(place)) {
+            throw new IllegalArgumentException("place " + place + " is not of net " + net().name());
+        }
+        return found.most[place.index()];
+    }
+
+    /**
+     * The largest number of tokens seen on any place, 1 for a safe net; if the graph is not complete, the bound may be
+     * higher.
+     */
+    public int mostTokens() {
+        return Arrays.stream(found.most).max().orElse(0);
+    }
+
+    /**
+     * The places that never hold a token: dead places if the graph is complete, otherwise only not seen marked so far.
+     */
+    public List<Place> neverMarked() {
+        return net().places().stream()
+                .filter(place -> found.most[place.index()] == 0)
+                .toList();
+    }
+
+    /**
+     * The transitions that never may fire: dead ones if the graph is complete, otherwise only not seen enabled so far.
+     */
+    public List<Transition> neverFired() {
+        return net().transitions().stream().filter(t -> !found.fired[t.index()]).toList();
+    }
+
+    /** In a few lines what is known and, when the search stopped at its limit, what is not. */
+    public String summary() {
+        var text = new StringBuilder(net().name()).append(": ");
+        if (isComplete()) {
+            text.append(size()).append(" markings, ").append(edgeCount()).append(" edges, all of them");
+        } else {
+            text.append("stopped at the limit of ").append(maxMarkings).append(" markings; ");
+            text.append(openCount()).append(" of them have successors beyond it, which were not visited");
+        }
+        var soFar = isComplete() ? "" : " so far";
+        text.append("\n  dead markings").append(soFar).append(": ").append(found.dead.size());
+        if (found.dead.size() > 0) {
+            var nearest = new State(found.dead.get(0));
+            text.append(", the nearest ").append(nearest).append(" after ").append(nearest.shortestTrace());
+        } else if (!isComplete()) {
+            text.append("; whether there are others is not known");
+        }
+        text.append("\n  most tokens on a place").append(soFar).append(": ").append(mostTokens());
+        text.append("\n  places never marked").append(soFar).append(": ").append(neverMarked());
+        text.append("\n  transitions never enabled").append(soFar).append(": ").append(neverFired());
+        return text.toString();
+    }
+
+    /** The first line of {@link #summary}. */
+    @Override
+    public String toString() {
+        return summary().lines().findFirst().orElseThrow();
+    }
+}

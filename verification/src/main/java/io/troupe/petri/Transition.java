@@ -1,0 +1,28 @@
+package io.troupe.petri;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.List;
+
+/**
+ * A transition of one net.
+ *
+ * @param index its position in {@link PetriNet#transitions()}
+ * @param name unique among the places and transitions of the net
+ * @param priority while a transition of higher priority has its tokens, one of lower priority may not fire; usually 0
+ * @param inputs what one firing takes, each place once
+ * @param outputs what one firing puts, each place once
+ */
+public record Transition(int index, String name, int priority, List<Arc> inputs, List<Arc> outputs) {
+    public Transition {
+        requireNonNull(name, "name");
+        inputs = List.copyOf(inputs);
+        outputs = List.copyOf(outputs);
+    }
+
+    /** The name. */
+    @Override
+    public String toString() {
+        return name;
+    }
+}

@@ -1,0 +1,11 @@
+package io.troupe.petri;
+
+/** The answer to a question about all reachable markings, when perhaps not all of them were visited. */
+public enum Verdict {
+    /** Proved. */
+    YES,
+    /** Refuted; there is a firing sequence that shows it. */
+    NO,
+    /** The search stopped at its limit before it could tell. */
+    UNKNOWN
+}
