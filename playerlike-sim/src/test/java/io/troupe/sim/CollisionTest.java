@@ -29,7 +29,8 @@ class CollisionTest {
     @Test
     void robotAgainstAWall_stops_touchesOnce_andStalls() {
         // front edge at 0.18, the wall's face at 1.18: one metre to go
-        World world = World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 1.68, 0, 1, 4)), WorldSettings.DEFAULT);
+        World world =
+                World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 1.68, 0, 1, 4)), WorldSettings.DEFAULT);
         world.command(0, 0.5, 0);
 
         RobotReading before = run(world, 19).robots().getFirst();
@@ -54,7 +55,8 @@ class CollisionTest {
 
     @Test
     void stall_endsWhenTheRobotBacksAway_andTheNextTouchIsANewOne() {
-        World world = World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 0.8, 0, 1, 4)), WorldSettings.DEFAULT);
+        World world =
+                World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 0.8, 0, 1, 4)), WorldSettings.DEFAULT);
         world.command(0, 0.5, 0);
         assertThat(run(world, 10).robots().getFirst().odometry().stalled()).isTrue();
 
@@ -68,7 +70,8 @@ class CollisionTest {
 
     @Test
     void standingAgainstAWall_isNoStall() {
-        World world = World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 0.8, 0, 1, 4)), WorldSettings.DEFAULT);
+        World world =
+                World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 0.8, 0, 1, 4)), WorldSettings.DEFAULT);
         world.command(0, 0.5, 0);
         run(world, 10);
         world.stop(0);
@@ -106,7 +109,8 @@ class CollisionTest {
         assertThat(contacts.getFirst().other()).isEqualTo("right");
         // fronts are 2 - 2 * 0.18 apart and close at 0.8 m/s until the skins meet
         assertThat(contacts.getFirst().timeMicros()).isBetween(2_025_000L, 2_045_000L);
-        assertThat(end.robots()).allSatisfy(robot -> assertThat(robot.odometry().stalled()).isTrue());
+        assertThat(end.robots())
+                .allSatisfy(robot -> assertThat(robot.odometry().stalled()).isTrue());
         double gap = end.robots().get(1).pose().x() - end.robots().get(0).pose().x() - 2 * 0.18;
         assertThat(gap).isBetween(0.0, MOST_GAP_M);
     }
@@ -116,8 +120,7 @@ class CollisionTest {
         List<List<Point>> pieces = new ArrayList<>();
         for (int i = -5; i < 5; i++) {
             double y = i * 0.1;
-            pieces.add(List.of(
-                    new Point(1, y), new Point(1.2, y), new Point(1.2, y + 0.1), new Point(1, y + 0.1)));
+            pieces.add(List.of(new Point(1, y), new Point(1.2, y), new Point(1.2, y + 0.1), new Point(1, y + 0.1)));
         }
         var fence =
                 new ObstacleSpec("fence", Pose.ORIGIN, new Shape(pieces), Specs.BLACK, true, true, true, Specs.at(3));
@@ -144,7 +147,9 @@ class CollisionTest {
         run(world, 15);
 
         assertThat(contacts).extracting(Contact::other).containsExactly("top", "far", "near");
-        assertThat(contacts).extracting(Contact::timeMicros).containsOnly(contacts.getFirst().timeMicros());
+        assertThat(contacts)
+                .extracting(Contact::timeMicros)
+                .containsOnly(contacts.getFirst().timeMicros());
     }
 
     @Test
@@ -173,7 +178,9 @@ class CollisionTest {
             Snapshot end = run(world, 20);
 
             assertThat(end.robots().getFirst().pose().x()).as("from %s", x).isLessThan(5 - 0.18);
-            assertThat(end.robots().getFirst().odometry().stalled()).as("from %s", x).isTrue();
+            assertThat(end.robots().getFirst().odometry().stalled())
+                    .as("from %s", x)
+                    .isTrue();
             assertThat(contacts).as("from %s", x).extracting(Contact::other).containsExactly("thin");
             contacts.clear();
         }
@@ -189,7 +196,8 @@ class CollisionTest {
 
         Snapshot end = run(world, 20);
 
-        assertThat(end.robots().get(0).pose().x()).isLessThan(end.robots().get(1).pose().x());
+        assertThat(end.robots().get(0).pose().x())
+                .isLessThan(end.robots().get(1).pose().x());
         assertThat(contacts).hasSize(1);
     }
 

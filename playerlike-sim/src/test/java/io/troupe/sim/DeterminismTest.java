@@ -119,7 +119,8 @@ class DeterminismTest {
 
     @Test
     void otherSeed_givesOtherSnapshots() {
-        assertThat(run(arena(), seed(8)).crc()).isNotEqualTo(run(arena(), seed(7)).crc());
+        assertThat(run(arena(), seed(8)).crc())
+                .isNotEqualTo(run(arena(), seed(7)).crc());
     }
 
     @Test

@@ -152,8 +152,20 @@ class DrivingTest {
     void startOdometry_isWhatOdometryReportsAtTheStart() {
         RobotSpec plain = robot("r1", new Pose(1, 2, 0.5));
         RobotSpec global = new RobotSpec(
-                plain.name(), plain.pose(), plain.shape(), plain.colour(), plain.lengthM(), plain.widthM(),
-                plain.massKg(), plain.origin(), plain.pose(), null, null, true, true, plain.where());
+                plain.name(),
+                plain.pose(),
+                plain.shape(),
+                plain.colour(),
+                plain.lengthM(),
+                plain.widthM(),
+                plain.massKg(),
+                plain.origin(),
+                plain.pose(),
+                null,
+                null,
+                true,
+                true,
+                plain.where());
         World world = World.create(Specs.world(global), WorldSettings.DEFAULT);
         world.command(0, 0.5, 0.2);
 

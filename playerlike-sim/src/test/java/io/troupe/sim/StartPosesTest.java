@@ -27,7 +27,8 @@ class StartPosesTest {
 
     @Test
     void jitter_offByDefault() {
-        assertThat(start(Specs.world(robot("r1", FIRST)), WorldSettings.DEFAULT.withSeed(99), 0)).isEqualTo(FIRST);
+        assertThat(start(Specs.world(robot("r1", FIRST)), WorldSettings.DEFAULT.withSeed(99), 0))
+                .isEqualTo(FIRST);
     }
 
     @Test
@@ -37,18 +38,23 @@ class StartPosesTest {
             Pose start = start(Specs.world(robot("r1", FIRST)), jitter(seed), 0);
             assertThat(start.x() - FIRST.x()).as("x, seed %d", seed).isBetween(-0.02, 0.02);
             assertThat(start.y() - FIRST.y()).as("y, seed %d", seed).isBetween(-0.02, 0.02);
-            assertThat(start.headingRad() - FIRST.headingRad()).as("heading, seed %d", seed).isBetween(-0.03, 0.03);
+            assertThat(start.headingRad() - FIRST.headingRad())
+                    .as("heading, seed %d", seed)
+                    .isBetween(-0.03, 0.03);
             offsets.add(start.x() - FIRST.x());
         }
         assertThat(offsets).anyMatch(offset -> offset < -0.019).anyMatch(offset -> offset > 0.019);
-        assertThat(offsets.stream().mapToDouble(offset -> offset).average().orElseThrow()).isBetween(-0.002, 0.002);
+        assertThat(offsets.stream().mapToDouble(offset -> offset).average().orElseThrow())
+                .isBetween(-0.002, 0.002);
         assertThat(offsets).doesNotHaveDuplicates();
     }
 
     @Test
     void odometry_startsFromTheJitteredPose() {
-        RobotReading reading =
-                World.create(Specs.world(robot("r1", FIRST)), jitter(3)).latest().robots().getFirst();
+        RobotReading reading = World.create(Specs.world(robot("r1", FIRST)), jitter(3))
+                .latest()
+                .robots()
+                .getFirst();
 
         assertThat(reading.pose()).isNotEqualTo(FIRST);
         assertThat(reading.odometry().pose()).isEqualTo(Pose.ORIGIN);
@@ -58,8 +64,10 @@ class StartPosesTest {
     void anotherRobot_doesNotShiftTheDrawsOfTheFirst_whereverItIsListed() {
         Pose alone = start(Specs.world(robot("r1", FIRST)), jitter(5), 0);
 
-        assertThat(start(Specs.world(List.of(robot("r1", FIRST), robot("r2", SECOND))), jitter(5), 0)).isEqualTo(alone);
-        assertThat(start(Specs.world(List.of(robot("r2", SECOND), robot("r1", FIRST))), jitter(5), 1)).isEqualTo(alone);
+        assertThat(start(Specs.world(List.of(robot("r1", FIRST), robot("r2", SECOND))), jitter(5), 0))
+                .isEqualTo(alone);
+        assertThat(start(Specs.world(List.of(robot("r2", SECOND), robot("r1", FIRST))), jitter(5), 1))
+                .isEqualTo(alone);
         assertThat(start(Specs.world(robot("r1", FIRST)), jitter(6), 0)).isNotEqualTo(alone);
     }
 
@@ -67,24 +75,26 @@ class StartPosesTest {
     void robotsWithOneStart_areMovedDifferently() {
         WorldSpec world = Specs.world(List.of(robot("r1", new Pose(0, 0, 0)), robot("r2", new Pose(0, 2, 0))));
 
-        assertThat(start(world, jitter(5), 1).x()).isNotEqualTo(start(world, jitter(5), 0).x());
+        assertThat(start(world, jitter(5), 1).x())
+                .isNotEqualTo(start(world, jitter(5), 0).x());
     }
 
     @Test
     void jitter_neverStartsWithATouch() {
         // 3 cm of room to each side: about half of all draws would touch
-        WorldSpec world = Specs.world(
-                robot("r1", Pose.ORIGIN), wall("left", 0, 0.72, 2, 1), wall("right", 0, -0.72, 2, 1));
+        WorldSpec world =
+                Specs.world(robot("r1", Pose.ORIGIN), wall("left", 0, 0.72, 2, 1), wall("right", 0, -0.72, 2, 1));
         for (long seed = 0; seed < 200; seed++) {
-            RobotReading reading = World.create(world, jitter(seed)).latest().robots().getFirst();
+            RobotReading reading =
+                    World.create(world, jitter(seed)).latest().robots().getFirst();
             assertThat(reading.wallGapM()).as("seed %d", seed).isGreaterThan(Physics.SKIN_M);
         }
     }
 
     @Test
     void jitter_withoutRoom_saysSo() {
-        WorldSpec world = Specs.world(
-                robot("r1", Pose.ORIGIN), wall("left", 0, 0.70, 2, 1), wall("right", 0, -0.70, 2, 1));
+        WorldSpec world =
+                Specs.world(robot("r1", Pose.ORIGIN), wall("left", 0, 0.70, 2, 1), wall("right", 0, -0.70, 2, 1));
 
         assertThatThrownBy(() -> World.create(world, jitter(4)))
                 .isInstanceOf(WorldFileException.class)

@@ -44,7 +44,8 @@ class WorldContractTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("robot 'r2' was told to drive at NaN m/s and 0.0 rad/s, expected finite numbers");
         assertThatThrownBy(() -> world.command(0, 0, Double.NEGATIVE_INFINITY)).hasMessageContaining("robot 'r1'");
-        assertThatThrownBy(() -> world.setOdometry(1, new Pose(0, Double.NaN, 0))).hasMessageContaining("robot 'r2'");
+        assertThatThrownBy(() -> world.setOdometry(1, new Pose(0, Double.NaN, 0)))
+                .hasMessageContaining("robot 'r2'");
 
         assertThat(world.advance().robots().get(1).pose()).isEqualTo(new Pose(0, 3, 0));
     }
@@ -89,7 +90,8 @@ class WorldContractTest {
                 .isInstanceOf(ExecutionException.class)
                 .cause()
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("advance() belongs to thread '" + Thread.currentThread().getName() + "'");
+                .hasMessageContaining(
+                        "advance() belongs to thread '" + Thread.currentThread().getName() + "'");
         assertThat(world.latest()).isSameAs(first);
         assertThat(world.advance().tick()).isEqualTo(2);
     }
@@ -98,8 +100,9 @@ class WorldContractTest {
     void interval_thatIsNoMultipleOfThePhysicsStep_isRefused() {
         assertThatThrownBy(() -> World.create(world.spec(), WorldSettings.DEFAULT.withPhysicsStepMicros(15_000)))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("the interval of world 'test' is 100000 us, expected a whole multiple of the physics step of"
-                        + " 15000 us");
+                .hasMessage(
+                        "the interval of world 'test' is 100000 us, expected a whole multiple of the physics step of"
+                                + " 15000 us");
         assertThatThrownBy(() -> World.create(
                         new WorldSpec("still", Path.of("a.world"), 0, List.of(), List.of()), WorldSettings.DEFAULT))
                 .hasMessageContaining("is 0 us");
@@ -108,7 +111,8 @@ class WorldContractTest {
     @Test
     void stepTooLongForTheLimits_isRefused() {
         assertThatThrownBy(() -> World.create(
-                        world.spec(), WorldSettings.DEFAULT.withPhysicsStepMicros(100_000).withLimits(30, 1)))
+                        world.spec(),
+                        WorldSettings.DEFAULT.withPhysicsStepMicros(100_000).withLimits(30, 1)))
                 .hasMessageContaining("a physics step of 100000 us is too long for 30.0 m/s");
     }
 
@@ -132,7 +136,8 @@ class WorldContractTest {
         Point[] nonagon = new Point[9];
         Arrays.setAll(nonagon, i -> new Point(StrictMath.cos(i * 0.69), StrictMath.sin(i * 0.69)));
 
-        assertRefused(Specs.world(List.of(), obstacle(Pose.ORIGIN, clockwise)), "test.world:12:1", "'thing'", "not convex");
+        assertRefused(
+                Specs.world(List.of(), obstacle(Pose.ORIGIN, clockwise)), "test.world:12:1", "'thing'", "not convex");
         assertRefused(Specs.world(List.of(), obstacle(Pose.ORIGIN, dart)), "not convex and counter-clockwise");
         assertRefused(Specs.world(List.of(), obstacle(Pose.ORIGIN, nonagon)), "9 vertices, expected 3 to 8");
         assertRefused(Specs.world(List.of(), obstacle(Pose.ORIGIN, new Point(0, 0), new Point(1, 0))), "2 vertices");
@@ -140,7 +145,8 @@ class WorldContractTest {
 
     @Test
     void bodyTooFarOut_orNotANumber_isRefused() {
-        assertRefused(Specs.world(List.of(), wall("remote", 600, 0, 1, 1)), "obstacle 'remote' reaches to (599.5, -0.5)");
+        assertRefused(
+                Specs.world(List.of(), wall("remote", 600, 0, 1, 1)), "obstacle 'remote' reaches to (599.5, -0.5)");
         assertRefused(Specs.world(robot("lost", new Pose(Double.NaN, 0, 0))), "robot 'lost' reaches to (NaN");
         assertRefused(Specs.world(robot("lost", new Pose(0, 0, Double.NaN))), "robot 'lost' has the heading NaN");
     }
@@ -150,7 +156,20 @@ class WorldContractTest {
         RobotSpec r = robot("r1", Pose.ORIGIN);
         assertRefused(
                 Specs.world(new RobotSpec(
-                        "light", r.pose(), r.shape(), 0, 1, 1, 0, Pose.ORIGIN, Pose.ORIGIN, null, null, true, true, r.where())),
+                        "light",
+                        r.pose(),
+                        r.shape(),
+                        0,
+                        1,
+                        1,
+                        0,
+                        Pose.ORIGIN,
+                        Pose.ORIGIN,
+                        null,
+                        null,
+                        true,
+                        true,
+                        r.where())),
                 "test.world:7:1: robot 'light' has a mass of 0.0");
         assertRefused(
                 Specs.world(robot("deaf", Pose.ORIGIN, 0, new SonarSpec(List.of(), 3, 2, 1), null)),

@@ -94,8 +94,10 @@ class BlobfinderTest {
 
     @Test
     void neighboursOfOneColour_areOneBlob_butAGapParts() {
-        assertThat(see(camera(8), box(3, 0.25, 0.5, 0.5, RED), box(3, -0.25, 0.5, 0.5, RED))).hasSize(1);
-        assertThat(see(camera(8), box(3, 0.5, 0.5, 0.5, RED), box(3, -0.5, 0.5, 0.5, RED))).hasSize(2);
+        assertThat(see(camera(8), box(3, 0.25, 0.5, 0.5, RED), box(3, -0.25, 0.5, 0.5, RED)))
+                .hasSize(1);
+        assertThat(see(camera(8), box(3, 0.5, 0.5, 0.5, RED), box(3, -0.5, 0.5, 0.5, RED)))
+                .hasSize(2);
     }
 
     @Test
@@ -136,7 +138,10 @@ class BlobfinderTest {
     @Test
     void filter_reportsOnlyItsColours_exactly() {
         ObstacleSpec[] boxes = {
-            box(3, 1, 0.3, 0.3, RED), box(3, 0, 0.3, 0.3, 0xFE0000), box(3, -1, 0.3, 0.3, BLUE), wall("back", 6, 0, 1, 20)
+            box(3, 1, 0.3, 0.3, RED),
+            box(3, 0, 0.3, 0.3, 0xFE0000),
+            box(3, -1, 0.3, 0.3, BLUE),
+            wall("back", 6, 0, 1, 20)
         };
 
         assertThat(see(camera(8, BLUE, RED), boxes)).extracting(Blob::colour).containsExactly(RED, BLUE);
@@ -150,13 +155,18 @@ class BlobfinderTest {
         ObstacleSpec glass = new ObstacleSpec(
                 "glass", new Pose(1, 0, 0), Specs.box(0.1, 4, 0), GREEN, true, true, false, Specs.at(1));
 
-        assertThat(see(camera(8), glass, box(3, 0, 0.4, 0.4, RED))).extracting(Blob::colour).containsExactly(RED);
+        assertThat(see(camera(8), glass, box(3, 0, 0.4, 0.4, RED)))
+                .extracting(Blob::colour)
+                .containsExactly(RED);
     }
 
     @Test
     void thingOutOfRangeOrBehind_isNotSeen_andTheImageKeepsItsSize() {
         BlobImage image = new Blobfinder(camera(3))
-                .read(new Scene(Specs.world(robot("r1", Pose.ORIGIN), box(4, 0, 0.5, 0.5, RED), box(-1, 0, 0.5, 0.5, RED))), 0);
+                .read(
+                        new Scene(Specs.world(
+                                robot("r1", Pose.ORIGIN), box(4, 0, 0.5, 0.5, RED), box(-1, 0, 0.5, 0.5, RED))),
+                        0);
 
         assertThat(image).isEqualTo(new BlobImage(80, 60, List.of()));
     }

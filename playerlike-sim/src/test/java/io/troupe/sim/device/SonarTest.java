@@ -32,8 +32,7 @@ class SonarTest {
 
     @Test
     void ray_toAWall_measuresTheDistanceOverTheCosine() {
-        List<Double> ranges =
-                read(sonars(0, 10, -30, 60, 89), Pose.ORIGIN, wall("wall", 2.5, 0, 1, 8));
+        List<Double> ranges = read(sonars(0, 10, -30, 60, 89), Pose.ORIGIN, wall("wall", 2.5, 0, 1, 8));
 
         assertThat(ranges.get(0)).isCloseTo(2, EXACT);
         assertThat(ranges.get(1)).isCloseTo(2 / StrictMath.cos(10 * DEGREE), EXACT);
@@ -45,8 +44,7 @@ class SonarTest {
     @Test
     void ring_onATurnedRobot_measuresFromItsMounts() {
         // the robot stands at (1, 1) and faces north; the wall's face is y = 3
-        List<Double> ranges =
-                read(Specs.pioneerFront(), new Pose(1, 1, 90 * DEGREE), wall("north", 1, 4, 12, 2));
+        List<Double> ranges = read(Specs.pioneerFront(), new Pose(1, 1, 90 * DEGREE), wall("north", 1, 4, 12, 2));
 
         assertThat(ranges.get(3)).isCloseTo((2 - 0.170) / StrictMath.cos(10 * DEGREE), EXACT);
         assertThat(ranges.get(2)).isCloseTo((2 - 0.150) / StrictMath.cos(30 * DEGREE), EXACT);
@@ -77,7 +75,8 @@ class SonarTest {
 
     @Test
     void robot_seesAnother_butNotItself() {
-        WorldSpec world = Specs.world(List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(2, 0, StrictMath.PI / 2))));
+        WorldSpec world =
+                Specs.world(List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(2, 0, StrictMath.PI / 2))));
 
         // the other one shows its right side, half its width from its centre of rotation
         assertThat(read(sonars(0, 180), world).get(0)).isCloseTo(2 - 0.19, EXACT);
@@ -105,8 +104,20 @@ class SonarTest {
                 "glass", new Pose(1, 0, 0), Specs.box(0.1, 1, 0), Specs.RED, true, false, true, Specs.at(1));
         RobotSpec plain = robot("ghost", new Pose(2, 0, 0));
         RobotSpec ghost = new RobotSpec(
-                plain.name(), plain.pose(), plain.shape(), plain.colour(), plain.lengthM(), plain.widthM(),
-                plain.massKg(), plain.origin(), plain.startOdometry(), null, null, false, true, plain.where());
+                plain.name(),
+                plain.pose(),
+                plain.shape(),
+                plain.colour(),
+                plain.lengthM(),
+                plain.widthM(),
+                plain.massKg(),
+                plain.origin(),
+                plain.startOdometry(),
+                null,
+                null,
+                false,
+                true,
+                plain.where());
         WorldSpec world = Specs.world(List.of(robot("r1", Pose.ORIGIN), ghost), glass, wall("wall", 4, 0, 1, 1));
 
         assertThat(read(sonars(0), world)).containsExactly(3.5);
@@ -117,7 +128,8 @@ class SonarTest {
         // faces and rays on whole metres, where the cells of the grid meet; two boxes share the corner (3, 0)
         assertThat(read(sonars(0), Pose.ORIGIN, wall("above", 3.5, 0.5, 1, 1), wall("below", 3.5, -0.5, 1, 1)))
                 .containsExactly(3.0);
-        assertThat(read(sonars(45), new Pose(-1, -1, 0), wall("box", 1, 1, 2, 2)).getFirst())
+        assertThat(read(sonars(45), new Pose(-1, -1, 0), wall("box", 1, 1, 2, 2))
+                        .getFirst())
                 .isCloseTo(StrictMath.sqrt(2), EXACT);
     }
 

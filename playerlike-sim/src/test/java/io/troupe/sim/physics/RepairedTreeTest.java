@@ -60,7 +60,8 @@ class RepairedTreeTest {
 
         assertThat(tree.moveProxy(proxy, box(-2, -2, 3, 3), STILL)).isTrue();
 
-        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-2, -2, 3, 3))).isTrue();
+        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-2, -2, 3, 3)))
+                .isTrue();
         assertThat(query(tree, box(2.8f, 2.8f, 2.9f, 2.9f))).containsExactly(proxy);
         assertThat(query(tree, box(6, -2, 7, 3))).as("where the detour went").isEmpty();
     }
@@ -69,11 +70,13 @@ class RepairedTreeTest {
     void reach_keepsBoxesKnownAStepAhead() {
         var tree = new RepairedTree(1.5);
         int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
-        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1.5f, -1.5f, 2.5f, 2.5f))).isTrue();
+        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1.5f, -1.5f, 2.5f, 2.5f)))
+                .isTrue();
 
         assertThat(tree.moveProxy(proxy, box(0.5f, 0, 1.5f, 1), STILL)).isTrue();
 
-        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1, -1.5f, 3, 2.5f))).isTrue();
+        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1, -1.5f, 3, 2.5f)))
+                .isTrue();
     }
 
     @Test
@@ -91,7 +94,9 @@ class RepairedTreeTest {
             float y = random.nextFloat() * 20;
             AABB box = box(x, y, x + 5 * random.nextFloat(), y + 5 * random.nextFloat());
             tree.moveProxy(proxies[i], box, STILL);
-            assertThat(RepairedTree.holds(tree.getFatAABB(proxies[i]), box)).as("seed %d, move %d", seed, move).isTrue();
+            assertThat(RepairedTree.holds(tree.getFatAABB(proxies[i]), box))
+                    .as("seed %d, move %d", seed, move)
+                    .isTrue();
         }
     }
 }
