@@ -66,8 +66,10 @@ final class SpecCheck {
             for (Point vertex : polygon) {
                 Point placed = pose.place(vertex);
                 if (!(Math.abs(placed.x()) <= FARTHEST_M && Math.abs(placed.y()) <= FARTHEST_M)) {
-                    throw new WorldFileException(where, title + " reaches to (" + placed.x() + ", " + placed.y()
-                            + "), expected at most " + FARTHEST_M + " m from the origin along x and y");
+                    throw new WorldFileException(
+                            where,
+                            title + " reaches to (" + placed.x() + ", " + placed.y() + "), expected at most "
+                                    + FARTHEST_M + " m from the origin along x and y");
                 }
             }
             if (!isConvexCounterClockwise(polygon)) {

@@ -41,7 +41,10 @@ public final class World {
     }
 
     /** A robot's devices. */
-    private record Devices(Position2d position2d, @Nullable Sonar sonar, @Nullable Blobfinder blobfinder) {}
+    private record Devices(
+            Position2d position2d,
+            @Nullable Sonar sonar,
+            @Nullable Blobfinder blobfinder) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
@@ -203,8 +206,9 @@ public final class World {
         Thread current = Thread.currentThread();
         Thread owner = advancer.get();
         if (owner != current && !advancer.compareAndSet(null, current)) {
-            throw new IllegalStateException("advance() belongs to thread '" + advancer.get().getName()
-                    + "', which called it first, and was called by thread '" + current.getName() + "'");
+            throw new IllegalStateException(
+                    "advance() belongs to thread '" + advancer.get().getName()
+                            + "', which called it first, and was called by thread '" + current.getName() + "'");
         }
     }
 

@@ -74,7 +74,8 @@ public final class Blobfinder {
     }
 
     private boolean isReported(int colour) {
-        return colour != NO_COLOUR && (spec.colours().isEmpty() || spec.colours().contains(colour));
+        return colour != NO_COLOUR
+                && (spec.colours().isEmpty() || spec.colours().contains(colour));
     }
 
     private Blob blob(int colour, int left, int right, double rangeM) {

@@ -121,7 +121,8 @@ public final class Physics {
     private static FixtureDef fixture(List<Point> polygon) {
         var vertices = new Vec2[polygon.size()];
         for (int i = 0; i < vertices.length; i++) {
-            vertices[i] = new Vec2((float) polygon.get(i).x(), (float) polygon.get(i).y());
+            vertices[i] =
+                    new Vec2((float) polygon.get(i).x(), (float) polygon.get(i).y());
         }
         var shape = new PolygonShape();
         shape.set(vertices, vertices.length);
