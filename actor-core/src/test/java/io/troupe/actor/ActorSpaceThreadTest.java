@@ -170,4 +170,37 @@ class ActorSpaceThreadTest {
         assertThat(letters).containsExactly(new DeadLetter("Tally#1", "Tally.add(0, 2)", "space brief is closed"));
         assertThatThrownBy(() -> space.spawn(Tally.class, StrictTally::new)).isInstanceOf(ActorStoppedException.class);
     }
+
+    interface Greeter {
+        Promise<String> greet(String name);
+
+        void remember(String name);
+    }
+
+    static final class PoliteGreeter implements Greeter {
+        private final List<String> names = new ArrayList<>();
+
+        @Override
+        public Promise<String> greet(String name) {
+            return Promise.of(names.contains(name) ? "Hello again, " + name : "Hello, " + name);
+        }
+
+        @Override
+        public void remember(String name) {
+            names.add(name);
+        }
+    }
+
+    @Test
+    void sampleOfTheReadme() {
+        var printed = new ArrayList<String>();
+        try (var space = ActorSpace.create(SpaceSettings.named("hello"))) {
+            Greeter greeter = space.spawn(Greeter.class, PoliteGreeter::new);
+            greeter.remember("Ada");
+            greeter.greet("Ada").then(text -> {
+                printed.add(text + " on " + Thread.currentThread().getName());
+            });
+        } // serves what was queued, then ends the thread
+        assertThat(printed).containsExactly("Hello again, Ada on hello");
+    }
 }
