@@ -42,8 +42,8 @@ final class SpecCheck {
         long intervalMicros = spec.intervalMillis() * 1000L;
         int stepMicros = settings.physicsStepMicros();
         if (intervalMicros <= 0 || intervalMicros % stepMicros != 0) {
-            throw new IllegalArgumentException("the interval of world '" + spec.name() + "' is " + intervalMicros
-                    + " us, expected a whole multiple of the physics step of " + stepMicros + " us");
+            throw new WorldFileException(spec.file() + ": the interval of world '" + spec.name() + "' is "
+                    + intervalMicros + " us, expected a whole multiple of the physics step of " + stepMicros + " us");
         }
         double travelM = settings.maxForwardMps() * stepMicros / 1e6;
         double turnRad = settings.maxTurnRadps() * stepMicros / 1e6;

@@ -62,8 +62,8 @@ public final class World {
     /**
      * A world at tick 0, its devices read once.
      *
-     * <p><b>Errors.</b> {@link WorldFileException} for a body that cannot be simulated or overlaps another,
-     * {@link IllegalArgumentException} for settings that do not fit the world.
+     * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated, or bodies that overlap,
+     * {@link IllegalArgumentException} for settings that fit no world.
      */
     public static World create(WorldSpec spec, WorldSettings settings) {
         requireNonNull(spec, "spec");

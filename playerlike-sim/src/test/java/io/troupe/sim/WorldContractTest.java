@@ -99,9 +99,9 @@ class WorldContractTest {
     @Test
     void interval_thatIsNoMultipleOfThePhysicsStep_isRefused() {
         assertThatThrownBy(() -> World.create(world.spec(), WorldSettings.DEFAULT.withPhysicsStepMicros(15_000)))
-                .isInstanceOf(IllegalArgumentException.class)
+                .isInstanceOf(WorldFileException.class)
                 .hasMessage(
-                        "the interval of world 'test' is 100000 us, expected a whole multiple of the physics step of"
+                        "test.world: the interval of world 'test' is 100000 us, expected a whole multiple of the physics step of"
                                 + " 15000 us");
         assertThatThrownBy(() -> World.create(
                         new WorldSpec("still", Path.of("a.world"), 0, List.of(), List.of()), WorldSettings.DEFAULT))
