@@ -35,6 +35,11 @@ public final class ActorCell {
         space.enqueue(request);
     }
 
+    /** A callback argument as the actor gets it: what it sends comes back to the caller's callback queue. */
+    public <T extends @Nullable Object> @Nullable Callback<T> returning(@Nullable Callback<T> callback) {
+        return ReturningCallback.wrap(callback, space);
+    }
+
     /** Identity, for the {@code equals} of a proxy. */
     public static boolean same(Object first, @Nullable Object second) {
         return first == second;
