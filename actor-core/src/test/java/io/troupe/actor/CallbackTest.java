@@ -80,21 +80,25 @@ class CallbackTest {
 
     @Test
     void lambda_getsAnErrorAsThePaperHasIt() {
-        source.finishWith((result, error) -> log.add(result + "/" + (error == null ? null : error.getMessage())), "broken");
+        source.finishWith(
+                (result, error) -> log.add(result + "/" + (error == null ? null : error.getMessage())), "broken");
         test.crank();
         assertThat(log).containsExactly("7/null", "null/broken");
     }
 
     @Test
     void stream_hearsOfItsEnd() {
-        source.finishWith(new Callback.Stream<>(result -> log.add("next " + result), end -> log.add("end " + end)), null);
+        source.finishWith(
+                new Callback.Stream<>(result -> log.add("next " + result), end -> log.add("end " + end)), null);
         test.crank();
         assertThat(log).containsExactly("next 7", "end null");
     }
 
     @Test
     void cancelledStream_getsNothingMore_andTheActorSeesIt() {
-        var stream = new Callback.Stream<Integer>(result -> log.add("next " + result), end -> log.add("end " + end.getClass().getSimpleName()));
+        var stream = new Callback.Stream<Integer>(
+                result -> log.add("next " + result),
+                end -> log.add("end " + end.getClass().getSimpleName()));
         source.send(2, stream);
         test.crank();
         stream.cancel();
@@ -113,9 +117,11 @@ class CallbackTest {
             counting.kept.getFirst().finish();
             counting.kept.getFirst().next(1);
         });
-        assertThat(test.takeProblems()).singleElement().satisfies(problem -> assertThat(problem.error())
-                .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("nothing can follow"));
+        assertThat(test.takeProblems())
+                .singleElement()
+                .satisfies(problem -> assertThat(problem.error())
+                        .isInstanceOf(IllegalStateException.class)
+                        .hasMessageContaining("nothing can follow"));
     }
 
     @Test
