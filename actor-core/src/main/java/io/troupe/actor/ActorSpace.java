@@ -441,6 +441,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     private void live() {
         Home before = enter();
+        Watchdog.watch(settings, Thread.currentThread(), lifeline, dispatcher);
         try {
             while (!stopping) {
                 if (!dispatcher.pass() & !settle()) {

@@ -171,6 +171,35 @@ class ActorSpaceThreadTest {
         assertThatThrownBy(() -> space.spawn(Tally.class, StrictTally::new)).isInstanceOf(ActorStoppedException.class);
     }
 
+    @Test
+    void messageThatTakesTooLong_isReportedOnce_withItsStack() throws Exception {
+        var stalls = new ArrayList<Stall>();
+        var reported = new CountDownLatch(1);
+        var settings = SpaceSettings.named("slow").withOnStall(Duration.ofMillis(20), stall -> {
+            stalls.add(stall);
+            reported.countDown();
+        });
+        try (var space = ActorSpace.create(settings)) {
+            space.execute(() -> holdTheThread(reported));
+            var after = new CountDownLatch(1);
+            space.execute(after::countDown);
+            assertThat(after.await(30, TimeUnit.SECONDS)).isTrue();
+        }
+        Stall stall = stalls.getFirst();
+        assertThat(stall.space()).isEqualTo("slow");
+        assertThat(stall.atLeast()).isGreaterThanOrEqualTo(Duration.ofMillis(20));
+        assertThat(stall.stack()).anyMatch(frame -> frame.getMethodName().equals("holdTheThread"));
+        assertThat(stall.toString()).contains("space slow has been busy", "offload", "holdTheThread");
+    }
+
+    private static void holdTheThread(CountDownLatch until) {
+        try {
+            until.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
     interface Greeter {
         Promise<String> greet(String name);
 
