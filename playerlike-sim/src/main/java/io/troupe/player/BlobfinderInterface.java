@@ -1,7 +1,9 @@
 package io.troupe.player;
 
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderBlob;
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderColorConfig;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderImagerConfig;
 import io.troupe.player.wire.DeviceData;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +27,22 @@ public class BlobfinderInterface extends PlayerDevice {
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return takeNew(data);
+        return pc.findsNews(data);
+    }
+
+    /** Not offered yet; a simulated blobfinder reports every colour of its world. */
+    public void setTrackingColor(PlayerBlobfinderColorConfig config) {
+        throw notOffered("setTrackingColor");
+    }
+
+    /** Not offered yet. */
+    public void setImagerParams(PlayerBlobfinderImagerConfig config) {
+        throw notOffered("setImagerParams");
+    }
+
+    @Override
+    Latest<?> latest() {
+        return data;
     }
 
     @Override

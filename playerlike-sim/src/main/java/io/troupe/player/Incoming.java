@@ -5,56 +5,61 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Frame;
+import io.troupe.player.wire.PlayerConnection;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the server has sent and the client has not dispatched to its devices yet.
+ * What the server has sent and the client's program has not seen yet, and by which call the program answers.
  *
- * <p><b>Threads.</b> Any thread. A tick counts as delivered only after all its messages are dispatched, and {@link #deliveredTick} is read before a
- * device is asked for news: whoever then finds none has seen everything up to that tick, so answering for it never answers for data unseen.
+ * <p><b>Threads.</b> Any thread; one lock. The server hands a frame in under it, the program sees it under it: what the world did before a tick happens
+ * before what the program does about it. The tick a program answers is read under the lock by which it found nothing new, and told to the server after
+ * that: an answer never covers data the program has not been offered, and all that the program did before happens before the world goes on. No wake-up is
+ * lost, since every wait looks at its condition under the lock, and whoever changes one notifies under it.
+ * <p><b>Order.</b> Data are dispatched under the lock as well, so frames never mix.
  */
 final class Incoming implements DataSink {
-    /** A message; the last of its frame says which tick it completes. */
-    private record Arrival(DataMessage message, long completedTick) {}
-
-    private static final long NO_TICK = -1;
-
     private final Object lock = new Object();
-    private final Queue<Arrival> queue = new ArrayDeque<>();
+    private final Queue<Frame> frames = new ArrayDeque<>();
     private final List<Deferred<@Nullable Void>> waiting = new ArrayList<>();
+    private final AnswerPoint answerPoint = new AnswerPoint();
     private final Consumer<DataMessage> dispatcher;
-    private final boolean dispatchAtOnce;
-    private volatile long deliveredTick = NO_TICK;
+    private final LongConsumer answer;
+    private final boolean onSpace;
+    private int read; // messages of the oldest frame that are dispatched already
+    private long shownTick = PlayerConnection.NO_TICK;
     private @Nullable String lost;
 
     /**
      * @param dispatcher hands a message to its device
-     * @param dispatchAtOnce true on an actor space, where frames arrive as a turn of their own
+     * @param answer tells the server that the program waits for something newer than a tick
+     * @param onSpace true on an actor space, where frames arrive as a turn of their own
      */
-    Incoming(Consumer<DataMessage> dispatcher, boolean dispatchAtOnce) {
+    Incoming(Consumer<DataMessage> dispatcher, LongConsumer answer, boolean onSpace) {
         this.dispatcher = dispatcher;
-        this.dispatchAtOnce = dispatchAtOnce;
+        this.answer = answer;
+        this.onSpace = onSpace;
     }
+
+    // ---- from the server
 
     @Override
     public void frame(Frame frame) {
+        List<Deferred<@Nullable Void>> ready = List.of();
         synchronized (lock) {
-            var messages = frame.messages();
-            for (int index = 0; index < messages.size(); index++) {
-                queue.add(new Arrival(messages.get(index), index == messages.size() - 1 ? frame.tick() : NO_TICK));
+            frames.add(frame);
+            if (onSpace) {
+                ready = showAll();
             }
             lock.notifyAll();
         }
-        if (dispatchAtOnce) {
-            while (dispatchNext()) {
-                // the whole frame is this turn's
-            }
-        }
+        ready.forEach(each -> each.resolve(null));
     }
 
     @Override
@@ -65,75 +70,153 @@ final class Incoming implements DataSink {
                 return;
             }
             lost = reason;
-            ended = List.copyOf(waiting);
-            waiting.clear();
+            ended = takeWaiting();
             lock.notifyAll();
         }
         ended.forEach(each -> each.reject(new PlayerException(reason)));
     }
 
-    /** The newest tick all of whose messages are with their devices. */
-    long deliveredTick() {
-        return deliveredTick;
+    // ---- from the program
+
+    /**
+     * Looks for news in a program that waits by asking; without any it may answer, and then gives the world a moment.
+     *
+     * @param everythingSeen whether no device has news
+     */
+    boolean poll(Latest<?> asked, BooleanSupplier everythingSeen, long patienceMillis) {
+        long tick;
+        synchronized (lock) {
+            if (asked.takeNew()) {
+                answerPoint.newsTaken();
+                return true;
+            }
+            throwIfLost();
+            // On a space a chain of turns may still lie between this question and the end of the work: only asking again is waiting.
+            if (!answerPoint.isAt(asked, !onSpace && everythingSeen.getAsBoolean())) {
+                return false;
+            }
+            tick = shownTick;
+        }
+        answer.accept(tick);
+        return !onSpace && awaitFrame(asked, patienceMillis);
     }
 
-    /** Fulfilled with the next complete frame. */
-    Promise<@Nullable Void> next() {
-        var next = new Deferred<@Nullable Void>();
+    private boolean awaitFrame(Latest<?> asked, long patienceMillis) {
+        List<Deferred<@Nullable Void>> ready;
+        boolean news;
         synchronized (lock) {
-            if (lost == null) {
-                waiting.add(next);
-                return next;
+            if (frames.isEmpty() && lost == null) {
+                try {
+                    lock.wait(patienceMillis);
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt(); // for the program to see; this call does not block
+                }
+            }
+            if (frames.isEmpty()) {
+                throwIfLost();
+            }
+            ready = showAll();
+            news = asked.takeNew();
+        }
+        ready.forEach(each -> each.resolve(null));
+        return news;
+    }
+
+    /** Looks for news in a program that reads by itself: asking is not waiting there. */
+    boolean takeNew(Latest<?> asked) {
+        synchronized (lock) {
+            if (asked.takeNew()) {
+                return true;
+            }
+            throwIfLost();
+            return false;
+        }
+    }
+
+    /** Dispatches the oldest message, or with {@code all} whatever is there; without any it answers and waits. */
+    void read(boolean all) {
+        long tick = 0;
+        boolean wait;
+        synchronized (lock) {
+            wait = !hasMessage();
+            if (wait) {
+                tick = shownTick;
             }
         }
-        next.reject(new PlayerException(lost));
+        if (wait) {
+            answer.accept(tick);
+        }
+        List<Deferred<@Nullable Void>> ready;
+        synchronized (lock) {
+            while (!hasMessage()) {
+                throwIfLost();
+                await();
+            }
+            do {
+                dispatchOldest();
+            } while (all && hasMessage());
+            ready = read == 0 ? takeWaiting() : List.of();
+        }
+        ready.forEach(each -> each.resolve(null));
+    }
+
+    /** The program waits for its first data, if it has not got them already. */
+    void begin() {
+        synchronized (lock) {
+            throwIfLost();
+            if (shownTick != PlayerConnection.NO_TICK) {
+                return;
+            }
+        }
+        answer.accept(PlayerConnection.NO_TICK);
+    }
+
+    /** Fulfilled with the next complete frame. Off actor spaces, asking for it is waiting. */
+    Promise<@Nullable Void> next() {
+        var next = new Deferred<@Nullable Void>();
+        long tick;
+        synchronized (lock) {
+            if (lost != null) {
+                next.reject(new PlayerException(lost));
+                return next;
+            }
+            waiting.add(next);
+            tick = shownTick;
+            lock.notifyAll();
+        }
+        if (!onSpace || tick == PlayerConnection.NO_TICK) {
+            answer.accept(tick);
+        }
         return next;
     }
 
-    /** Dispatches the oldest message; false if there is none. */
-    boolean dispatchNext() {
-        Arrival arrival;
-        synchronized (lock) {
-            arrival = queue.poll();
-        }
-        if (arrival == null) {
-            return false;
-        }
-        dispatcher.accept(arrival.message);
-        if (arrival.completedTick != NO_TICK) {
-            complete(arrival.completedTick);
-        }
-        return true;
-    }
-
-    boolean isEmpty() {
-        synchronized (lock) {
-            return queue.isEmpty();
-        }
-    }
+    // ---- from the reader thread
 
     /**
-     * Waits until a message is there or {@code goOn} is false.
+     * Shows frames to a program that does not meet them by asking: because it has not asked yet, waits for a promise, or does not ask any more while the
+     * server sends on.
      *
-     * @throws PlayerException if the server has gone and nothing is left
+     * @throws PlayerException when the server has gone
      */
-    void awaitMessage(java.util.function.BooleanSupplier goOn) {
-        synchronized (lock) {
-            while (queue.isEmpty() && goOn.getAsBoolean()) {
-                throwIfLost();
-                await(0);
+    void showWhile(BooleanSupplier goOn) {
+        while (true) {
+            List<Deferred<@Nullable Void>> ready;
+            synchronized (lock) {
+                while (goOn.getAsBoolean() && !isForReader()) {
+                    throwIfLost();
+                    await();
+                }
+                if (!goOn.getAsBoolean()) {
+                    return;
+                }
+                ready = showAll();
             }
+            ready.forEach(each -> each.resolve(null));
         }
     }
 
-    /** Waits a little for a tick after that one. */
-    void awaitTickAfter(long tick, long millis) {
-        synchronized (lock) {
-            throwIfLost();
-            if (deliveredTick == tick) {
-                await(millis);
-            }
-        }
+    private boolean isForReader() {
+        return !frames.isEmpty() && (!answerPoint.isReached() || !waiting.isEmpty() || frames.size() > 1);
     }
 
     /** Lets whoever waits look again. */
@@ -143,15 +226,47 @@ final class Incoming implements DataSink {
         }
     }
 
-    private void complete(long tick) {
-        List<Deferred<@Nullable Void>> ready;
-        synchronized (lock) {
-            deliveredTick = tick;
-            ready = List.copyOf(waiting);
-            waiting.clear();
-            lock.notifyAll();
+    // ---- under the lock
+
+    private List<Deferred<@Nullable Void>> showAll() {
+        if (frames.isEmpty()) {
+            return List.of();
         }
-        ready.forEach(each -> each.resolve(null));
+        while (!frames.isEmpty()) {
+            while (read < frames.element().messages().size()) {
+                dispatcher.accept(frames.element().messages().get(read++));
+            }
+            completeFrame();
+        }
+        return takeWaiting();
+    }
+
+    /** Whether a message is there; a frame without any is complete as it is. */
+    private boolean hasMessage() {
+        while (!frames.isEmpty() && frames.element().messages().isEmpty()) {
+            completeFrame();
+        }
+        return !frames.isEmpty();
+    }
+
+    private void dispatchOldest() {
+        var messages = frames.element().messages();
+        dispatcher.accept(messages.get(read++));
+        if (read == messages.size()) {
+            completeFrame();
+        }
+    }
+
+    private void completeFrame() {
+        shownTick = frames.remove().tick();
+        read = 0;
+        answerPoint.frameShown();
+    }
+
+    private List<Deferred<@Nullable Void>> takeWaiting() {
+        var taken = List.copyOf(waiting);
+        waiting.clear();
+        return taken;
     }
 
     private void throwIfLost() {
@@ -160,9 +275,9 @@ final class Incoming implements DataSink {
         }
     }
 
-    private void await(long millis) {
+    private void await() {
         try {
-            lock.wait(millis);
+            lock.wait();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new PlayerException("interrupted while waiting for the Player server", e);

@@ -3,6 +3,9 @@ package io.troupe.player;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
 import io.troupe.player.structures.PlayerConstants;
+import io.troupe.player.structures.PlayerDevAddr;
+import io.troupe.player.structures.player.PlayerDeviceDevlist;
+import io.troupe.player.structures.player.PlayerDeviceDriverInfo;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
@@ -11,11 +14,10 @@ import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
-import io.troupe.player.wire.PlayerServer;
-import java.util.Map;
+import java.lang.System.Logger.Level;
+import java.util.List;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -25,25 +27,29 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Made by a program that drives robots; the names are those of the Player Java client. A server in this JVM is found by its port
  * without a socket (see {@link PlayerPorts}).
- * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) a thread of its own, which keeps the JVM alive, dispatches what arrives; else
- * {@link #readAll} does. A client made on the thread of an actor space belongs to that space: what arrives is dispatched as a turn of the space,
- * {@code runThreaded} starts no thread, and {@link #nextData} says when to look.
- * <p><b>Order.</b> In lock step the world waits until its clients have answered a tick: by {@code readAll} waiting, by {@code isDataReady()} answering false,
- * or, on an actor space, by the space having nothing left to do.
+ * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) new data appear by themselves and a thread keeps the JVM alive, as in the
+ * original; else {@link #readAll} brings them. A client made on the thread of an actor space belongs to that space: what arrives is dispatched as a
+ * turn of the space, {@code runThreaded} starts no thread, and {@link #nextData} says when to look.
+ * <p><b>Order.</b> In lock step the world waits until its clients have answered a tick: by {@code readAll} waiting, by {@code isDataReady()} finding nothing
+ * new where everything was seen or where it was asked in vain before, or, on an actor space, by the space having nothing left to do. In the threaded
+ * style a frame appears as a whole, and in the call of {@code isDataReady()} by which the program waits for it: a program that uses its client from one
+ * thread does the same every time, however fast anybody is. What it sends after its answer counts for the next tick. Use one client per thread.
  * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away.
  */
 public class PlayerClient extends Thread implements PlayerConstants {
+    private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final Set<String> THIS_MACHINE = Set.of("localhost", "127.0.0.1", "::1");
-    /** How long {@code isDataReady()} waits for news before it answers false, so that a busy loop leaves the processor to the world. */
+    /** How long {@code isDataReady()} waits for news before it is false, so that a busy loop leaves the processor to the world. */
     private static final long PATIENCE_MILLIS = 1;
 
     private final @Nullable ActorSpace space = ActorSpace.current();
-    private final Map<DeviceAddress, PlayerDevice> devices = new ConcurrentHashMap<>();
-    private final Incoming incoming = new Incoming(this::dispatch, space != null);
+    private final List<PlayerDevice> devices = new CopyOnWriteArrayList<>();
+    private final Incoming incoming = new Incoming(this::dispatch, this::answer, space != null);
+    private final Latest<PlayerDeviceDevlist> deviceList = new Latest<>();
+    private final Latest<PlayerDeviceDriverInfo> driverInfo = new Latest<>();
     private final PlayerConnection connection;
     private volatile boolean threaded;
-    private volatile int dataMode = PLAYER_DATAMODE_PUSH;
-    private long pauseNanos = -1;
+    private volatile boolean pull;
 
     /**
      * Connects.
@@ -52,36 +58,45 @@ public class PlayerClient extends Thread implements PlayerConstants {
      */
     public PlayerClient(String serverName, int portNumber) {
         super("player-client-" + portNumber);
+        String failed = "[PlayerClient]: Error in PlayerClient init: ";
         if (!THIS_MACHINE.contains(serverName)) {
-            throw new PlayerException("[PlayerClient]: Error in PlayerClient init: " + serverName + ":" + portNumber
+            throw new PlayerException(failed + serverName + ":" + portNumber
                     + " is not in this JVM, and other machines are not offered yet");
         }
-        PlayerServer server = PlayerPorts.find(portNumber)
-                .orElseThrow(() ->
-                        new PlayerException("[PlayerClient]: Error in PlayerClient init: no server in this JVM at "
-                                + serverName + ":" + portNumber + "; open ports: " + PlayerPorts.list()));
-        connection = server.connect(incoming, space);
+        var server = PlayerPorts.find(portNumber)
+                .orElseThrow(() -> new PlayerException(failed + "no server in this JVM at " + serverName + ":"
+                        + portNumber + "; open ports: " + PlayerPorts.list()));
+        connection = calling(() -> server.connect(incoming, space));
+        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
     }
 
     // ---- devices
 
     public Position2DInterface requestInterfacePosition2D(int index, int access) {
-        return subscribe(new Position2DInterface(this), Interfaces.POSITION2D, index, access);
+        return request(new Position2DInterface(this), Interfaces.POSITION2D, index, access);
     }
 
     public SonarInterface requestInterfaceSonar(int index, int access) {
-        return subscribe(new SonarInterface(this), Interfaces.SONAR, index, access);
+        return request(new SonarInterface(this), Interfaces.SONAR, index, access);
     }
 
     public BlobfinderInterface requestInterfaceBlobfinder(int index, int access) {
-        return subscribe(new BlobfinderInterface(this), Interfaces.BLOBFINDER, index, access);
+        return request(new BlobfinderInterface(this), Interfaces.BLOBFINDER, index, access);
     }
 
-    private <D extends PlayerDevice> D subscribe(D device, Interfaces type, int index, int access) {
-        if (access != PLAYER_OPEN_MODE) {
-            throw new PlayerException("access mode of " + type.playerName() + ":" + index + " is " + access
-                    + ", expected PLAYER_OPEN_MODE (" + PLAYER_OPEN_MODE + ")");
-        }
+    /** The same by the interface's code, for example {@code PLAYER_SONAR_CODE}. */
+    public PlayerDevice requestInterface(int type, int index, int access) {
+        return switch (type) {
+            case PLAYER_POSITION2D_CODE -> requestInterfacePosition2D(index, access);
+            case PLAYER_SONAR_CODE -> requestInterfaceSonar(index, access);
+            case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
+            default ->
+                throw new PlayerException("[PlayerClient] " + Interfaces.name(type) + ":" + index
+                        + " was requested; this client offers position2d, sonar and blobfinder");
+        };
+    }
+
+    private <D extends PlayerDevice> D request(D device, Interfaces type, int index, int access) {
         var offered = calling(connection::devices);
         DeviceAddress address = offered.stream()
                 .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
@@ -90,12 +105,20 @@ public class PlayerClient extends Thread implements PlayerConstants {
                         () -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":" + index
                                 + " is not in the device list. It has: "
                                 + offered.stream().map(PlayerClient::name).collect(Collectors.joining(", "))));
-        device.bind(address);
-        devices.put(address, device);
-        calling(() -> {
-            connection.subscribe(address);
-            return address;
-        });
+        device.bind(address, (byte) access, calling(() -> connection.driverName(address)));
+        switch (access) {
+            case PLAYER_OPEN_MODE -> {
+                devices.add(device); // before its first data can come
+                tell(() -> connection.subscribe(address));
+            }
+            case PLAYER_CLOSE_MODE -> {
+                tell(() -> connection.unsubscribe(address));
+                devices.removeIf(each -> each.address().equals(address));
+            }
+            default ->
+                throw new PlayerException("access mode of " + device + " is " + access
+                        + ", expected PLAYER_OPEN_MODE (1) or PLAYER_CLOSE_MODE (2)");
+        }
         return device;
     }
 
@@ -103,31 +126,79 @@ public class PlayerClient extends Thread implements PlayerConstants {
         return Interfaces.name(address.interfaceCode()) + ":" + address.index();
     }
 
+    /** Asks which devices the server has; the answer is there when this returns. */
+    public void requestDeviceList() {
+        var answer = new PlayerDeviceDevlist();
+        answer.setDevList(calling(connection::devices).stream()
+                .map(PlayerDevice::convert)
+                .toArray(PlayerDevAddr[]::new));
+        answer.setDeviceCount(answer.getDevList().length);
+        deviceList.put(answer);
+    }
+
+    /** True once for each answer to {@link #requestDeviceList}. */
+    public boolean isReadyPDDList() {
+        return deviceList.takeNew();
+    }
+
+    /** The answer to {@link #requestDeviceList}, or null before. */
+    public @Nullable PlayerDeviceDevlist getPDDList() {
+        return deviceList.get();
+    }
+
+    /** Asks which driver is behind a device; the answer is there when this returns. */
+    public void requestDriverInfo(PlayerDevAddr device) {
+        var answer = new PlayerDeviceDriverInfo();
+        answer.setAddr(device);
+        answer.setDriverName(calling(() -> connection.driverName(PlayerDevice.convert(device))));
+        driverInfo.put(answer);
+    }
+
+    /** True once for each answer to {@link #requestDriverInfo}. */
+    public boolean isReadyPDDI() {
+        return driverInfo.takeNew();
+    }
+
+    /** The answer to {@link #requestDriverInfo}, or null before. */
+    public @Nullable PlayerDeviceDriverInfo getPDDI() {
+        return driverInfo.get();
+    }
+
     // ---- waiting for data
 
     /**
-     * Lets a thread of its own dispatch what arrives; on an actor space that is the space's thread already. A second call changes nothing.
+     * Lets data appear by themselves, and keeps the JVM alive until {@link #close} or {@link #setNotThreaded}. On an actor space both come from the space.
+     * A second call only logs a warning.
      *
-     * @param millis pause after each message; negative = none
-     * @param nanos added to the pause if positive
+     * <p>In lock step there is nothing to read ahead, so the pauses that a program asks for here do not delay its data; a program that looks for news by
+     * {@code isDataReady()} finds them in that call, and the thread shows them to one that does not.
+     *
+     * @param millis of no effect; the original paused so long after each message
+     * @param nanos of no effect
      */
     public void runThreaded(long millis, int nanos) {
-        if (space != null || threaded) {
+        if (threaded) {
+            LOG.log(Level.WARNING, "{0} is threaded already", getName());
             return;
         }
-        pauseNanos = millis < 0 ? -1 : millis * 1_000_000 + Math.max(0, nanos);
+        if (space == null && getState() != State.NEW) {
+            throw new PlayerException(getName() + " was threaded before: a thread starts once, make a new PlayerClient");
+        }
+        incoming.begin();
         threaded = true;
-        start();
+        if (space == null) {
+            start();
+        }
     }
 
-    /** Ends the thread of {@link #runThreaded} and waits until it has ended. */
+    /** Ends what {@link #runThreaded} began, and waits until it has ended. */
     public void setNotThreaded() {
         if (!threaded) {
             return;
         }
         threaded = false;
         incoming.wakeAll();
-        if (Thread.currentThread() != this) {
+        if (space == null && Thread.currentThread() != this) {
             try {
                 join();
             } catch (InterruptedException e) {
@@ -140,15 +211,10 @@ public class PlayerClient extends Thread implements PlayerConstants {
     @Override
     public void run() {
         try {
-            while (threaded) {
-                incoming.awaitMessage(() -> threaded);
-                if (threaded && incoming.dispatchNext() && pauseNanos > 0) {
-                    LockSupport.parkNanos(this, pauseNanos);
-                }
-            }
+            incoming.showWhile(() -> threaded);
         } catch (PlayerException serverHasGone) {
-            System.getLogger(PlayerClient.class.getName())
-                    .log(System.Logger.Level.DEBUG, "no more data: {0}", serverHasGone.getMessage());
+            // every call the program waits in says so too
+            LOG.log(Level.DEBUG, "{0}: no more data: {1}", getName(), serverHasGone.getMessage());
         }
     }
 
@@ -156,27 +222,23 @@ public class PlayerClient extends Thread implements PlayerConstants {
      * Dispatches what arrives, in the style without a thread: one message (push mode), or all of a frame (pull mode); waits until there is one.
      *
      * @return the type of the last message read: {@code PLAYER_MSGTYPE_DATA} or {@code PLAYER_MSGTYPE_SYNCH}; 0 at once if the client is threaded
+     * @throws PlayerException if the server has gone, or the client belongs to an actor space and is not threaded
      */
     public int readAll() {
-        if (threaded || space != null) {
+        if (threaded) {
             return 0;
         }
-        boolean pull = dataMode == PLAYER_DATAMODE_PULL;
-        do {
-            if (incoming.isEmpty()) {
-                answer(incoming.deliveredTick());
-            }
-            incoming.awaitMessage(() -> true);
-            incoming.dispatchNext();
-        } while (pull && !incoming.isEmpty());
+        if (space != null) {
+            throw new PlayerException(
+                    "readAll() would hold the thread of actor space " + space + ": use nextData() there");
+        }
+        incoming.read(pull);
         return pull ? PLAYER_MSGTYPE_SYNCH : PLAYER_MSGTYPE_DATA;
     }
 
-    /** Asks for data, as the pull mode needs it; {@link #readAll} does it by itself. */
+    /** Asks for data, as the pull mode needs it. {@link #readAll} and the threaded style do that by themselves, so there is nothing left to do. */
     public void requestData() {
-        if (!threaded && incoming.isEmpty()) {
-            answer(incoming.deliveredTick());
-        }
+        calling(connection::devices); // throws if the server has gone
     }
 
     /** Chooses between {@code PLAYER_DATAMODE_PUSH} (the default) and {@code PLAYER_DATAMODE_PULL}. */
@@ -184,20 +246,20 @@ public class PlayerClient extends Thread implements PlayerConstants {
         if (mode != PLAYER_DATAMODE_PUSH && mode != PLAYER_DATAMODE_PULL) {
             throw new PlayerException("data delivery mode is " + mode + ", expected 1 (push) or 2 (pull)");
         }
-        dataMode = mode;
+        pull = mode == PLAYER_DATAMODE_PULL;
+    }
+
+    /** Not offered yet: in lock step at most one frame waits, so there is nothing to replace. */
+    public void requestAddReplaceRule(int interf, int index, int type, int subtype, int replace) {
+        throw new PlayerException("requestAddReplaceRule is not offered yet");
     }
 
     /**
      * Fulfilled when the next frame is complete: all subscribed devices have new data. Our addition to the Player client, for actors; instead of a loop around
-     * {@code isDataReady()}.
+     * {@code isDataReady()}. Off actor spaces, asking for it answers the tick.
      */
     public Promise<@Nullable Void> nextData() {
-        long tick = incoming.deliveredTick();
-        var next = incoming.next();
-        if (space == null && !next.isDone()) {
-            answer(tick);
-        }
-        return next;
+        return incoming.next();
     }
 
     /** Stops the thread and disconnects; every later call, and every call that waits, throws {@link PlayerException}. */
@@ -209,54 +271,59 @@ public class PlayerClient extends Thread implements PlayerConstants {
 
     // ---- for devices
 
-    /** A device has no news: answers the tick, gives the world a moment, and looks again. */
-    boolean awaitNewer(Latest<?> latest) {
-        long tick = incoming.deliveredTick();
-        if (latest.takeNew()) {
-            return true;
+    /** Whether a device has news; where it has none, this may be how the program waits. */
+    boolean findsNews(Latest<?> asked) {
+        if (threaded || space != null) {
+            return incoming.poll(asked, this::everythingSeen, PATIENCE_MILLIS);
         }
-        answer(tick);
-        if (space != null) {
-            return false;
+        boolean news = incoming.takeNew(asked);
+        if (!news) {
+            Thread.onSpinWait();
         }
-        incoming.awaitTickAfter(tick, PATIENCE_MILLIS);
-        return latest.takeNew();
+        return news;
+    }
+
+    private boolean everythingSeen() {
+        for (var device : devices) {
+            if (device.latest().isNew()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     void command(DeviceAddress device, DeviceCommand command) {
-        calling(() -> {
-            connection.command(device, command);
-            return device;
-        });
+        tell(() -> connection.command(device, command));
     }
 
     DeviceReply request(DeviceAddress device, DeviceRequest request) {
         return calling(() -> connection.request(device, request));
     }
 
-    String driverName(DeviceAddress device) {
-        return calling(() -> connection.driverName(device));
-    }
-
     private void answer(long tick) {
-        calling(() -> {
-            connection.answered(tick);
-            return tick;
-        });
+        tell(() -> connection.answered(tick));
     }
 
     private void dispatch(DataMessage message) {
-        PlayerDevice device = devices.get(message.from());
-        if (device != null) {
-            device.accept(message.timeSeconds(), message.data());
+        for (var device : devices) {
+            if (device.address().equals(message.from())) {
+                device.accept(message.timeSeconds(), message.data());
+            }
         }
+    }
+
+    private static void tell(Runnable call) {
+        calling(() -> {
+            call.run();
+            return true;
+        });
     }
 
     private static <T> T calling(Supplier<T> call) {
         try {
             return call.get();
-        } catch (LineClosedException closed) {
-            throw new PlayerException(closed.getMessage(), closed);
+        } catch (LineClosedException | IllegalArgumentException refused) {
+            throw new PlayerException(refused.getMessage(), refused);
         }
     }
 }

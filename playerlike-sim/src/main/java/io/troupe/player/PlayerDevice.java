@@ -1,6 +1,7 @@
 package io.troupe.player;
 
 import io.troupe.player.structures.PlayerConstants;
+import io.troupe.player.structures.PlayerDevAddr;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
@@ -21,8 +22,12 @@ public abstract class PlayerDevice implements PlayerConstants {
     /** The client it belongs to. */
     protected final PlayerClient pc;
 
-    private @Nullable DeviceAddress address;
-    private volatile double timestampSeconds;
+    /** Seconds on the server's clock when the newest data were taken. */
+    protected volatile double timestamp;
+
+    private volatile @Nullable DeviceAddress address;
+    private volatile byte access;
+    private volatile String driverName = "";
 
     protected PlayerDevice(PlayerClient client) {
         this.pc = Objects.requireNonNull(client, "client");
@@ -30,32 +35,73 @@ public abstract class PlayerDevice implements PlayerConstants {
 
     /** Seconds on the server's clock (simulated time) when the newest data were taken; 0 before there are any. */
     public double getTimestamp() {
-        return timestampSeconds;
+        return timestamp;
+    }
+
+    public PlayerDevAddr getDeviceAddress() {
+        return convert(address());
+    }
+
+    /** Makes this object stand for another device, whose data it gets if the client has subscribed to that. */
+    public void setDeviceAddress(PlayerDevAddr newAddress) {
+        address = convert(newAddress);
+    }
+
+    /** {@code PLAYER_OPEN_MODE}, or {@code PLAYER_CLOSE_MODE} if it was requested to be closed. */
+    public byte getDeviceAccess() {
+        return access;
+    }
+
+    public void setDeviceAccess(byte newAccess) {
+        access = newAccess;
     }
 
     /** The name of the driver behind the device. */
     public String getDeviceDriverName() {
-        return pc.driverName(address());
+        return driverName;
+    }
+
+    public void setDeviceDriverName(String newName) {
+        driverName = newName;
     }
 
     /** Takes the content of a data message. */
     abstract void accept(DeviceData data);
 
+    /** The newest data, and whether they have been looked for. */
+    abstract Latest<?> latest();
+
     final void accept(double timeSeconds, DeviceData data) {
-        timestampSeconds = timeSeconds;
+        timestamp = timeSeconds;
         accept(data);
     }
 
-    final void bind(DeviceAddress newAddress) {
+    final void bind(DeviceAddress newAddress, byte newAccess, String newDriverName) {
         address = newAddress;
+        access = newAccess;
+        driverName = newDriverName;
     }
 
     final DeviceAddress address() {
-        if (address == null) {
+        DeviceAddress bound = address;
+        if (bound == null) {
             throw new PlayerException(
                     "this device is not subscribed: get it from a requestInterface method of PlayerClient");
         }
-        return address;
+        return bound;
+    }
+
+    static PlayerDevAddr convert(DeviceAddress address) {
+        var converted = new PlayerDevAddr();
+        converted.setHost(address.host());
+        converted.setRobot(address.robot());
+        converted.setInterf((short) address.interfaceCode());
+        converted.setIndex((short) address.index());
+        return converted;
+    }
+
+    static DeviceAddress convert(PlayerDevAddr address) {
+        return new DeviceAddress(address.getHost(), address.getRobot(), address.getInterf(), address.getIndex());
     }
 
     final void send(DeviceCommand command) {
@@ -71,15 +117,16 @@ public abstract class PlayerDevice implements PlayerConstants {
         return reply;
     }
 
-    /** Whether newer data have come; a false is the moment to let the world go on. */
-    final boolean takeNew(Latest<?> latest) {
-        return latest.takeNew() || pc.awaitNewer(latest);
+    /** What a call throws that is in the API, and that no server of ours serves today. */
+    final PlayerException notOffered(String call) {
+        return new PlayerException(call + " of " + this + " is not offered yet");
     }
 
     @Override
     public String toString() {
-        return address == null
+        DeviceAddress bound = address;
+        return bound == null
                 ? getClass().getSimpleName()
-                : Interfaces.name(address.interfaceCode()) + ":" + address.index();
+                : Interfaces.name(bound.interfaceCode()) + ":" + bound.index();
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.player;
 
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
+import io.troupe.player.structures.position2d.PlayerPosition2dCmdPos;
 import io.troupe.player.structures.position2d.PlayerPosition2dCmdVel;
 import io.troupe.player.structures.position2d.PlayerPosition2dData;
 import io.troupe.player.structures.position2d.PlayerPosition2dGeom;
@@ -38,7 +39,7 @@ public class Position2DInterface extends AbstractPositionDevice {
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return takeNew(data);
+        return pc.findsNews(data);
     }
 
     /** True once for each answer. */
@@ -65,24 +66,48 @@ public class Position2DInterface extends AbstractPositionDevice {
         return Objects.requireNonNull(data.get(), "no data of position2d yet: wait for isDataReady()");
     }
 
+    /** Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told otherwise. */
     @Override
     public void setSpeed(double speed, double turnrate) {
-        send(new DeviceCommand.Velocity(speed, 0, turnrate, true));
+        drive(speed, 0, turnrate, true);
     }
 
-    /** Drives with a velocity in the robot's frame; state 0 stops the motors. */
+    /** Drives with a velocity in the robot's frame; state 0 stops the motors. A differential drive ignores the part to the side, as Stage does. */
     public void setVelocity(PlayerPose2d velocity, int state) {
-        send(new DeviceCommand.Velocity(velocity.getPx(), velocity.getPy(), velocity.getPa(), state != 0));
+        drive(velocity.getPx(), velocity.getPy(), velocity.getPa(), state != 0);
     }
 
-    /** Drives with a velocity in the robot's frame; state 0 stops the motors. */
+    /** The same as {@link #setVelocity(PlayerPose2d, int)}. */
     public void setVelocity(PlayerPosition2dCmdVel command) {
         setVelocity(command.getVel(), command.getState());
     }
 
     /** Drives like a car; for a differential drive the angle is the turn rate. */
     public void setCarCMD(double velocity, double angle) {
-        send(new DeviceCommand.Velocity(velocity, 0, angle, true));
+        drive(velocity, 0, angle, true);
+    }
+
+    private void drive(double vx, double vy, double va, boolean enabled) {
+        if (!Double.isFinite(vx) || !Double.isFinite(vy) || !Double.isFinite(va)) {
+            throw new PlayerException(this + " was told to drive at (" + vx + ", " + vy + ") m/s and " + va
+                    + " rad/s, expected finite numbers");
+        }
+        send(new DeviceCommand.Velocity(vx, vy, va, enabled));
+    }
+
+    /** Not offered yet: driving to a pose. */
+    public void setPosition(PlayerPose2d position, PlayerPose2d velocity, int state) {
+        throw notOffered("setPosition");
+    }
+
+    /** Not offered yet: driving to a pose. */
+    public void setPosition(PlayerPosition2dCmdPos command) {
+        throw notOffered("setPosition");
+    }
+
+    /** Not offered yet: driving with a heading. */
+    public void setVelHead(double velocity, double angle) {
+        throw notOffered("setVelHead");
     }
 
     /** Asks for the body's geometry. */
@@ -106,9 +131,41 @@ public class Position2DInterface extends AbstractPositionDevice {
         ask(new DeviceRequest.SetOdometry(pose.getPx(), pose.getPy(), pose.getPa()));
     }
 
-    /** Switches the motors on (1) or off (0). */
+    /** Switches the motors on (1) or off (0); those of a simulated robot are always on and refuse the latter. */
     public void setMotorPower(int state) {
         ask(new DeviceRequest.Power(state != 0));
+    }
+
+    /** Not offered yet. */
+    public void setVelocityControl(int mode) {
+        throw notOffered("setVelocityControl");
+    }
+
+    /** Chooses between velocity (0), which is how robots are driven here, and position (1), which is not offered yet. */
+    public void setControlMode(int mode) {
+        if (mode != 0) {
+            throw notOffered("setControlMode(" + mode + ")");
+        }
+    }
+
+    /** Not offered yet. */
+    public void setVelocityPIDParams(float kp, float ki, float kd) {
+        throw notOffered("setVelocityPIDParams");
+    }
+
+    /** Not offered yet. */
+    public void setPositionPIDParams(float kp, float ki, float kd) {
+        throw notOffered("setPositionPIDParams");
+    }
+
+    /** Not offered yet. */
+    public void setSpeedProfileParams(float speed, float acc) {
+        throw notOffered("setSpeedProfileParams");
+    }
+
+    @Override
+    Latest<?> latest() {
+        return data;
     }
 
     @Override

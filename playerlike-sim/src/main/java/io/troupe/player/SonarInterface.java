@@ -34,7 +34,7 @@ public class SonarInterface extends PlayerDevice {
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return takeNew(data);
+        return pc.findsNews(data);
     }
 
     /** True once for each answer. */
@@ -60,9 +60,14 @@ public class SonarInterface extends PlayerDevice {
         }
     }
 
-    /** Switches the sonars on (1) or off (0). */
+    /** Switches the sonars on (1) or off (0); simulated ones are always on and refuse the latter. */
     public void setSonarPower(int state) {
         ask(new DeviceRequest.Power(state != 0));
+    }
+
+    @Override
+    Latest<?> latest() {
+        return data;
     }
 
     @Override

@@ -5,7 +5,6 @@ import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
-import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Frame;
@@ -13,19 +12,19 @@ import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.sim.PortServer.Offer;
-import io.troupe.sim.device.BlobImage;
-import io.troupe.sim.device.Odometry;
 import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
-/** One client of a simulated world. What it has subscribed to and answered is guarded by the simulation's lock. */
+/**
+ * One client of a simulated world.
+ *
+ * <p><b>Threads.</b> Any thread. Everything that changes is guarded by the simulation's lock: what a client says before its answer is with the simulation
+ * when that sees the answer.
+ */
 final class ClientLine implements PlayerConnection {
     private final Simulation simulation;
     private final int port;
@@ -34,8 +33,11 @@ final class ClientLine implements PlayerConnection {
     private final @Nullable ActorSpace space;
     private final int number;
     private final Set<Offer> subscribed = new LinkedHashSet<>();
-    private long answeredTick = -1;
-    private volatile @Nullable String closed;
+    private final PendingCommands pending = new PendingCommands();
+    private boolean begun;
+    private long publishedTick = NO_TICK;
+    private long answeredTick = NO_TICK;
+    private @Nullable String closed;
 
     ClientLine(Simulation simulation, int port, List<Offer> offers, DataSink sink, @Nullable ActorSpace space) {
         this.simulation = simulation;
@@ -46,7 +48,7 @@ final class ClientLine implements PlayerConnection {
         this.number = simulation.add(this);
     }
 
-    // ---- for the simulation
+    // ---- for the simulation, under its lock
 
     @Nullable
     ActorSpace space() {
@@ -54,191 +56,182 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean isSubscribed() {
-        return !subscribed.isEmpty();
+        return closed == null && subscribed.stream().anyMatch(Offer::publishes);
+    }
+
+    /** Whether it has subscribed to what it wants and waits for its first data, or has done so. */
+    boolean hasBegun() {
+        return begun && isSubscribed();
     }
 
     boolean hasAnswered(long tick) {
-        return answeredTick >= tick || closed != null || subscribed.isEmpty();
+        return answeredTick >= tick || !isSubscribed();
     }
 
+    void tickBegins(long tick) {
+        publishedTick = tick;
+        pending.tickBegins();
+    }
+
+    List<Runnable> takeCommands() {
+        return pending.take();
+    }
+
+    // ---- for the simulation, not under its lock
+
     void deliver(Snapshot now) {
-        var messages = new ArrayList<DataMessage>();
-        double timeSeconds = now.timeMicros() / 1e6;
-        List<Offer> wanted = new ArrayList<>();
-        simulation.changed(() -> offers.stream().filter(subscribed::contains).forEach(wanted::add));
-        for (var offer : wanted) {
-            DeviceData data = read(offer, now);
-            if (data != null) {
-                messages.add(new DataMessage(offer.address(), timeSeconds, data));
-            }
+        List<DataMessage> messages = simulation.under(() -> closed != null
+                ? List.of()
+                : offers.stream()
+                        .filter(offer -> offer.publishes() && subscribed.contains(offer))
+                        .map(offer -> DeviceMessages.data(offer, now))
+                        .toList());
+        if (!messages.isEmpty()) {
+            sink.frame(new Frame(now.tick(), now.timeMicros() / 1e6, messages));
         }
-        if (!messages.isEmpty() && closed == null) {
-            sink.frame(new Frame(now.tick(), timeSeconds, messages));
-        }
+    }
+
+    /** The answer of a client on a space, which may have closed itself in the same turn. */
+    void spaceIsIdle(long tick) {
+        simulation.under(() -> answeredTick = Math.max(answeredTick, tick));
     }
 
     void lose(String reason) {
-        if (closed == null) {
-            closed = reason;
+        if (shut(reason)) {
             sink.lost(reason);
         }
-    }
-
-    private static @Nullable DeviceData read(Offer offer, Snapshot now) {
-        if (offer.robot() < 0) {
-            return null;
-        }
-        RobotReading reading = now.robots().get(offer.robot());
-        return switch (offer.type()) {
-            case POSITION2D -> position(reading.odometry());
-            case SONAR ->
-                new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
-                        .map(Double::floatValue)
-                        .toList());
-            case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
-            case SIMULATION -> null;
-        };
-    }
-
-    private static DeviceData position(Odometry odometry) {
-        Pose pose = odometry.pose();
-        return new DeviceData.Position2d(
-                pose.x(),
-                pose.y(),
-                pose.headingRad(),
-                odometry.forwardMps(),
-                0,
-                odometry.turnRadps(),
-                odometry.stalled());
-    }
-
-    /** Stage says 0 x 0 when it sees no blob. */
-    private static DeviceData blobs(BlobImage image) {
-        if (image.blobs().isEmpty()) {
-            return new DeviceData.Blobs(0, 0, List.of());
-        }
-        return new DeviceData.Blobs(
-                image.widthPx(),
-                image.heightPx(),
-                image.blobs().stream()
-                        .map(blob -> new DeviceData.Blob(
-                                0,
-                                blob.colour(),
-                                blob.areaPx2(),
-                                blob.x(),
-                                blob.y(),
-                                blob.left(),
-                                blob.right(),
-                                blob.top(),
-                                blob.bottom(),
-                                (float) blob.rangeM()))
-                        .toList());
     }
 
     // ---- for the client
 
     @Override
     public List<DeviceAddress> devices() {
-        checkOpen();
-        return offers.stream().map(Offer::address).toList();
+        return simulation.under(() -> {
+            checkOpen();
+            return offers.stream().map(Offer::address).toList();
+        });
     }
 
     @Override
     public String driverName(DeviceAddress device) {
-        find(device);
-        return "stage";
+        return simulation.under(() -> {
+            find(device);
+            return "stage";
+        });
     }
 
     @Override
     public void subscribe(DeviceAddress device) {
-        Offer offer = find(device);
-        simulation.changed(() -> {
+        simulation.under(() -> {
+            Offer offer = find(device);
             if (subscribed.add(offer) && offer.type() == Interfaces.POSITION2D) {
                 simulation.countDrivers(offer.robot(), 1);
             }
+            return offer;
         });
     }
 
     @Override
     public void unsubscribe(DeviceAddress device) {
-        Offer offer = find(device);
-        simulation.changed(() -> drop(offer));
+        simulation.under(() -> {
+            Offer offer = find(device);
+            drop(offer);
+            return offer;
+        });
     }
 
     private void drop(Offer offer) {
         if (subscribed.remove(offer) && offer.type() == Interfaces.POSITION2D) {
+            pending.takeAll(offer.robot()).forEach(Runnable::run); // said before it left
             simulation.countDrivers(offer.robot(), -1);
         }
     }
 
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
-        Offer offer = find(device);
-        if (offer.type() == Interfaces.POSITION2D && command instanceof DeviceCommand.Velocity velocity) {
-            if (velocity.enabled()) {
-                simulation.world().command(offer.robot(), velocity.vx(), velocity.va());
-            } else {
-                simulation.world().stop(offer.robot());
+        simulation.under(() -> {
+            Offer offer = find(device);
+            if (offer.type() != Interfaces.POSITION2D) {
+                throw new IllegalArgumentException(offer + " takes no commands");
             }
-        }
+            var velocity = (DeviceCommand.Velocity) command;
+            if (!Double.isFinite(velocity.vx()) || !Double.isFinite(velocity.va())) {
+                throw new IllegalArgumentException(offer + " was told " + velocity + ", expected finite numbers");
+            }
+            World world = simulation.world();
+            int robot = offer.robot();
+            later(
+                    robot,
+                    PendingCommands.Kind.SPEED,
+                    velocity.enabled()
+                            ? () -> world.command(robot, velocity.vx(), velocity.va())
+                            : () -> world.stop(robot));
+            return offer;
+        });
+    }
+
+    private void later(int robot, PendingCommands.Kind kind, Runnable command) {
+        boolean late = publishedTick != NO_TICK && answeredTick >= publishedTick;
+        pending.add(robot, kind, command, late);
     }
 
     @Override
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        Offer offer = find(device);
-        return switch (offer.type()) {
-            case POSITION2D -> answerPosition(offer.robot(), request);
-            case SONAR -> request instanceof DeviceRequest.Geometry ? sonarGeometry(offer.robot()) : refuse(request);
-            case BLOBFINDER, SIMULATION -> refuse(request);
-        };
-    }
-
-    private DeviceReply answerPosition(int robot, DeviceRequest request) {
-        return switch (request) {
-            case DeviceRequest.Geometry geometry -> {
-                RobotSpec spec = robotSpec(robot);
-                Pose origin = spec.origin();
-                yield new DeviceReply.Position2dGeometry(
-                        origin.x(), origin.y(), origin.headingRad(), spec.lengthM(), spec.widthM());
-            }
-            case DeviceRequest.ResetOdometry reset -> rebase(robot, Pose.ORIGIN);
-            case DeviceRequest.SetOdometry set -> rebase(robot, new Pose(set.px(), set.py(), set.pa()));
-            case DeviceRequest.Power power -> refuse(request);
-        };
+        return simulation.under(() -> {
+            Offer offer = find(device);
+            return switch (request) {
+                case DeviceRequest.Geometry geometry when offer.type() == Interfaces.POSITION2D ->
+                    DeviceMessages.positionGeometry(
+                            simulation.world().spec().robots().get(offer.robot()));
+                case DeviceRequest.Geometry geometry when offer.type() == Interfaces.SONAR ->
+                    DeviceMessages.sonarGeometry(
+                            simulation.world().spec().robots().get(offer.robot()));
+                case DeviceRequest.ResetOdometry reset when offer.type() == Interfaces.POSITION2D ->
+                    rebase(offer.robot(), Pose.ORIGIN);
+                case DeviceRequest.SetOdometry set when offer.type() == Interfaces.POSITION2D ->
+                    rebase(offer.robot(), new Pose(set.px(), set.py(), set.pa()));
+                // simulated motors and sonars are always on
+                case DeviceRequest.Power power when power.on() && offer.robot() >= 0 -> new DeviceReply.Ack();
+                default -> new DeviceReply.Nack("the simulator does not offer that for this device");
+            };
+        });
     }
 
     private DeviceReply rebase(int robot, Pose pose) {
-        simulation.world().setOdometry(robot, pose);
+        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
+            return new DeviceReply.Nack("odometry cannot be " + pose + ", expected finite numbers");
+        }
+        World world = simulation.world();
+        later(robot, PendingCommands.Kind.ODOMETRY, () -> world.setOdometry(robot, pose));
         return new DeviceReply.Ack();
-    }
-
-    private DeviceReply sonarGeometry(int robot) {
-        return new DeviceReply.SonarGeometry(
-                Objects.requireNonNull(robotSpec(robot).sonar()).mounts().stream()
-                        .map(mount -> new DeviceReply.SonarMount(mount.x(), mount.y(), mount.headingRad()))
-                        .toList());
-    }
-
-    private static DeviceReply refuse(DeviceRequest request) {
-        return new DeviceReply.Nack("the simulator does not offer " + request + " for this device");
     }
 
     @Override
     public void answered(long tick) {
-        simulation.changed(() -> answeredTick = Math.max(answeredTick, tick));
+        simulation.under(() -> {
+            checkOpen();
+            begun = true;
+            answeredTick = Math.max(answeredTick, tick);
+            return tick;
+        });
     }
 
     @Override
     public void close() {
-        if (closed == null) {
-            closed = "this line to port " + port + " has been closed";
-            simulation.changed(() -> List.copyOf(subscribed).forEach(this::drop));
-            simulation.remove(this);
-        }
+        shut("this line to port " + port + " has been closed");
     }
 
-    private RobotSpec robotSpec(int robot) {
-        return simulation.world().spec().robots().get(robot);
+    /** In one step, so that a tick never sees the client gone and its robot still driving. */
+    private boolean shut(String reason) {
+        return simulation.under(() -> {
+            if (closed != null) {
+                return false;
+            }
+            List.copyOf(subscribed).forEach(this::drop);
+            closed = reason;
+            simulation.remove(this);
+            return true;
+        });
     }
 
     private Offer find(DeviceAddress device) {
@@ -250,17 +243,14 @@ final class ClientLine implements PlayerConnection {
     }
 
     private void checkOpen() {
-        String reason = closed;
-        if (reason != null) {
-            throw new LineClosedException(reason);
+        if (closed != null) {
+            throw new LineClosedException(closed);
         }
     }
 
     @Override
     public String toString() {
-        String devices = subscribed.stream()
-                .map(each -> each.type().playerName() + ":" + each.address().index())
-                .collect(Collectors.joining(" "));
+        String devices = subscribed.stream().map(Offer::toString).collect(Collectors.joining(" "));
         return "client " + number + " on port " + port + " (" + devices
                 + (space == null ? ")" : "; on actor space " + space + ")");
     }

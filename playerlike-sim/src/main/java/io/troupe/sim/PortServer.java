@@ -18,7 +18,16 @@ final class PortServer implements PlayerServer {
     private static final int LOOPBACK = 0x0100007f;
 
     /** A device and the robot it belongs to; -1 for the simulation device. */
-    record Offer(DeviceAddress address, Interfaces type, int robot) {}
+    record Offer(DeviceAddress address, Interfaces type, int robot) {
+        boolean publishes() {
+            return robot >= 0;
+        }
+
+        @Override
+        public String toString() {
+            return type.playerName() + ":" + address.index();
+        }
+    }
 
     private final Simulation simulation;
     private final int port;

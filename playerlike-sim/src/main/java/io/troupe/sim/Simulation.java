@@ -1,9 +1,11 @@
 package io.troupe.sim;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
+import io.troupe.player.wire.LineClosedException;
 import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Scenario;
 import java.time.Duration;
@@ -12,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,11 +22,12 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its clients.
  * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and command from any thread.
- * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, their commands take effect, in the order of robots, and the world
+ * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their answers takes effect, in the order of robots, and the world
  * advances by one interval. Clients of one actor space get their frames in one turn of it and have answered when the space is idle (ADR 0003).
  * <p><b>Errors.</b> {@link UnansweredTickException} if a client does not answer in time.
  */
 public final class Simulation implements AutoCloseable {
+    private static final String CLOSED = "the simulated world has been closed";
     private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
 
     private final World world;
@@ -87,40 +91,56 @@ public final class Simulation implements AutoCloseable {
 
     /** How long a tick may wait for its answers, by the machine's clock; 10 seconds unless set. */
     public void answerLimit(Duration limit) {
+        if (limit.isNegative() || limit.isZero()) {
+            throw new IllegalArgumentException("answer limit is " + limit + ", expected more than nothing");
+        }
         answerLimit = limit;
     }
 
     /** Whether any client has subscribed to anything. */
     public boolean hasSubscribers() {
-        synchronized (lock) {
-            return lines.stream().anyMatch(ClientLine::isSubscribed);
-        }
+        return under(() -> lines.stream().anyMatch(ClientLine::isSubscribed));
     }
 
-    /** Publishes, waits for the answers, and advances the world by one interval. */
+    /**
+     * Publishes, waits for the answers, and advances the world by one interval.
+     *
+     * @throws UnansweredTickException if a client does not answer in time; the world stands where it stood
+     * @throws IllegalStateException if this simulation is closed, or the caller is interrupted while it waits
+     */
     public Snapshot tick() {
         Snapshot now = world.latest();
-        List<ClientLine> audience;
-        synchronized (lock) {
-            audience = lines.stream().filter(ClientLine::isSubscribed).toList();
-        }
+        List<ClientLine> audience = under(() -> {
+            if (closed) {
+                throw new IllegalStateException(CLOSED);
+            }
+            lines.forEach(line -> line.tickBegins(now.tick()));
+            return lines.stream().filter(ClientLine::isSubscribed).toList();
+        });
         publish(now, audience);
         awaitAnswers(now.tick(), audience);
+        // Under the lock in which the last answer was seen: all that was said before the answers is there, what comes later waits for the next tick.
+        under(() -> {
+            lines.forEach(line -> line.takeCommands().forEach(Runnable::run));
+            return now;
+        });
         return world.advance();
     }
 
     /** Disconnects all clients and closes the ports. */
     @Override
     public void close() {
-        List<ClientLine> left;
-        synchronized (lock) {
+        close(CLOSED);
+    }
+
+    /** The same, telling the clients why. */
+    void close(String reason) {
+        List<ClientLine> left = under(() -> {
             closed = true;
-            left = List.copyOf(lines);
-            lines.clear();
-            lock.notifyAll();
-        }
+            return List.copyOf(lines);
+        });
         ports.forEach(PlayerPorts.Registration::close);
-        left.forEach(line -> line.lose("the simulated world has been closed"));
+        left.forEach(line -> line.lose(reason));
     }
 
     private void publish(Snapshot now, List<ClientLine> audience) {
@@ -140,13 +160,19 @@ public final class Simulation implements AutoCloseable {
                 line.deliver(now);
             }
         }
-        bySpace.forEach((space, members) -> {
+        bySpace.forEach((space, members) -> publish(now, nanos, space, members));
+    }
+
+    private void publish(Snapshot now, long nanos, ActorSpace space, List<ClientLine> members) {
+        try {
             space.execute(() -> {
                 clock.advanceTo(nanos); // in the same turn, so that what is due runs after the frames, not beside them
                 members.forEach(line -> line.deliver(now));
             });
-            space.onIdle(() -> members.forEach(line -> line.answered(now.tick())));
-        });
+            space.onIdle(() -> members.forEach(line -> line.spaceIsIdle(now.tick())));
+        } catch (ActorStoppedException spaceIsClosed) {
+            members.forEach(ClientLine::close); // clients end with the space they live on
+        }
     }
 
     private void awaitAnswers(long tick, List<ClientLine> audience) {
@@ -157,9 +183,8 @@ public final class Simulation implements AutoCloseable {
                 whileWaiting.run();
             }
             synchronized (lock) {
-                var silent = audience.stream()
-                        .filter(line -> !line.hasAnswered(tick))
-                        .toList();
+                var silent =
+                        audience.stream().filter(line -> !line.hasAnswered(tick)).toList();
                 if (silent.isEmpty()) {
                     return;
                 }
@@ -181,47 +206,47 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    // ---- for client lines
+    // ---- for client lines and runners
+
+    /** Does something to the clients under the lock that guards them, and lets a tick that waits look again. */
+    <T> T under(Supplier<T> action) {
+        synchronized (lock) {
+            T result = action.get();
+            lock.notifyAll();
+            return result;
+        }
+    }
 
     int add(ClientLine line) {
-        synchronized (lock) {
+        return under(() -> {
             if (closed) {
-                throw new IllegalStateException("the simulated world has been closed");
+                throw new LineClosedException(CLOSED);
             }
             lines.add(line);
             return ++connected;
-        }
+        });
     }
 
     void remove(ClientLine line) {
-        synchronized (lock) {
-            lines.remove(line);
-            lock.notifyAll();
-        }
-    }
-
-    /** Something has changed that a tick may wait for. */
-    void changed(Runnable change) {
-        synchronized (lock) {
-            change.run();
-            lock.notifyAll();
-        }
+        lines.remove(line);
     }
 
     /** Counts who may drive a robot; one that nobody may drive any more stops. */
     void countDrivers(int robot, int change) {
-        synchronized (lock) {
-            drivers[robot] += change;
-            if (drivers[robot] == 0) {
-                world.stop(robot);
-            }
+        drivers[robot] += change;
+        if (drivers[robot] == 0) {
+            world.stop(robot);
         }
     }
 
-    /** Waits until somebody subscribes, or the world is closed; for runners. */
-    boolean awaitSubscriber() throws InterruptedException {
+    boolean isClosed() {
+        return under(() -> closed);
+    }
+
+    /** Waits until so many clients have begun, or the simulation is closed: then it is false. */
+    boolean awaitClients(int count) throws InterruptedException {
         synchronized (lock) {
-            while (!closed && lines.stream().noneMatch(ClientLine::isSubscribed)) {
+            while (!closed && lines.stream().filter(ClientLine::hasBegun).count() < count) {
                 lock.wait();
             }
             return !closed;

@@ -5,9 +5,13 @@ import java.util.List;
 /**
  * A client's line to a server.
  *
- * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link LineClosedException} once the line is closed.
+ * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link LineClosedException} once the line is closed,
+ * and {@link IllegalArgumentException} for a device that the server does not have.
  */
 public interface PlayerConnection extends AutoCloseable {
+    /** Before the first tick, which is 0. */
+    long NO_TICK = -1;
+
     List<DeviceAddress> devices();
 
     /** Name of the driver behind a device, {@code stage} for simulated ones. */
@@ -18,12 +22,16 @@ public interface PlayerConnection extends AutoCloseable {
 
     void unsubscribe(DeviceAddress device);
 
-    /** Never answered; counts from the next tick on. */
+    /** Never answered by the device. Counts from the end of the tick in which it is sent; sent after {@link #answered}, from the end of the next one. */
     void command(DeviceAddress device, DeviceCommand command);
 
     DeviceReply request(DeviceAddress device, DeviceRequest request);
 
-    /** Lock step: this client has done what it wants to do about the frame of that tick and waits for a newer one. */
+    /**
+     * Lock step: this client has done what it wants to do about the frame of that tick and waits for a newer one.
+     *
+     * @param tick {@link #NO_TICK} while it waits for its first
+     */
     void answered(long tick);
 
     @Override

@@ -1,18 +1,19 @@
 package io.troupe.player.structures.position2d;
 
+import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
 /** A velocity command; state 0 stops the motors. */
 public class PlayerPosition2dCmdVel {
-    private PlayerPose2d vel = new PlayerPose2d();
+    private PlayerPose vel = new PlayerPose();
     private byte state;
 
-    public synchronized PlayerPose2d getVel() {
+    public synchronized PlayerPose getVel() {
         return vel;
     }
 
     public synchronized void setVel(PlayerPose2d value) {
-        vel = value;
+        vel = PlayerPose.of(value);
     }
 
     public synchronized byte getState() {

@@ -1,6 +1,7 @@
 package io.troupe.player.structures.position2d;
 
 import io.troupe.player.structures.PlayerPose;
+import io.troupe.player.structures.PlayerPose2d;
 
 /** What position2d reports. */
 public class PlayerPosition2dData {
@@ -12,16 +13,16 @@ public class PlayerPosition2dData {
         return pos;
     }
 
-    public synchronized void setPos(PlayerPose value) {
-        pos = value;
+    public synchronized void setPos(PlayerPose2d value) {
+        pos = PlayerPose.of(value);
     }
 
     public synchronized PlayerPose getVel() {
         return vel;
     }
 
-    public synchronized void setVel(PlayerPose value) {
-        vel = value;
+    public synchronized void setVel(PlayerPose2d value) {
+        vel = PlayerPose.of(value);
     }
 
     public synchronized byte getStall() {

@@ -2,6 +2,7 @@ package io.troupe.player.structures.position2d;
 
 import io.troupe.player.structures.PlayerBbox;
 import io.troupe.player.structures.PlayerPose;
+import io.troupe.player.structures.PlayerPose2d;
 
 /** The body in the robot's frame: its centre and its size. */
 public class PlayerPosition2dGeom {
@@ -12,8 +13,8 @@ public class PlayerPosition2dGeom {
         return pose;
     }
 
-    public synchronized void setPose(PlayerPose value) {
-        pose = value;
+    public synchronized void setPose(PlayerPose2d value) {
+        pose = PlayerPose.of(value);
     }
 
     public synchronized PlayerBbox getSize() {

@@ -1,0 +1,76 @@
+package io.troupe.sim;
+
+import io.troupe.player.wire.DataMessage;
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.Odometry;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import java.util.Objects;
+
+/** Readings of the world in the words of Player. */
+final class DeviceMessages {
+    private DeviceMessages() {}
+
+    static DataMessage data(Offer offer, Snapshot now) {
+        RobotReading reading = now.robots().get(offer.robot());
+        DeviceData data =
+                switch (offer.type()) {
+                    case POSITION2D -> position(reading.odometry());
+                    case SONAR ->
+                        new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
+                                .map(Double::floatValue)
+                                .toList());
+                    case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
+                    case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
+                };
+        return new DataMessage(offer.address(), now.timeMicros() / 1e6, data);
+    }
+
+    private static DeviceData position(Odometry odometry) {
+        Pose pose = odometry.pose();
+        return new DeviceData.Position2d(
+                pose.x(),
+                pose.y(),
+                pose.headingRad(),
+                odometry.forwardMps(),
+                0,
+                odometry.turnRadps(),
+                odometry.stalled());
+    }
+
+    /** The image is 0 x 0 when it shows no blob, as Stage's is. */
+    private static DeviceData blobs(BlobImage image) {
+        boolean empty = image.blobs().isEmpty();
+        return new DeviceData.Blobs(
+                empty ? 0 : image.widthPx(),
+                empty ? 0 : image.heightPx(),
+                image.blobs().stream()
+                        .map(blob -> new DeviceData.Blob(
+                                0,
+                                blob.colour(),
+                                blob.areaPx2(),
+                                blob.x(),
+                                blob.y(),
+                                blob.left(),
+                                blob.right(),
+                                blob.top(),
+                                blob.bottom(),
+                                (float) blob.rangeM()))
+                        .toList());
+    }
+
+    static DeviceReply positionGeometry(RobotSpec robot) {
+        Pose origin = robot.origin();
+        return new DeviceReply.Position2dGeometry(
+                origin.x(), origin.y(), origin.headingRad(), robot.lengthM(), robot.widthM());
+    }
+
+    static DeviceReply sonarGeometry(RobotSpec robot) {
+        return new DeviceReply.SonarGeometry(Objects.requireNonNull(robot.sonar()).mounts().stream()
+                .map(mount -> new DeviceReply.SonarMount(mount.x(), mount.y(), mount.headingRad()))
+                .toList());
+    }
+}

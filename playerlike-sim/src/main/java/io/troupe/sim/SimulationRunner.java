@@ -1,0 +1,92 @@
+package io.troupe.sim;
+
+import java.lang.System.Logger.Level;
+import java.util.Objects;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Ticks a simulation as long as it has clients, on a thread of its own.
+ *
+ * <p><b>Role.</b> For programs that know of nothing but their Player client. Started for a simulation, which it leaves open when it is closed.
+ * <p><b>Threads.</b> A daemon thread; nobody else may tick the simulation before or meanwhile.
+ * <p><b>Order.</b> Time stands still until the given number of clients have subscribed and wait for their first data (by {@code runThreaded},
+ * {@code readAll}, {@code isDataReady} or {@code nextData}): so all of them start at the same moment in every run. It stands still again while there is no
+ * client.
+ * <p><b>Errors.</b> Whatever a tick or the observer throws ends the run, disconnects the clients with the same message, and is thrown by {@link #close}.
+ */
+public final class SimulationRunner implements AutoCloseable {
+    private final Simulation simulation;
+    private final int clients;
+    private final Consumer<Snapshot> observer;
+    private final Thread thread;
+    private volatile boolean stopping;
+    private volatile @Nullable RuntimeException failure;
+
+    private SimulationRunner(Simulation simulation, int clients, Consumer<Snapshot> observer) {
+        this.simulation = simulation;
+        this.clients = clients;
+        this.observer = observer;
+        this.thread = Thread.ofPlatform()
+                .name("simulation-" + simulation.world().spec().name())
+                .daemon()
+                .unstarted(this::run);
+    }
+
+    /**
+     * Starts a runner.
+     *
+     * @param clients how many it waits for before the first tick
+     * @param observer gets every snapshot that a tick leads to, on the runner's thread
+     */
+    public static SimulationRunner start(Simulation simulation, int clients, Consumer<Snapshot> observer) {
+        Objects.requireNonNull(observer, "observer");
+        if (clients < 1) {
+            throw new IllegalArgumentException("clients is " + clients + ", expected at least 1");
+        }
+        var runner = new SimulationRunner(simulation, clients, observer);
+        runner.thread.start();
+        return runner;
+    }
+
+    private void run() {
+        try {
+            boolean open = simulation.awaitClients(clients);
+            while (open && !stopping) {
+                observer.accept(simulation.tick());
+                open = simulation.awaitClients(1);
+            }
+        } catch (InterruptedException stopped) {
+            // by close(), the only one who knows this thread
+        } catch (RuntimeException thrown) {
+            if (!stopping && !simulation.isClosed()) {
+                failure = thrown;
+                System.getLogger(SimulationRunner.class.getName()).log(Level.ERROR, "the simulation has ended", thrown);
+                simulation.close("the simulation has ended: " + thrown.getMessage());
+            }
+        }
+    }
+
+    /** Whether it may still tick. */
+    public boolean isRunning() {
+        return thread.isAlive();
+    }
+
+    /** Stops after the current tick, or in the middle of its waiting, and throws what ended the run if something did. */
+    @Override
+    public void close() {
+        stopping = true;
+        if (Thread.currentThread() != thread) {
+            thread.interrupt();
+            try {
+                thread.join();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+        RuntimeException thrown = failure;
+        if (thrown != null) {
+            throw thrown;
+        }
+    }
+}

@@ -1,0 +1,240 @@
+package io.troupe.player;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.structures.PlayerConstants;
+import java.time.Duration;
+import java.util.ArrayList;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** When a client answers a tick, and when a frame becomes visible to its program. */
+@Timeout(60)
+class AnswerTest {
+    private final ScriptedServer server = new ScriptedServer();
+    private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);
+    private final PlayerClient client = new PlayerClient("localhost", ScriptedServer.PORT);
+    private final Position2DInterface pos = client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+    private final SonarInterface son = client.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE);
+
+    @AfterEach
+    void close() {
+        client.close();
+        port.close();
+    }
+
+    // ---- without a thread
+
+    @Test
+    void readAll_answers_onlyWhenItWaits() {
+        server.publish(0);
+        client.readAll();
+        assertThat(pos.isDataReady()).isTrue();
+        assertThat(son.isDataReady()).isFalse();
+        client.readAll();
+        assertThat(pos.isDataReady()).as("nothing new, but the sonar is still unseen").isFalse();
+        assertThat(pos.isDataReady()).isFalse();
+        assertThat(server.answered()).isLessThan(0);
+        assertThat(son.isDataReady()).isTrue();
+        server.publishAfter(0, 1); // only a waiting readAll can bring it
+        client.readAll();
+        assertThat(server.answered()).isZero();
+        assertThat(pos.getX()).isEqualTo(1);
+    }
+
+    @Test
+    void readAll_hasNothingLeft_saysThatTheServerHasGone() {
+        server.publish(0);
+        server.vanish();
+        assertThat(client.readAll()).isEqualTo(PlayerConstants.PLAYER_MSGTYPE_DATA);
+        assertThat(client.readAll()).isEqualTo(PlayerConstants.PLAYER_MSGTYPE_DATA);
+        assertThatThrownBy(client::readAll)
+                .isInstanceOf(PlayerException.class)
+                .hasMessage("the scripted server has gone");
+    }
+
+    // ---- threaded
+
+    @Test
+    void frame_becomesVisibleAsAWhole_forWhoWaitsForOneDeviceAndReadsAnother() {
+        client.runThreaded(-1, -1);
+        for (long tick = 0; tick < 2_000; tick++) {
+            server.publishAfter(tick - 1, tick);
+            while (!pos.isDataReady())
+                ;
+            assertThat(son.getData().getRanges()[0]).isEqualTo((float) tick);
+        }
+    }
+
+    @Test
+    void question_isNoAnswer_whileTheOtherDeviceIsUnseen_unlessItIsRepeated() {
+        client.runThreaded(-1, -1);
+        server.publish(0);
+        awaitFirst();
+        assertThat(pos.isDataReady()).isTrue();
+        assertThat(pos.isDataReady()).isFalse();
+        assertThat(server.answered()).as("the sonar is unseen").isLessThan(0);
+        assertThat(pos.isDataReady()).isFalse();
+        assertThat(server.answered()).as("asked in vain again").isZero();
+    }
+
+    @Test
+    void question_isTheAnswer_whenEverythingWasSeen() {
+        client.runThreaded(-1, -1);
+        server.publish(0);
+        awaitFirst();
+        assertThat(pos.isDataReady()).isTrue();
+        assertThat(son.isDataReady()).isTrue();
+        assertThat(server.answered()).isLessThan(0);
+        assertThat(pos.isDataReady()).isFalse();
+        assertThat(server.answered()).isZero();
+    }
+
+    @Test
+    void frame_becomesVisible_whereTheProgramWaits_andNotBeside() {
+        client.runThreaded(-1, -1);
+        server.publish(0);
+        awaitFirst();
+        assertThat(pos.isDataReady()).isTrue();
+        assertThat(son.isDataReady()).isTrue();
+        assertThat(pos.isDataReady()).isFalse();
+        server.publish(1);
+        assertThat(son.isDataReady()).as("in the middle of its loop").isFalse();
+        assertThat(pos.getX()).isZero();
+        assertThat(pos.isDataReady()).as("where it waits").isTrue();
+        assertThat(son.isDataReady()).isTrue();
+    }
+
+    @Test
+    void frame_becomesVisible_whereTheProgramWaitsNow_ifItDoesNotComeBack() {
+        var blf = client.requestInterfaceBlobfinder(0, PlayerConstants.PLAYER_OPEN_MODE);
+        client.runThreaded(-1, -1);
+        server.publish(0);
+        awaitFirst();
+        assertThat(pos.isDataReady() & son.isDataReady() & blf.isDataReady()).isTrue();
+        assertThat(pos.isDataReady()).isFalse();
+        server.publish(1);
+        assertThat(son.isDataReady()).isFalse();
+        assertThat(blf.isDataReady()).isFalse();
+        assertThat(son.isDataReady()).as("a second time, and not the position").isTrue();
+    }
+
+    @Test
+    void firstFrame_becomesVisible_withoutAsking() {
+        client.runThreaded(-1, -1);
+        assertThat(server.answered()).as("waits for its first data").isEqualTo(-1);
+        server.publish(0);
+        awaitFirst();
+        assertThat(son.getData().getRanges()).containsExactly(0f);
+    }
+
+    @Test
+    void frames_ofAServerThatDoesNotWait_becomeVisible_toAProgramThatDoesNotAsk() {
+        client.runThreaded(-1, -1);
+        assertThat(pos.isDataReady()).isFalse();
+        server.publish(0);
+        server.publish(1);
+        while (pos.getData() == null || pos.getX() < 1) {
+            Thread.onSpinWait();
+        }
+        assertThat(son.getTimestamp()).isEqualTo(0.1);
+    }
+
+    @Test
+    void promise_off_spaces_answersAndComesWithTheFrame() throws Exception {
+        client.runThreaded(-1, -1);
+        server.publish(0);
+        awaitFirst();
+        var next = client.nextData();
+        assertThat(server.answered()).isZero();
+        server.publish(1);
+        next.get(Duration.ofSeconds(30));
+        assertThat(pos.getX()).isEqualTo(1);
+    }
+
+    @Test
+    void question_ofAnInterruptedThread_isFalse_andItStaysInterrupted() {
+        client.runThreaded(-1, -1);
+        Thread.currentThread().interrupt();
+        assertThat(pos.isDataReady()).isFalse();
+        assertThat(Thread.interrupted()).isTrue();
+    }
+
+    @Test
+    void closedClient_throwsFromEveryCall() {
+        client.runThreaded(-1, -1);
+        client.close();
+        assertThat(client.isAlive()).isFalse();
+        assertThat(server.closed).isTrue();
+        assertThatThrownBy(pos::isDataReady)
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("this client is closed");
+        assertThatThrownBy(client::readAll)
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("this client is closed");
+        assertThat(client.nextData().error()).isInstanceOf(PlayerException.class);
+    }
+
+    @Test
+    void thread_startsOnce() {
+        client.runThreaded(-1, -1);
+        client.runThreaded(-1, -1); // only a warning
+        assertThat(client.isAlive()).isTrue();
+        assertThat(client.isDaemon()).as("it keeps the JVM alive").isFalse();
+        assertThat(client.readAll()).isZero();
+        client.setNotThreaded();
+        assertThat(client.isAlive()).isFalse();
+        assertThatThrownBy(() -> client.runThreaded(-1, -1)).isInstanceOf(PlayerException.class);
+        server.publish(0);
+        assertThat(client.readAll()).as("reads by itself again").isEqualTo(PlayerConstants.PLAYER_MSGTYPE_DATA);
+    }
+
+    // ---- on an actor space
+
+    @Test
+    void clientOnASpace_seesTheFrameInItsTurn_andAnswersByAskingTwice() {
+        var own = new ScriptedServer();
+        var ownPort = PlayerPorts.open(ScriptedServer.PORT + 1, own);
+        try (var test = new TestSpace()) {
+            var seen = new ArrayList<Object>();
+            test.run(() -> {
+                var robot = new PlayerClient("localhost", ScriptedServer.PORT + 1);
+                var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+                robot.runThreaded(-1, -1);
+                assertThat(robot.isAlive()).isFalse();
+                robot.nextData().then(ready -> seen.add(wheels.getX()));
+                own.publish(7);
+                seen.add(wheels.isDataReady());
+                seen.add(wheels.isDataReady());
+                seen.add(own.answered());
+                seen.add(wheels.isDataReady());
+                seen.add(own.answered());
+            });
+            assertThat(seen).contains(7.0).containsSubsequence(true, false, -1L, false, 7L);
+        } finally {
+            ownPort.close();
+        }
+    }
+
+    @Test
+    void readAll_onASpace_isRefused_becauseItWouldHoldTheThread() {
+        try (var test = new TestSpace()) {
+            test.run(() -> {
+                var robot = new PlayerClient("localhost", ScriptedServer.PORT);
+                assertThatThrownBy(robot::readAll)
+                        .isInstanceOf(PlayerException.class)
+                        .hasMessageContaining("use nextData()");
+            });
+        }
+    }
+
+    /** The reader shows the first frame by itself; a question would be an answer. */
+    private void awaitFirst() {
+        while (pos.getData() == null || son.getData() == null) {
+            Thread.onSpinWait();
+        }
+    }
+}

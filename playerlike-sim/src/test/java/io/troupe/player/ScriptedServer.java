@@ -1,0 +1,137 @@
+package io.troupe.player;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.player.wire.DataMessage;
+import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.DeviceAddress;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.Frame;
+import io.troupe.player.wire.Interfaces;
+import io.troupe.player.wire.PlayerConnection;
+import io.troupe.player.wire.PlayerServer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
+
+/** A server for one client: it publishes when the test says so and remembers which ticks the client has answered. */
+final class ScriptedServer implements PlayerServer, PlayerConnection {
+    static final int PORT = 6750;
+    private static final List<Interfaces> TYPES =
+            List.of(Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER);
+
+    final List<DeviceCommand> commands = new CopyOnWriteArrayList<>();
+    final AtomicBoolean closed = new AtomicBoolean();
+    private final Set<Integer> subscribed = new ConcurrentSkipListSet<>();
+    private final List<Long> answers = new ArrayList<>();
+    private @Nullable DataSink sink;
+
+    /** Publishes a frame: every position, range and blob of it says the number of its tick. */
+    void publish(long tick) {
+        double seconds = tick / 10.0;
+        var messages = TYPES.stream()
+                .filter(type -> subscribed.contains(type.code()))
+                .map(type -> new DataMessage(address(type), seconds, data(type, tick)))
+                .toList();
+        sink.frame(new Frame(tick, seconds, messages));
+    }
+
+    void vanish() {
+        sink.lost("the scripted server has gone");
+    }
+
+    /** The newest tick the client has answered; -2 if it has not even asked for the first. */
+    synchronized long answered() {
+        return answers.isEmpty() ? -2 : answers.stream().mapToLong(Long::longValue).max().orElseThrow();
+    }
+
+    synchronized void awaitAnswer(long tick) throws InterruptedException {
+        while (answered() < tick) {
+            wait();
+        }
+    }
+
+    /** Publishes a tick on another thread as soon as an earlier one has been answered. */
+    Thread publishAfter(long answeredTick, long tick) {
+        return Thread.ofPlatform().daemon().start(() -> {
+            try {
+                awaitAnswer(answeredTick);
+                publish(tick);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        });
+    }
+
+    private static DeviceAddress address(Interfaces type) {
+        return new DeviceAddress(0, PORT, type.code(), 0);
+    }
+
+    private static DeviceData data(Interfaces type, long tick) {
+        return switch (type) {
+            case POSITION2D -> new DeviceData.Position2d(tick, 0, 0, 0, 0, 0, false);
+            case SONAR -> new DeviceData.SonarRanges(List.of((float) tick));
+            case BLOBFINDER ->
+                new DeviceData.Blobs(80, 60, List.of(new DeviceData.Blob(0, (int) tick, 1, 0, 0, 0, 0, 0, 0, 1)));
+            case SIMULATION -> throw new AssertionError("publishes nothing");
+        };
+    }
+
+    @Override
+    public String banner() {
+        return "scripted";
+    }
+
+    @Override
+    public PlayerConnection connect(DataSink newSink, @Nullable ActorSpace space) {
+        sink = newSink;
+        return this;
+    }
+
+    @Override
+    public List<DeviceAddress> devices() {
+        return TYPES.stream().map(ScriptedServer::address).toList();
+    }
+
+    @Override
+    public String driverName(DeviceAddress device) {
+        return "script";
+    }
+
+    @Override
+    public void subscribe(DeviceAddress device) {
+        subscribed.add(device.interfaceCode());
+    }
+
+    @Override
+    public void unsubscribe(DeviceAddress device) {
+        subscribed.remove(device.interfaceCode());
+    }
+
+    @Override
+    public void command(DeviceAddress device, DeviceCommand command) {
+        commands.add(command);
+    }
+
+    @Override
+    public DeviceReply request(DeviceAddress device, DeviceRequest request) {
+        return new DeviceReply.Nack("not in the script");
+    }
+
+    @Override
+    public synchronized void answered(long tick) {
+        answers.add(tick);
+        notifyAll();
+    }
+
+    @Override
+    public void close() {
+        closed.set(true);
+    }
+}
