@@ -23,9 +23,9 @@ record CompareOptions(
               --workloads a,b    these workloads: %s
               --figure file.svg  draws the ratios
             """.formatted(
-                    String.join(",", Contenders.labels()),
-                    String.join(
-                            ",", Arrays.stream(Workload.values()).map(Workload::label).toList()));
+            String.join(",", Contenders.labels()),
+            String.join(
+                    ",", Arrays.stream(Workload.values()).map(Workload::label).toList()));
 
     static CompareOptions parse(String... args) {
         var options = new CompareOptions(20, 2_000, 1, Contenders.labels(), List.of(Workload.values()), null);
@@ -40,20 +40,21 @@ record CompareOptions(
 
     private CompareOptions with(String option, String value) {
         return switch (option) {
-            case "--rounds" -> new CompareOptions(
-                    positive(option, value), warmUpMillis, seed, contenders, workloads, figure);
-            case "--warm-up" -> new CompareOptions(
-                    rounds, positive(option, value), seed, contenders, workloads, figure);
-            case "--seed" -> new CompareOptions(
-                    rounds, warmUpMillis, Long.parseLong(value), contenders, workloads, figure);
+            case "--rounds" ->
+                new CompareOptions(positive(option, value), warmUpMillis, seed, contenders, workloads, figure);
+            case "--warm-up" ->
+                new CompareOptions(rounds, positive(option, value), seed, contenders, workloads, figure);
+            case "--seed" ->
+                new CompareOptions(rounds, warmUpMillis, Long.parseLong(value), contenders, workloads, figure);
             case "--only" -> new CompareOptions(rounds, warmUpMillis, seed, withLimit(value), workloads, figure);
-            case "--workloads" -> new CompareOptions(
-                    rounds,
-                    warmUpMillis,
-                    seed,
-                    contenders,
-                    Arrays.stream(value.split(",")).map(Workload::named).toList(),
-                    figure);
+            case "--workloads" ->
+                new CompareOptions(
+                        rounds,
+                        warmUpMillis,
+                        seed,
+                        contenders,
+                        Arrays.stream(value.split(",")).map(Workload::named).toList(),
+                        figure);
             case "--figure" -> new CompareOptions(rounds, warmUpMillis, seed, contenders, workloads, Path.of(value));
             default -> throw new IllegalArgumentException("no option " + option);
         };

@@ -18,17 +18,12 @@ record CompareReport(CompareOptions options, Map<Workload, Map<String, List<Doub
         var text = new StringBuilder();
         text.append(format(
                 "Java %s, %d processors, %d rounds, seed %d%n%n",
-                Runtime.version(),
-                Runtime.getRuntime().availableProcessors(),
-                options.rounds(),
-                options.seed()));
-        text.append("| workload | contender | ns per operation | ratio to the limit, same round |\n|---|---|---|---|\n");
+                Runtime.version(), Runtime.getRuntime().availableProcessors(), options.rounds(), options.seed()));
+        text.append(
+                "| workload | contender | ns per operation | ratio to the limit, same round |\n|---|---|---|---|\n");
         nanos.forEach((workload, results) -> results.forEach((name, values) -> text.append(format(
                 "| %s | %s | %s | %s |%n",
-                workload.label(),
-                name,
-                cell(Quartiles.of(values)),
-                cell(Quartiles.of(ratios(results, name)))))));
+                workload.label(), name, cell(Quartiles.of(values)), cell(Quartiles.of(ratios(results, name)))))));
         return text.toString();
     }
 
@@ -59,7 +54,9 @@ record CompareReport(CompareOptions options, Map<Workload, Map<String, List<Doub
         var panels = new StringBuilder();
         int top = 10;
         for (var panel : nanos.entrySet()) {
-            panels.append(format("<text x='10' y='%d' class='t'>%s</text>%n", top + 12, panel.getKey().label()));
+            panels.append(format(
+                    "<text x='10' y='%d' class='t'>%s</text>%n",
+                    top + 12, panel.getKey().label()));
             top += 20;
             for (String name : panel.getValue().keySet()) {
                 panels.append(bar(name, Quartiles.of(ratios(panel.getValue(), name)), top));
@@ -68,9 +65,11 @@ record CompareReport(CompareOptions options, Map<Workload, Map<String, List<Doub
             top += PANEL_GAP - 20;
         }
         int width = LABEL_WIDTH + 5 * DECADE_WIDTH + 80;
-        return format("<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %d %d' font-family='sans-serif'"
-                        + " font-size='11'>%n<style>.t{font-weight:bold}.b{fill:#8fb3d9}.m{fill:#d9822b}.q{stroke:#333}</style>%n"
-                        + "<rect width='100%%' height='100%%' fill='white'/>%n", width, top + 20)
+        return format(
+                        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %d %d' font-family='sans-serif'"
+                                + " font-size='11'>%n<style>.t{font-weight:bold}.b{fill:#8fb3d9}.m{fill:#d9822b}.q{stroke:#333}</style>%n"
+                                + "<rect width='100%%' height='100%%' fill='white'/>%n",
+                        width, top + 20)
                 + panels
                 + format(
                         "<text x='10' y='%d'>time per operation as a multiple of the limit's, logarithmic; line: quartiles</text>%n</svg>%n",

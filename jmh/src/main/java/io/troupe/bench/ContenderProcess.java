@@ -34,7 +34,10 @@ final class ContenderProcess {
         } catch (Throwable failure) {
             failure.printStackTrace();
         } finally {
-            Runtime.getRuntime().halt(status); // whatever threads a library leaves behind; Kontraktor's timer would keep the JVM alive
+            Runtime.getRuntime()
+                    .halt(
+                            status); // whatever threads a library leaves behind; Kontraktor's timer would keep the JVM
+                                     // alive
         }
     }
 

@@ -7,11 +7,12 @@ import org.jctools.queues.varhandle.MpscVarHandleArrayQueue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What every other time is compared with: the least anybody does who hands messages to one thread. A thread that only spins on a bounded ring of
+ * What every other time is compared with: the least anybody does who hands messages to one thread. A thread that spins on a bounded ring of
  * JCTools, a plain {@code ArrayDeque} inside, no types, no errors, no parking, one object sent again and again by {@code tell}.
  */
 final class Limit implements Contender {
     private static final int SLOTS = 1 << 16;
+    private static final int SPINS_BEFORE_YIELD = 1_000;
     private static final Object ADD = new Object();
 
     private final Finish finish = new Finish();
@@ -51,8 +52,10 @@ final class Limit implements Contender {
 
     private void spin() {
         int received = 0;
+        int spins = 0;
         while (true) {
             Object message = inbox.poll();
+            spins = message == null ? (spins + 1) & Integer.MAX_VALUE : 0;
             if (message == ADD) {
                 sum += received++;
                 if (received == expected) {
@@ -60,16 +63,25 @@ final class Limit implements Contender {
                     finish.reach();
                 }
             } else if (message == null) {
-                pause();
+                pause(spins);
             } else {
                 handle(message);
             }
         }
     }
 
-    private void pause() {
+    private void pause(int spins) {
         if (resting) {
             LockSupport.park();
+        } else {
+            spinOrYield(spins);
+        }
+    }
+
+    /** Yields now and then: two threads that only spin on one core would wait for each other for whole time slices. */
+    private static void spinOrYield(int spins) {
+        if (spins % SPINS_BEFORE_YIELD == SPINS_BEFORE_YIELD - 1) {
+            Thread.yield();
         } else {
             Thread.onSpinWait();
         }
@@ -172,8 +184,8 @@ final class Limit implements Contender {
         for (int i = 0; i < asks; i++) {
             var ask = new Ask(left);
             send(ask);
-            while (ask.answer < 0) {
-                Thread.onSpinWait();
+            for (int spins = 0; ask.answer < 0; spins++) {
+                spinOrYield(spins);
             }
         }
     }
