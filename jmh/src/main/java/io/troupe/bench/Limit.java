@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Limit implements Contender {
     private static final int SLOTS = 1 << 16;
-    private static final int SPINS_BEFORE_YIELD = 1_000;
+    private static final int SPINS_BEFORE_YIELD = 20;
     private static final Object ADD = new Object();
 
     private final Finish finish = new Finish();
