@@ -35,9 +35,8 @@ final class ContenderProcess {
             failure.printStackTrace();
         } finally {
             Runtime.getRuntime()
-                    .halt(
-                            status); // whatever threads a library leaves behind; Kontraktor's timer would keep the JVM
-                                     // alive
+                    .halt(status); // whatever threads a library leaves behind; Kontraktor's timer would keep the JVM
+            // alive
         }
     }
 

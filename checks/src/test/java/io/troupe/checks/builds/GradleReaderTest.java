@@ -153,8 +153,7 @@ class GradleReaderTest {
                 [libraries]
                 fst = { module = "a:fst", version.ref = "fst" }
                 """);
-        assertThat(catalog.library(Scope.COMPILE, "fst"))
-                .isEqualTo(new Dependency(Scope.COMPILE, "a:fst", "2.57"));
+        assertThat(catalog.library(Scope.COMPILE, "fst")).isEqualTo(new Dependency(Scope.COMPILE, "a:fst", "2.57"));
     }
 
     @ParameterizedTest
