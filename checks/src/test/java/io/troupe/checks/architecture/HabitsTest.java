@@ -53,10 +53,10 @@ class HabitsTest {
     }
 
     @Test
-    void standardStreams_areUsedByTheCommandLineOnly() {
+    void standardStreams_areUsedByCommandLinesOnly() {
         noClasses()
                 .that()
-                .resideOutsideOfPackage("io.troupe.demo..")
+                .resideOutsideOfPackages("io.troupe.demo..", "io.troupe.bench..")
                 .should(ACCESS_STANDARD_STREAMS)
                 .check(Classes.MAIN);
     }

@@ -2,6 +2,7 @@ package io.troupe.checks.architecture;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Which library is allowed in which room. */
@@ -19,6 +20,13 @@ class LibrariesTest {
     @Test
     void objenesis_staysInTheActorRoom() {
         library("org.objenesis..", "io.troupe.actor");
+    }
+
+    @Test
+    void peers_stayInTheBenchmarks() {
+        for (String peer : List.of("org.jctools..", "io.vertx..", "org.apache.pekko..", "org.nustaq..")) {
+            library(peer, "io.troupe.bench..");
+        }
     }
 
     @Test

@@ -145,6 +145,17 @@ class GradleReaderTest {
         assertThat(GradleReader.unusedLibraries(root)).containsExactly("my.asm");
     }
 
+    @Test
+    void version_thatIsStrict_isReadWithoutItsMark() {
+        var catalog = new VersionCatalog("""
+                [versions]
+                fst = "2.57!!"
+                [libraries]
+                fst = { module = "a:fst", version.ref = "fst" }
+                """);
+        assertThat(catalog.library(Scope.COMPILE, "fst")).isEqualTo(new Dependency(Scope.COMPILE, "a:fst", "2.57"));
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
