@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** When a client answers a tick, and when a frame becomes visible to its program. */
-@Timeout(60)
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nobody can interrupt a busy loop
 class AnswerTest {
     private final ScriptedServer server = new ScriptedServer();
     private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);
