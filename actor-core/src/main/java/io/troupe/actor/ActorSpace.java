@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
@@ -11,6 +12,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.Set;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -32,6 +34,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single thread.
  */
 public final class ActorSpace extends Home implements AutoCloseable {
+    private static final int OFFLOAD_LIMIT = 256;
     private static final long GRACE_NANOS = 1_000_000_000;
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
@@ -47,6 +50,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     private final AtomicLong spawned = new AtomicLong();
     private final AtomicBoolean closing = new AtomicBoolean();
     private final boolean closeable;
+    private final Offload offload = new Offload(OFFLOAD_LIMIT);
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Runnable clockRegistration;
     private @Nullable Thread thread; // the one that serves now; only ever equal to a reader that set it itself
@@ -111,11 +115,24 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     /** Stops the actor behind a proxy of this space after the messages already in its mailbox. */
     public void stop(Object proxy) {
+        enqueue(new Entry(cellOf(proxy)::stop));
+    }
+
+    /**
+     * Watches an actor of this space.
+     *
+     * @return fulfilled when the actor has stopped, for whatever reason; at once if it has
+     */
+    public Promise<@Nullable Void> whenStopped(Object proxy) {
+        return cellOf(proxy).ended();
+    }
+
+    private ActorCell cellOf(Object proxy) {
         if (!(proxy instanceof ActorProxy actor) || actor.troupe$cell().space() != this) {
             throw new IllegalArgumentException("not a proxy of an actor in space " + this + ": "
                     + proxy.getClass().getName());
         }
-        enqueue(new Entry(actor.troupe$cell()::stop));
+        return actor.troupe$cell();
     }
 
     /** Runs a task on the space's thread, in its turn. */
@@ -123,6 +140,41 @@ public final class ActorSpace extends Home implements AutoCloseable {
         Objects.requireNonNull(task, "task");
         checkOpen("execute(..)");
         enqueue(new Entry(() -> runGuarded(task)));
+    }
+
+    /**
+     * Runs blocking work on a virtual thread, {@value #OFFLOAD_LIMIT} at a time in one space.
+     *
+     * @return settled with what the work answers or throws
+     */
+    public <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
+        return offload.run(Objects.requireNonNull(work, "work"));
+    }
+
+    /** Fulfilled after a while, by this space's clock. */
+    public Promise<@Nullable Void> delay(Duration duration) {
+        var over = new Deferred<@Nullable Void>();
+        schedule(duration.toNanos(), () -> over.resolve(null));
+        return over;
+    }
+
+    /**
+     * Tries until a promise is fulfilled.
+     *
+     * @param tries how often at the most
+     * @param pause between the end of one try and the beginning of the next
+     * @return the first value, or the error of the last try
+     */
+    public <T extends @Nullable Object> Promise<T> retry(
+            int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
+        if (tries < 1) {
+            throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
+        }
+        Promise<T> first = Promise.done().thenCompose(begin -> attempt.get());
+        return tries == 1
+                ? first
+                : first.exceptionallyCompose(
+                        error -> delay(pause).thenCompose(over -> retry(tries - 1, pause, attempt)));
     }
 
     /** Runs an action on the space's thread as soon as nothing waits there: no entry in any queue, no timer due. */
@@ -253,12 +305,12 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     @Override
     protected @Nullable Object owner() {
-        return current;
+        return current == null ? null : current.life();
     }
 
     @Override
     protected boolean runFor(Object owner, Runnable listener) {
-        return ((ActorCell) owner).run("a listener", listener);
+        return ((Life) owner).run("a listener", listener);
     }
 
     @Override
@@ -303,9 +355,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
         var self = new Timer[1];
+        Life life = cell.life();
         self[0] = dispatcher.timers.set(
                 () -> {
-                    if (!cell.run("a timer", task)) {
+                    if (!life.run("a timer", task)) {
                         self[0].cancel();
                     }
                 },
@@ -316,6 +369,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     void stop(ActorCell cell) {
         cell.stop();
+    }
+
+    /** Before whatever waits in the mailboxes. */
+    void runNext(Runnable task) {
+        enqueue(new UrgentEntry(task));
     }
 
     void runTimer(Runnable task) {
@@ -332,11 +390,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     /** A turn of its own, on behalf of the actor that is running now. */
     void nextTurn(Runnable task, Runnable ifStopped) {
-        ActorCell cell = current;
+        Life life = current == null ? null : current.life();
         enqueue(new Entry(() -> {
-            if (cell == null) {
+            if (life == null) {
                 runGuarded(task);
-            } else if (!cell.run("a repetition", task)) {
+            } else if (!life.run("a repetition", task)) {
                 ifStopped.run();
             }
         }));
@@ -359,8 +417,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return closing.get() ? "space " + this + " is closed" : "the actor " + cell + " has stopped";
     }
 
-    void deadLetter(ActorCell cell, String message) {
-        settings.onDeadLetter().accept(new DeadLetter(cell.toString(), message, whyStopped(cell)));
+    void deadLetter(ActorCell cell, String message, String reason) {
+        settings.onDeadLetter().accept(new DeadLetter(cell.toString(), message, reason));
     }
 
     void report(String where, Throwable error, @Nullable ErrorHandler first) {
@@ -383,6 +441,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     private void live() {
         Home before = enter();
+        Watchdog.watch(settings, Thread.currentThread(), lifeline, dispatcher);
         try {
             while (!stopping) {
                 if (!dispatcher.pass() & !settle()) {
@@ -450,7 +509,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     /** Something to do on the space's thread that is no call of an actor. */
-    private static final class Entry extends Node {
+    private static class Entry extends Node {
         private final Runnable task;
 
         Entry(Runnable task) {
@@ -465,6 +524,18 @@ public final class ActorSpace extends Home implements AutoCloseable {
         @Override
         protected boolean isMail() {
             return true;
+        }
+    }
+
+    /** The same, in the callback queue: before the mails that wait. */
+    private static final class UrgentEntry extends Entry {
+        UrgentEntry(Runnable task) {
+            super(task);
+        }
+
+        @Override
+        protected boolean isMail() {
+            return false;
         }
     }
 }

@@ -3,6 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.time.TimerWheel;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
@@ -17,11 +19,22 @@ import org.jspecify.annotations.Nullable;
 final class Dispatcher {
     private static final int QUOTA = 256;
 
+    private static final VarHandle SERVED;
+
+    static {
+        try {
+            SERVED = MethodHandles.lookup().findVarHandle(Dispatcher.class, "served", long.class);
+        } catch (ReflectiveOperationException e) {
+            throw new ExceptionInInitializerError(e);
+        }
+    }
+
     final NodeQueue inbox = new NodeQueue();
     final TimerWheel timers;
     private final ActorSpace space;
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
+    private long served;
     private final List<Runnable> idleActions = new ArrayList<>();
 
     Dispatcher(ActorSpace space, TimerWheel timers) {
@@ -75,6 +88,16 @@ final class Dispatcher {
         return node != null ? node : inbox.poll();
     }
 
+    /** How many entries have been served; from any thread, a little behind. */
+    long served() {
+        return (long) SERVED.getOpaque(this);
+    }
+
+    private void serve(Node node) {
+        SERVED.setOpaque(this, served + 1); // before, so that a message that never ends is one that was seen to begin
+        space.serve(node);
+    }
+
     private boolean drainInbox() {
         for (int count = 0; count < QUOTA; count++) {
             Node node = inbox.poll();
@@ -82,7 +105,7 @@ final class Dispatcher {
                 return count > 0;
             }
             if (callbacks.isEmpty() && mails.isEmpty()) {
-                space.serve(node);
+                serve(node);
             } else if (ActorSpace.goesToMailbox(node)) {
                 mails.add(node);
             } else {
@@ -98,7 +121,7 @@ final class Dispatcher {
             boolean called = drainCallbacks();
             Node mail = mails.poll();
             if (mail != null) {
-                space.serve(mail);
+                serve(mail);
             } else if (!called) {
                 return worked;
             }
@@ -113,7 +136,7 @@ final class Dispatcher {
             if (callback == null) {
                 return count > 0;
             }
-            space.serve(callback);
+            serve(callback);
         }
         return true;
     }

@@ -58,6 +58,10 @@ final class Lifeline {
         phase.set(CLOSED);
     }
 
+    boolean isAsleep() {
+        return phase.get() == ASLEEP;
+    }
+
     boolean isClosed() {
         return phase.get() == CLOSED;
     }

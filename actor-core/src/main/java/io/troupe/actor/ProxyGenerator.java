@@ -33,6 +33,7 @@ import org.objectweb.asm.Type;
 final class ProxyGenerator {
     static final String CELL = "troupe$cell";
     private static final String CELL_TYPE = Type.getInternalName(ActorCell.class);
+    private static final String CALLBACK_DESCRIPTOR = Type.getDescriptor(Callback.class);
     private static final String CELL_DESCRIPTOR = Type.getDescriptor(ActorCell.class);
 
     private final Class<?> type;
@@ -134,7 +135,18 @@ final class ProxyGenerator {
         int local = 1;
         var descriptor = new StringBuilder("(").append(CELL_DESCRIPTOR);
         for (Type argument : Type.getArgumentTypes(method)) {
-            code.visitVarInsn(argument.getOpcode(ILOAD), local);
+            if (argument.getDescriptor().equals(CALLBACK_DESCRIPTOR)) {
+                loadCell(code);
+                code.visitVarInsn(ALOAD, local);
+                code.visitMethodInsn(
+                        INVOKEVIRTUAL,
+                        CELL_TYPE,
+                        "returning",
+                        "(" + CALLBACK_DESCRIPTOR + ")" + CALLBACK_DESCRIPTOR,
+                        false);
+            } else {
+                code.visitVarInsn(argument.getOpcode(ILOAD), local);
+            }
             local += argument.getSize();
             descriptor.append(argument.getDescriptor());
         }

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.time.Clock;
+import java.time.Duration;
 import java.util.Objects;
 import java.util.function.Consumer;
 
@@ -11,18 +12,30 @@ import java.util.function.Consumer;
  * @param clock by which timers run
  * @param onError is told what nobody else could be told
  * @param onDeadLetter is told of messages that reached nobody, on whichever thread found out
+ * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = none is, nor in a space cranked by hand
+ * @param onStall is told of such a message, on a thread of its own
  * @param handCranked true for a space without a thread of its own, which only {@link ActorSpace#crank} moves
  */
 public record SpaceSettings(
-        String name, Clock clock, ErrorHandler onError, Consumer<DeadLetter> onDeadLetter, boolean handCranked) {
+        String name,
+        Clock clock,
+        ErrorHandler onError,
+        Consumer<DeadLetter> onDeadLetter,
+        Duration stallLimit,
+        Consumer<Stall> onStall,
+        boolean handCranked) {
     public SpaceSettings {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(clock, "clock");
         Objects.requireNonNull(onError, "onError");
         Objects.requireNonNull(onDeadLetter, "onDeadLetter");
+        Objects.requireNonNull(onStall, "onStall");
+        if (stallLimit.isNegative()) {
+            throw new IllegalArgumentException("stallLimit is " + stallLimit + ", expected zero (off) or more");
+        }
     }
 
-    /** A daemon thread on the machine's clock that logs what goes wrong. */
+    /** A daemon thread on the machine's clock that logs what goes wrong, and messages that take longer than a second. */
     public static SpaceSettings named(String name) {
         var log = System.getLogger(ActorSpace.class.getName());
         return new SpaceSettings(
@@ -30,22 +43,28 @@ public record SpaceSettings(
                 Clock.system(),
                 (where, error) -> log.log(System.Logger.Level.ERROR, "in " + where, error),
                 letter -> log.log(System.Logger.Level.WARNING, "dead letter: " + letter),
+                Duration.ofSeconds(1),
+                stall -> log.log(System.Logger.Level.WARNING, stall.toString()),
                 false);
     }
 
     public SpaceSettings withClock(Clock newClock) {
-        return new SpaceSettings(name, newClock, onError, onDeadLetter, handCranked);
+        return new SpaceSettings(name, newClock, onError, onDeadLetter, stallLimit, onStall, handCranked);
     }
 
     public SpaceSettings withOnError(ErrorHandler handler) {
-        return new SpaceSettings(name, clock, handler, onDeadLetter, handCranked);
+        return new SpaceSettings(name, clock, handler, onDeadLetter, stallLimit, onStall, handCranked);
     }
 
     public SpaceSettings withOnDeadLetter(Consumer<DeadLetter> handler) {
-        return new SpaceSettings(name, clock, onError, handler, handCranked);
+        return new SpaceSettings(name, clock, onError, handler, stallLimit, onStall, handCranked);
+    }
+
+    public SpaceSettings withOnStall(Duration limit, Consumer<Stall> handler) {
+        return new SpaceSettings(name, clock, onError, onDeadLetter, limit, handler, handCranked);
     }
 
     public SpaceSettings withHandCrank() {
-        return new SpaceSettings(name, clock, onError, onDeadLetter, true);
+        return new SpaceSettings(name, clock, onError, onDeadLetter, stallLimit, onStall, true);
     }
 }

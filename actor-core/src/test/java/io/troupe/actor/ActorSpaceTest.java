@@ -327,6 +327,29 @@ class ActorSpaceTest {
     }
 
     @Test
+    void recursionThroughPromises_mayBeOfAnyDepth() {
+        interface Counting {
+            Promise<Integer> countDown(int from);
+
+            Promise<Integer> one();
+        }
+        Counting counting = test.spawn(Counting.class, () -> new Counting() {
+            @Override
+            public Promise<Integer> countDown(int from) {
+                return from == 0
+                        ? Promise.of(0)
+                        : one().thenCompose(one -> countDown(from - one)).thenApply(depth -> depth + 1);
+            }
+
+            @Override
+            public Promise<Integer> one() {
+                return Promise.of(1);
+            }
+        });
+        assertThat(test.get(counting.countDown(100_000))).isEqualTo(100_000);
+    }
+
+    @Test
     void onIdle_waitsForEverythingThatComesOfWhatWaits() {
         var log = new ArrayList<String>();
         interface Relay {

@@ -170,4 +170,66 @@ class ActorSpaceThreadTest {
         assertThat(letters).containsExactly(new DeadLetter("Tally#1", "Tally.add(0, 2)", "space brief is closed"));
         assertThatThrownBy(() -> space.spawn(Tally.class, StrictTally::new)).isInstanceOf(ActorStoppedException.class);
     }
+
+    @Test
+    void messageThatTakesTooLong_isReportedOnce_withItsStack() throws Exception {
+        var stalls = new ArrayList<Stall>();
+        var reported = new CountDownLatch(1);
+        var settings = SpaceSettings.named("slow").withOnStall(Duration.ofMillis(20), stall -> {
+            stalls.add(stall);
+            reported.countDown();
+        });
+        try (var space = ActorSpace.create(settings)) {
+            space.execute(() -> holdTheThread(reported));
+            var after = new CountDownLatch(1);
+            space.execute(after::countDown);
+            assertThat(after.await(30, TimeUnit.SECONDS)).isTrue();
+        }
+        Stall stall = stalls.getFirst();
+        assertThat(stall.space()).isEqualTo("slow");
+        assertThat(stall.atLeast()).isGreaterThanOrEqualTo(Duration.ofMillis(20));
+        assertThat(stall.stack()).anyMatch(frame -> frame.getMethodName().equals("holdTheThread"));
+        assertThat(stall.toString()).contains("space slow has been busy", "offload", "holdTheThread");
+    }
+
+    private static void holdTheThread(CountDownLatch until) {
+        try {
+            until.await();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    interface Greeter {
+        Promise<String> greet(String name);
+
+        void remember(String name);
+    }
+
+    static final class PoliteGreeter implements Greeter {
+        private final List<String> names = new ArrayList<>();
+
+        @Override
+        public Promise<String> greet(String name) {
+            return Promise.of(names.contains(name) ? "Hello again, " + name : "Hello, " + name);
+        }
+
+        @Override
+        public void remember(String name) {
+            names.add(name);
+        }
+    }
+
+    @Test
+    void sampleOfTheReadme() {
+        var printed = new ArrayList<String>();
+        try (var space = ActorSpace.create(SpaceSettings.named("hello"))) {
+            Greeter greeter = space.spawn(Greeter.class, PoliteGreeter::new);
+            greeter.remember("Ada");
+            greeter.greet("Ada").then(text -> {
+                printed.add(text + " on " + Thread.currentThread().getName());
+            });
+        } // serves what was queued, then ends the thread
+        assertThat(printed).containsExactly("Hello again, Ada on hello");
+    }
 }

@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.player.PlayerException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.PrintWriter;
 import picocli.CommandLine;
@@ -32,7 +33,7 @@ public final class Main {
                 .setErr(err)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException) {
+                    if (thrown instanceof WorldFileException || thrown instanceof PlayerException) {
                         return complain(commandLine, thrown.getMessage());
                     }
                     throw thrown;

@@ -42,8 +42,8 @@ final class SpecCheck {
         long intervalMicros = spec.intervalMillis() * 1000L;
         int stepMicros = settings.physicsStepMicros();
         if (intervalMicros <= 0 || intervalMicros % stepMicros != 0) {
-            throw new IllegalArgumentException("the interval of world '" + spec.name() + "' is " + intervalMicros
-                    + " us, expected a whole multiple of the physics step of " + stepMicros + " us");
+            throw new WorldFileException(spec.file() + ": the interval of world '" + spec.name() + "' is "
+                    + intervalMicros + " us, expected a whole multiple of the physics step of " + stepMicros + " us");
         }
         double travelM = settings.maxForwardMps() * stepMicros / 1e6;
         double turnRad = settings.maxTurnRadps() * stepMicros / 1e6;
@@ -66,8 +66,10 @@ final class SpecCheck {
             for (Point vertex : polygon) {
                 Point placed = pose.place(vertex);
                 if (!(Math.abs(placed.x()) <= FARTHEST_M && Math.abs(placed.y()) <= FARTHEST_M)) {
-                    throw new WorldFileException(where, title + " reaches to (" + placed.x() + ", " + placed.y()
-                            + "), expected at most " + FARTHEST_M + " m from the origin along x and y");
+                    throw new WorldFileException(
+                            where,
+                            title + " reaches to (" + placed.x() + ", " + placed.y() + "), expected at most "
+                                    + FARTHEST_M + " m from the origin along x and y");
                 }
             }
             if (!isConvexCounterClockwise(polygon)) {

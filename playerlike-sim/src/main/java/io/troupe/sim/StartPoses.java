@@ -72,7 +72,8 @@ final class StartPoses {
                 robot.where(),
                 "robot '" + robot.name() + "' has no room to start up to " + settings.jitterM() + " m and "
                         + settings.jitterRad() + " rad from its pose: " + MOST_DRAWS + " draws with seed "
-                        + settings.seed() + " were all nearer than " + Physics.SKIN_M + " m to another body; nearest is "
+                        + settings.seed() + " were all nearer than " + Physics.SKIN_M
+                        + " m to another body; nearest is "
                         + nearest);
     }
 

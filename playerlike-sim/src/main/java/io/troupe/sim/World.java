@@ -41,7 +41,10 @@ public final class World {
     }
 
     /** A robot's devices. */
-    private record Devices(Position2d position2d, @Nullable Sonar sonar, @Nullable Blobfinder blobfinder) {}
+    private record Devices(
+            Position2d position2d,
+            @Nullable Sonar sonar,
+            @Nullable Blobfinder blobfinder) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
@@ -59,8 +62,8 @@ public final class World {
     /**
      * A world at tick 0, its devices read once.
      *
-     * <p><b>Errors.</b> {@link WorldFileException} for a body that cannot be simulated or overlaps another,
-     * {@link IllegalArgumentException} for settings that do not fit the world.
+     * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated, or bodies that overlap,
+     * {@link IllegalArgumentException} for settings that fit no world.
      */
     public static World create(WorldSpec spec, WorldSettings settings) {
         requireNonNull(spec, "spec");
@@ -84,7 +87,7 @@ public final class World {
         odometryToSet = new AtomicReferenceArray<>(robotCount);
         latched = new Command[robotCount];
         scene = new Scene(spec);
-        physics = new Physics(robotCount, settings.physicsStepMicros(), canPassAWallInOneStep());
+        physics = new Physics(robotCount, settings.physicsStepMicros(), sweepM());
         for (ObstacleSpec obstacle : spec.obstacles()) {
             physics.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
         }
@@ -110,9 +113,11 @@ public final class World {
         }
     }
 
-    /** Whether some point of some robot can travel half the robot's smallest extent in one step. */
-    private boolean canPassAWallInOneStep() {
+    /** How far a point of a robot may travel in one step; 0 if that is less than half of every robot's smallest extent. */
+    private double sweepM() {
         double stepS = settings.physicsStepMicros() / 1e6;
+        double sweepM = 0;
+        boolean fast = false;
         for (RobotSpec robot : spec.robots()) {
             List<Point> points =
                     robot.shape().polygons().stream().flatMap(List::stream).toList();
@@ -120,14 +125,14 @@ public final class World {
             var y = points.stream().mapToDouble(Point::y).summaryStatistics();
             double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
             double radiusM = points.stream()
-                    .mapToDouble(p -> StrictMath.hypot(p.x(), p.y()))
+                    .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
                     .max()
-                    .orElse(0);
-            if ((settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS >= smallestM / 2) {
-                return true;
-            }
+                    .orElseThrow();
+            double travelM = (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS;
+            sweepM = Math.max(sweepM, travelM);
+            fast |= travelM >= smallestM / 2;
         }
-        return false;
+        return fast ? sweepM : 0;
     }
 
     public WorldSpec spec() {
@@ -203,8 +208,9 @@ public final class World {
         Thread current = Thread.currentThread();
         Thread owner = advancer.get();
         if (owner != current && !advancer.compareAndSet(null, current)) {
-            throw new IllegalStateException("advance() belongs to thread '" + advancer.get().getName()
-                    + "', which called it first, and was called by thread '" + current.getName() + "'");
+            throw new IllegalStateException(
+                    "advance() belongs to thread '" + advancer.get().getName()
+                            + "', which called it first, and was called by thread '" + current.getName() + "'");
         }
     }
 

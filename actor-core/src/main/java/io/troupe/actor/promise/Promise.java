@@ -47,6 +47,8 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
         }
     }
 
+    private static final Node REFUSED = new Relay(() -> {});
+
     private record Rejection(Throwable error) {}
 
     private record Boxed(Object value) {}
@@ -287,7 +289,7 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
             other.listenedTo = true;
             settle(Objects.requireNonNull(other.state));
         } else {
-            other.register(new Relay(() -> settle(Objects.requireNonNull(other.state))));
+            other.register(new Follower(this, other));
         }
     }
 
@@ -326,40 +328,71 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
     }
 
     private boolean settle(Object outcome) {
+        if (isDone()) {
+            return false;
+        }
+        Node listeners = claim(outcome);
+        if (listeners == REFUSED) {
+            return false;
+        }
+        dispatchAll(listeners, outcome);
+        return true;
+    }
+
+    /** Settles this promise and answers its listeners, newest first; {@link #REFUSED} if it was settled before. */
+    private @Nullable Node claim(Object outcome) {
         while (true) {
             Object now = state;
             if (isSettled(now)) {
-                return false;
+                return REFUSED;
             }
             if (STATE.compareAndSet(this, now, outcome)) {
-                if (now != null) {
-                    dispatchAll((Node) now);
-                } else if (outcome instanceof Rejection(Throwable error) && !(error instanceof CancellationException)) {
-                    Home place = home();
-                    if (place != null) {
-                        place.rejected(this, error);
-                    }
+                if (now == null) {
+                    reportIfUnheard(outcome);
                 }
-                return true;
+                return (Node) now;
             }
         }
     }
 
-    /** The list is newest first; listeners run oldest first. */
-    private static void dispatchAll(Node newest) {
-        Node oldest = null;
+    private void reportIfUnheard(Object outcome) {
+        Home place = home();
+        if (place != null
+                && outcome instanceof Rejection(Throwable error)
+                && !(error instanceof CancellationException)) {
+            place.rejected(this, error);
+        }
+    }
+
+    /**
+     * Listeners run oldest first. Promises that only follow are settled in this loop, not each on the stack of the one before, so that a chain of them
+     * may be of any length.
+     */
+    private static void dispatchAll(@Nullable Node newest, Object outcome) {
+        Node waiting = reverse(newest, null);
+        while (waiting != null) {
+            Node listener = waiting;
+            waiting = listener.next;
+            listener.next = null;
+            if (listener instanceof Follower follower) {
+                Node more = follower.promise.claim(outcome);
+                waiting = more == REFUSED ? waiting : reverse(more, waiting);
+            } else {
+                dispatch(listener);
+            }
+        }
+    }
+
+    /** Puts a list, newest first, in front of another, oldest first. */
+    private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
+        Node oldest = rest;
         for (Node node = newest; node != null; ) {
             Node before = node.next;
             node.next = oldest;
             oldest = node;
             node = before;
         }
-        for (Node node = oldest; node != null; ) {
-            Node after = node.next;
-            node.next = null;
-            dispatch(node);
-            node = after;
-        }
+        return oldest;
     }
 
     private static void dispatch(Node listener) {
@@ -367,6 +400,22 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
             stage.dispatch();
         } else {
             listener.run();
+        }
+    }
+
+    /** A promise that is to end as another one does. */
+    private static final class Follower extends Node {
+        private final Promise<?> promise;
+        private final Promise<?> leader;
+
+        Follower(Promise<?> promise, Promise<?> leader) {
+            this.promise = promise;
+            this.leader = leader;
+        }
+
+        @Override
+        protected void run() {
+            promise.settle(Objects.requireNonNull(leader.state));
         }
     }
 

@@ -172,6 +172,21 @@ class PromiseTest {
     }
 
     @Test
+    void longChains_ofFollowers_doNotOverflowTheStack() {
+        Deferred<String> last = deferred;
+        for (int i = 0; i < 100_000; i++) {
+            var next = new Deferred<String>();
+            next.resolveFrom(last);
+            last = next;
+        }
+        var end = last;
+        end.thenAccept(log::add);
+        deferred.resolve("through");
+        assertThat(log).containsExactly("through");
+        assertThat(end.getNow()).isEqualTo("through");
+    }
+
+    @Test
     void longChains_ofSettledPromises_doNotOverflowTheStack() throws Exception {
         Promise<Integer> chain = Promise.of(0);
         for (int i = 0; i < 100_000; i++) {

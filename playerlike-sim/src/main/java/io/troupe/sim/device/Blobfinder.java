@@ -13,7 +13,7 @@ import java.util.List;
  *
  * <p><b>Units and shapes.</b> Column {@code i} of {@code n} looks along its centre, at the angle
  * {@code fov / 2 - (i + 0.5) * fov / n} left of the camera's heading. There is no third dimension: every thing counts as
- * {@value #HALF_HEIGHT_M} m high above and below the camera, seen at its mean distance, and rows are as tall as
+ * 0.3 m high above and below the camera, seen at its mean distance, and rows are as tall as
  * {@code fov / heightPx}.
  */
 public final class Blobfinder {
@@ -74,7 +74,8 @@ public final class Blobfinder {
     }
 
     private boolean isReported(int colour) {
-        return colour != NO_COLOUR && (spec.colours().isEmpty() || spec.colours().contains(colour));
+        return colour != NO_COLOUR
+                && (spec.colours().isEmpty() || spec.colours().contains(colour));
     }
 
     private Blob blob(int colour, int left, int right, double rangeM) {

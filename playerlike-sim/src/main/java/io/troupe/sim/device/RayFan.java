@@ -13,8 +13,12 @@ final class RayFan {
     RayFan(List<Pose> starts) {
         x = starts.stream().mapToDouble(Pose::x).toArray();
         y = starts.stream().mapToDouble(Pose::y).toArray();
-        dirX = starts.stream().mapToDouble(start -> StrictMath.cos(start.headingRad())).toArray();
-        dirY = starts.stream().mapToDouble(start -> StrictMath.sin(start.headingRad())).toArray();
+        dirX = starts.stream()
+                .mapToDouble(start -> StrictMath.cos(start.headingRad()))
+                .toArray();
+        dirY = starts.stream()
+                .mapToDouble(start -> StrictMath.sin(start.headingRad()))
+                .toArray();
     }
 
     int size() {

@@ -24,12 +24,12 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
  * hold it back, push it aside and rub (friction 0.3, no bounce).
  * <p><b>Order.</b> All obstacles are added first, then the robots by index, then come the steps.
  * <p><b>Threads.</b> One thread at a time.
- * <p><b>Units and shapes.</b> SI. Bodies count as touching from a gap of {@link #SKIN_M} on, so a robot comes to rest between
- * one and two centimetres from a wall.
+ * <p><b>Units and shapes.</b> SI. Bodies count as touching from a gap of {@link #SKIN_M} on, so a robot that drives
+ * against a wall comes to rest between one and two centimetres before it.
  */
 public final class Physics {
-    /** Bodies as near as this touch. */
-    public static final double SKIN_M = 2 * Settings.polygonRadius;
+    /** Bodies as near as this touch: each polygon of jbox2d has a skin of half of it. */
+    public static final double SKIN_M = 0.02;
 
     /** No body may move farther in one step. */
     public static final double MAX_TRAVEL_M = Settings.maxTranslation;
@@ -41,9 +41,8 @@ public final class Physics {
     private static final int VELOCITY_ITERATIONS = 8;
     private static final int POSITION_ITERATIONS = 3;
 
-    private final RepairedTree tree = new RepairedTree();
-    private final World world = new World(
-            new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
+    private final RepairedTree tree;
+    private final World world;
     private final List<RobotBody> robots = new ArrayList<>();
     private final TouchLedger touches;
     private final int robotCount;
@@ -55,13 +54,17 @@ public final class Physics {
     /**
      * A world without bodies.
      *
-     * @param continuous look for touches within a step as well: needed when a robot is fast enough to pass a wall in one step
+     * @param sweepM how far a point of a robot may travel in one step, if that is so far that it could pass a wall unnoticed:
+     *     touches are then looked for within the step as well; 0 if it is not
      */
-    public Physics(int robotCount, int stepMicros, boolean continuous) {
+    public Physics(int robotCount, int stepMicros, double sweepM) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
-        this.continuous = continuous;
+        continuous = sweepM > 0;
         touches = new TouchLedger(robotCount);
+        tree = new RepairedTree(sweepM);
+        world = new World(
+                new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
         world.setAllowSleep(false);
         world.setContinuousPhysics(continuous);
         world.setContactListener(touches);
@@ -121,7 +124,8 @@ public final class Physics {
     private static FixtureDef fixture(List<Point> polygon) {
         var vertices = new Vec2[polygon.size()];
         for (int i = 0; i < vertices.length; i++) {
-            vertices[i] = new Vec2((float) polygon.get(i).x(), (float) polygon.get(i).y());
+            vertices[i] =
+                    new Vec2((float) polygon.get(i).x(), (float) polygon.get(i).y());
         }
         var shape = new PolygonShape();
         shape.set(vertices, vertices.length);
@@ -174,6 +178,11 @@ public final class Physics {
     /** The touches that began since the last call, ordered by (time, robot, other robot, obstacle). */
     public List<Touch> drainTouches() {
         return touches.drain();
+    }
+
+    /** What jbox2d holds for the heading. */
+    double bodyHeadingRad(int robot) {
+        return robots.get(robot).bodyHeadingRad();
     }
 
     RepairedTree tree() {

@@ -82,8 +82,7 @@ final class RobotBody {
             headingRad = aimHeadingRad;
         }
         double toldM = StrictMath.hypot(aimX - fromX, aimY - fromY);
-        double wentM =
-                toldM == 0 ? 0 : ((x - fromX) * (aimX - fromX) + (y - fromY) * (aimY - fromY)) / toldM;
+        double wentM = toldM == 0 ? 0 : ((x - fromX) * (aimX - fromX) + (y - fromY) * (aimY - fromY)) / toldM;
         double wentRad = wrap(headingRad - fromHeadingRad) * Math.signum(turnRadps);
         stallMeter.record(toldM, wentM, Math.abs(turnRadps) * stepS, wentRad);
     }
@@ -104,6 +103,10 @@ final class RobotBody {
 
     Pose pose() {
         return new Pose(x, y, headingRad);
+    }
+
+    double bodyHeadingRad() {
+        return body.m_sweep.a;
     }
 
     private static double wrap(double angleRad) {

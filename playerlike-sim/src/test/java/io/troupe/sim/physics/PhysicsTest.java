@@ -1,12 +1,12 @@
 package io.troupe.sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.TestWorlds;
 import io.troupe.sim.scenario.Pose;
-import org.jbox2d.collision.AABB;
-import org.jbox2d.common.Vec2;
+import org.jbox2d.common.Settings;
 import org.junit.jupiter.api.Test;
 
 class PhysicsTest {
@@ -14,7 +14,7 @@ class PhysicsTest {
 
     /** Robots in a grid, driving circles. */
     private static Physics circling(int robots) {
-        var physics = new Physics(robots, STEP_MICROS, false);
+        var physics = new Physics(robots, STEP_MICROS, 0);
         for (int robot = 0; robot < robots; robot++) {
             physics.addRobot(new Pose(robot % 10 * 2 - 9, robot / 10 * 2, robot), TestWorlds.box(0.4, 0.3), 10);
             physics.drive(robot, 0.3, 0.5);
@@ -37,21 +37,8 @@ class PhysicsTest {
     }
 
     @Test
-    void repairedTree_noticesABoxThatOutgrowsItsMarginOnAllSides() {
-        var tree = new RepairedTree();
-        var small = new AABB(new Vec2(-1, -1), new Vec2(1, 1));
-        var large = new AABB(new Vec2(-3, -3), new Vec2(3, 3));
-        int proxy = tree.createProxy(small, "thing");
-        assertThat(tree.moveProxy(proxy, large, new Vec2(0, 0))).isTrue();
-        AABB fat = tree.getFatAABB(proxy);
-        assertThat(fat.lowerBound.x).isLessThan(large.lowerBound.x);
-        assertThat(fat.upperBound.y).isGreaterThan(large.upperBound.y);
-        assertThat(tree.moveProxy(proxy, small, new Vec2(0, 0))).isFalse();
-    }
-
-    @Test
     void angles_areWrapped_soThatALongTurnStaysExact() {
-        var physics = new Physics(1, STEP_MICROS, false);
+        var physics = new Physics(1, STEP_MICROS, 0);
         physics.addRobot(Pose.ORIGIN, TestWorlds.box(0.4, 0.3), 10);
         double perStep = StrictMath.PI / 500;
         physics.drive(0, 0, perStep * 100);
@@ -63,7 +50,7 @@ class PhysicsTest {
 
     @Test
     void robotFarFromTheOrigin_drivesAsFarAsOneAtIt() {
-        var physics = new Physics(1, STEP_MICROS, false);
+        var physics = new Physics(1, STEP_MICROS, 0);
         physics.addRobot(new Pose(300, 0, 0), TestWorlds.box(0.4, 0.3), 10);
         physics.drive(0, 0.1, 0);
         for (int step = 0; step < 6_000; step++) {
@@ -75,5 +62,32 @@ class PhysicsTest {
     @Test
     void sineTable_isTheStandardOneOnThisMachine() {
         assertThat(Physics.hasStandardSineTable()).isTrue();
+    }
+
+    @Test
+    void skin_isThatOfTwoPolygons() {
+        assertThat(Physics.SKIN_M).isCloseTo(2.0 * Settings.polygonRadius, within(1e-8));
+    }
+
+    @Test
+    void body_followsThePose() {
+        Physics physics = circling(9);
+        for (int i = 0; i < 5000; i++) {
+            physics.step();
+        }
+
+        for (int i = 0; i < 9; i++) {
+            double apart = StrictMath.IEEEremainder(
+                    physics.bodyHeadingRad(i) - physics.pose(i).headingRad(), 2 * StrictMath.PI);
+            assertThat(apart).as("robot %d", i).isCloseTo(0, within(1e-6));
+        }
+    }
+
+    @Test
+    void obstacleAfterARobot_isRefused() {
+        Physics physics = circling(1);
+
+        assertThatThrownBy(() -> physics.addObstacle(Pose.ORIGIN, TestWorlds.box(1, 1)))
+                .isInstanceOf(IllegalStateException.class);
     }
 }

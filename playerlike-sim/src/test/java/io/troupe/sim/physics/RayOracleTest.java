@@ -43,7 +43,9 @@ class RayOracleTest {
                 continue;
             }
             double first = random.nextDouble();
-            List<Double> headings = IntStream.range(0, RAYS).mapToObj(ray -> first + ray * 2 * StrictMath.PI / RAYS).toList();
+            List<Double> headings = IntStream.range(0, RAYS)
+                    .mapToObj(ray -> first + ray * 2 * StrictMath.PI / RAYS)
+                    .toList();
             List<Double> straight = cast(obstacles, pose, headings, 0);
             List<Double> left = cast(obstacles, pose, headings, GRAZING_RAD);
             List<Double> right = cast(obstacles, pose, headings, -GRAZING_RAD);
@@ -74,32 +76,57 @@ class RayOracleTest {
         var shape = new PolygonShape();
         shape.setAsBox((float) corner.x(), (float) corner.y());
         var definition = new BodyDef();
-        definition.position.set((float) obstacle.pose().x(), (float) obstacle.pose().y());
+        definition.position.set(
+                (float) obstacle.pose().x(), (float) obstacle.pose().y());
         definition.angle = (float) obstacle.pose().headingRad();
         oracle.createBody(definition).createFixture(shape, 0);
     }
 
     /** No place for a robot of 10 cm. */
     private static boolean isCrowded(List<ObstacleSpec> obstacles, Pose pose) {
-        return obstacles.stream().anyMatch(each -> StrictMath.hypot(each.pose().x() - pose.x(), each.pose().y() - pose.y()) < 0.9);
+        return obstacles.stream()
+                .anyMatch(each ->
+                        StrictMath.hypot(each.pose().x() - pose.x(), each.pose().y() - pose.y()) < 0.9);
     }
 
     /** The readings of a robot that has a sonar in each direction. */
     private static List<Double> cast(List<ObstacleSpec> obstacles, Pose pose, List<Double> headings, double aside) {
-        var sonar = new SonarSpec(headings.stream().map(heading -> new Pose(0, 0, heading + aside)).toList(), 0, REACH_M, 0.1);
+        var sonar = new SonarSpec(
+                headings.stream()
+                        .map(heading -> new Pose(0, 0, heading + aside))
+                        .toList(),
+                0,
+                REACH_M,
+                0.1);
         var robot = new RobotSpec(
-                "r", pose, TestWorlds.box(0.1, 0.1), 0, 0.1, 0.1, 1, Pose.ORIGIN, Pose.ORIGIN, sonar, null, true, true, TestWorlds.NOWHERE);
-        var world = World.create(new WorldSpec("rays", Path.of("rays.world"), 100, List.of(robot), obstacles), WorldSettings.DEFAULT);
+                "r",
+                pose,
+                TestWorlds.box(0.1, 0.1),
+                0,
+                0.1,
+                0.1,
+                1,
+                Pose.ORIGIN,
+                Pose.ORIGIN,
+                sonar,
+                null,
+                true,
+                true,
+                TestWorlds.NOWHERE);
+        var world = World.create(
+                new WorldSpec("rays", Path.of("rays.world"), 100, List.of(robot), obstacles), WorldSettings.DEFAULT);
         return Objects.requireNonNull(world.latest().robots().getFirst().sonarM());
     }
 
     private static double cast(org.jbox2d.dynamics.World oracle, Pose pose, double heading) {
         var from = new Vec2((float) pose.x(), (float) pose.y());
-        var to = new Vec2((float) (pose.x() + REACH_M * Math.cos(heading)), (float) (pose.y() + REACH_M * Math.sin(heading)));
+        var to = new Vec2(
+                (float) (pose.x() + REACH_M * Math.cos(heading)), (float) (pose.y() + REACH_M * Math.sin(heading)));
         float[] best = {1};
         oracle.raycast(
                 (fixture, point, normal, fraction) -> {
-                    best[0] = Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
+                    best[0] =
+                            Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
                     return best[0];
                 },
                 from,

@@ -39,6 +39,7 @@ final class ServiceLoop {
     private final ServiceObserver observer;
     private final Promise<@Nullable Void> ended;
     private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
+    private boolean tookOver;
 
     ServiceLoop(
             ActorSpace space,
@@ -55,11 +56,7 @@ final class ServiceLoop {
         this.cycle = cycle;
         this.observer = observer;
         observer.began(robot, service);
-        if (isToRun() && link.hasData()) {
-            cycle(true);
-        }
-        this.ended = space.repeatWhile(this::isToRun, () -> link.nextData().thenAccept(this::react))
-                .whenComplete((done, error) -> halt(error));
+        this.ended = space.repeatWhile(this::isToRun, this::round).whenComplete((done, error) -> halt(error));
     }
 
     AtomicReference<Integer> reference() {
@@ -82,6 +79,16 @@ final class ServiceLoop {
     /** Makes it look at its reference now instead of at the next reading. */
     void wake() {
         link.wake();
+    }
+
+    private Promise<?> round() {
+        boolean takesOver = !tookOver && link.hasData();
+        tookOver = true;
+        if (takesOver) {
+            cycle(true);
+            return Promise.done();
+        }
+        return link.nextData().thenAccept(this::react);
     }
 
     private void react(boolean dataAreReady) {

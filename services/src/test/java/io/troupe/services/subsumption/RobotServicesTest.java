@@ -154,6 +154,24 @@ class RobotServicesTest {
     }
 
     @Test
+    void serviceThatFailsWhileItTakesOver_rejectsItsPromiseAndFreesTheRobot() {
+        var first = running();
+        services.wallFollower(0, first);
+        test.crank();
+        robots.tick(100);
+        robots.range(0, 3, Double.NaN);
+        services.stop(first);
+        test.crank();
+        robots.show(0, Colours.BLACK);
+        Promise<Integer> second = services.spaceWanderer(0, running(), running(), Colours.BLUE);
+        test.crank();
+        robots.tick(100);
+        assertThat(test.error(second)).hasMessageContaining("sonar 3 reads NaN");
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+    }
+
+    @Test
     void robotThatDoesNotExist_rejectsThePromise() {
         assertThat(test.error(services.wallFollower(7, running())))
                 .isInstanceOf(PlayerException.class)

@@ -1,0 +1,26 @@
+package io.troupe.actor;
+
+/**
+ * How many calls may wait in an actor's mailbox, and what happens to one more.
+ *
+ * @param capacity calls that may wait
+ * @param overflow what happens to one more
+ */
+public record MailboxBound(int capacity, Overflow overflow) {
+    /** What happens to a call when the mailbox is full. */
+    public enum Overflow {
+        /** The new request is rejected with {@link MailboxFullException}; a new one-way message becomes a dead letter. */
+        REJECT,
+        /** A caller outside every actor space waits for room; one on an actor space must not wait, and is treated as by {@link #REJECT}. */
+        BLOCK,
+        /** The call that has waited longest is rejected or becomes a dead letter, to make room. */
+        DROP_OLDEST
+    }
+
+    public MailboxBound {
+        if (capacity < 1) {
+            throw new IllegalArgumentException("capacity is " + capacity + ", expected 1 or more");
+        }
+        java.util.Objects.requireNonNull(overflow, "overflow");
+    }
+}

@@ -1,0 +1,10 @@
+package io.troupe.actor;
+
+/** The answer to a request for which the actor's bounded mailbox had no room. */
+public final class MailboxFullException extends ActorException {
+    private static final long serialVersionUID = 1L;
+
+    MailboxFullException(String message) {
+        super(message);
+    }
+}

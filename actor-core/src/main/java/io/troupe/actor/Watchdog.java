@@ -1,0 +1,74 @@
+package io.troupe.actor;
+
+import io.troupe.actor.time.Clock;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+
+/**
+ * Looks from aside whether a space gets on, on a virtual thread of its own. The space pays one plain store for each entry it serves.
+ */
+final class Watchdog {
+    private static final int LOOKS_PER_LIMIT = 4;
+
+    private final String space;
+    private final Thread watched;
+    private final Lifeline lifeline;
+    private final Dispatcher dispatcher;
+    private final long limitNanos;
+    private final Consumer<Stall> listener;
+
+    private Watchdog(
+            String space,
+            Thread watched,
+            Lifeline lifeline,
+            Dispatcher dispatcher,
+            Duration limit,
+            Consumer<Stall> listener) {
+        this.space = space;
+        this.watched = watched;
+        this.lifeline = lifeline;
+        this.dispatcher = dispatcher;
+        this.limitNanos = limit.toNanos();
+        this.listener = listener;
+    }
+
+    /** Watches until the space is closed. */
+    static void watch(SpaceSettings settings, Thread watched, Lifeline lifeline, Dispatcher dispatcher) {
+        if (!settings.stallLimit().isZero()) {
+            var watchdog = new Watchdog(
+                    settings.name(), watched, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
+            Thread.ofVirtual().name(settings.name() + "-watchdog").start(watchdog::run);
+        }
+    }
+
+    private void run() {
+        Clock clock = Clock.system();
+        long seen = -1;
+        long since = clock.nanos();
+        boolean reported = false;
+        while (!lifeline.isClosed()) {
+            LockSupport.parkNanos(limitNanos / LOOKS_PER_LIMIT);
+            long served = dispatcher.served();
+            long now = clock.nanos();
+            if (served != seen || lifeline.isAsleep()) {
+                seen = served;
+                since = now;
+                reported = false;
+            } else if (!reported && now - since >= limitNanos) {
+                reported = true; // once for each message
+                report(Duration.ofNanos(now - since));
+            }
+        }
+    }
+
+    private void report(Duration atLeast) {
+        try {
+            listener.accept(new Stall(space, atLeast, List.of(watched.getStackTrace())));
+        } catch (RuntimeException broken) {
+            System.getLogger(Watchdog.class.getName())
+                    .log(System.Logger.Level.ERROR, "the stall listener of space " + space + " threw", broken);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+class MailboxBoundTest {
+    interface Sink {
+        void take(int number);
+
+        Promise<List<Integer>> taken();
+    }
+
+    static final class Keeping implements Sink {
+        private final List<Integer> taken = new ArrayList<>();
+
+        @Override
+        public void take(int number) {
+            taken.add(number);
+        }
+
+        @Override
+        public Promise<List<Integer>> taken() {
+            return Promise.of(List.copyOf(taken));
+        }
+    }
+
+    private final TestSpace test = new TestSpace();
+
+    private Sink spawn(Overflow overflow) {
+        Sink sink = test.space()
+                .spawn(Sink.class, Keeping::new, ActorSettings.named("sink").withMailbox(3, overflow));
+        test.crank();
+        return sink;
+    }
+
+    private static void takeFive(Sink sink) {
+        for (int number = 1; number <= 5; number++) {
+            sink.take(number);
+        }
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+    }
+
+    @Test
+    void reject_turnsAwayTheNewest() {
+        Sink sink = spawn(Overflow.REJECT);
+        takeFive(sink);
+        assertThat(test.error(sink.taken()))
+                .isInstanceOf(MailboxFullException.class)
+                .hasMessage("Sink.taken() of sink was not begun: its mailbox is full (3 calls, REJECT)");
+        assertThat(test.get(sink.taken())).containsExactly(1, 2, 3);
+        assertThat(test.takeDeadLetters())
+                .extracting(DeadLetter::message)
+                .containsExactly("Sink.take(4)", "Sink.take(5)");
+    }
+
+    @Test
+    void dropOldest_makesRoomForTheNewest() {
+        Sink sink = spawn(Overflow.DROP_OLDEST);
+        takeFive(sink);
+        Promise<List<Integer>> taken = sink.taken();
+        assertThat(test.get(taken)).containsExactly(4, 5);
+        assertThat(test.takeDeadLetters())
+                .extracting(DeadLetter::message)
+                .containsExactly("Sink.take(1)", "Sink.take(2)", "Sink.take(3)");
+    }
+
+    @Test
+    void block_onAnActorSpace_rejectsInstead() {
+        Sink sink = spawn(Overflow.BLOCK);
+        test.run(() -> takeFive(sink));
+        assertThat(test.get(sink.taken())).containsExactly(1, 2, 3);
+        assertThat(test.takeDeadLetters()).hasSize(2);
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void block_outside_waitsForRoom_andLosesNothing() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("bounded"))) {
+            var gate = new CountDownLatch(1);
+            Sink sink = space.spawn(Sink.class, Keeping::new, ActorSettings.DEFAULT.withMailbox(3, Overflow.BLOCK));
+            space.execute(() -> {
+                try {
+                    gate.await();
+                } catch (InterruptedException e) {
+                    throw new IllegalStateException(e);
+                }
+            });
+            var sender = Thread.ofPlatform().start(() -> {
+                for (int number = 0; number < 1_000; number++) {
+                    sink.take(number);
+                }
+            });
+            while (sender.getState() != Thread.State.WAITING) {
+                Thread.onSpinWait(); // until the mailbox is full
+            }
+            gate.countDown();
+            sender.join();
+            assertThat(sink.taken().get(Duration.ofSeconds(30))).hasSize(1_000).isSorted();
+        }
+    }
+
+    @Test
+    void capacityBelowOne_isRefused() {
+        assertThatThrownBy(() -> ActorSettings.DEFAULT.withMailbox(0, Overflow.REJECT))
+                .hasMessage("capacity is 0, expected 1 or more");
+    }
+}
