@@ -91,7 +91,8 @@ final class Incoming implements DataSink {
                 return true;
             }
             throwIfLost();
-            // On a space a chain of turns may still lie between this question and the end of the work: only asking again is waiting.
+            // On a space a chain of turns may still lie between this question and the end of the work: only asking
+            // again is waiting.
             if (!answerPoint.isAt(asked, !onSpace && everythingSeen.getAsBoolean())) {
                 return false;
             }

@@ -129,9 +129,8 @@ public class PlayerClient extends Thread implements PlayerConstants {
     /** Asks which devices the server has; the answer is there when this returns. */
     public void requestDeviceList() {
         var answer = new PlayerDeviceDevlist();
-        answer.setDevList(calling(connection::devices).stream()
-                .map(PlayerDevice::convert)
-                .toArray(PlayerDevAddr[]::new));
+        answer.setDevList(
+                calling(connection::devices).stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
         answer.setDeviceCount(answer.getDevList().length);
         deviceList.put(answer);
     }
@@ -182,7 +181,8 @@ public class PlayerClient extends Thread implements PlayerConstants {
             return;
         }
         if (space == null && getState() != State.NEW) {
-            throw new PlayerException(getName() + " was threaded before: a thread starts once, make a new PlayerClient");
+            throw new PlayerException(
+                    getName() + " was threaded before: a thread starts once, make a new PlayerClient");
         }
         incoming.begin();
         threaded = true;

@@ -180,15 +180,18 @@ final class ClientLine implements PlayerConnection {
         return simulation.under(() -> {
             Offer offer = find(device);
             return switch (request) {
-                case DeviceRequest.Geometry geometry when offer.type() == Interfaces.POSITION2D ->
+                case DeviceRequest.Geometry geometry
+                when offer.type() == Interfaces.POSITION2D ->
                     DeviceMessages.positionGeometry(
                             simulation.world().spec().robots().get(offer.robot()));
-                case DeviceRequest.Geometry geometry when offer.type() == Interfaces.SONAR ->
+                case DeviceRequest.Geometry geometry
+                when offer.type() == Interfaces.SONAR ->
                     DeviceMessages.sonarGeometry(
                             simulation.world().spec().robots().get(offer.robot()));
-                case DeviceRequest.ResetOdometry reset when offer.type() == Interfaces.POSITION2D ->
-                    rebase(offer.robot(), Pose.ORIGIN);
-                case DeviceRequest.SetOdometry set when offer.type() == Interfaces.POSITION2D ->
+                case DeviceRequest.ResetOdometry reset
+                when offer.type() == Interfaces.POSITION2D -> rebase(offer.robot(), Pose.ORIGIN);
+                case DeviceRequest.SetOdometry set
+                when offer.type() == Interfaces.POSITION2D ->
                     rebase(offer.robot(), new Pose(set.px(), set.py(), set.pa()));
                 // simulated motors and sonars are always on
                 case DeviceRequest.Power power when power.on() && offer.robot() >= 0 -> new DeviceReply.Ack();

@@ -16,16 +16,15 @@ final class DeviceMessages {
 
     static DataMessage data(Offer offer, Snapshot now) {
         RobotReading reading = now.robots().get(offer.robot());
-        DeviceData data =
-                switch (offer.type()) {
-                    case POSITION2D -> position(reading.odometry());
-                    case SONAR ->
-                        new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
-                                .map(Double::floatValue)
-                                .toList());
-                    case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
-                    case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
-                };
+        DeviceData data = switch (offer.type()) {
+            case POSITION2D -> position(reading.odometry());
+            case SONAR ->
+                new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
+                        .map(Double::floatValue)
+                        .toList());
+            case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
+            case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
+        };
         return new DataMessage(offer.address(), now.timeMicros() / 1e6, data);
     }
 

@@ -119,7 +119,8 @@ public final class Simulation implements AutoCloseable {
         });
         publish(now, audience);
         awaitAnswers(now.tick(), audience);
-        // Under the lock in which the last answer was seen: all that was said before the answers is there, what comes later waits for the next tick.
+        // Under the lock in which the last answer was seen: all that was said before the answers is there, what comes
+        // later waits for the next tick.
         under(() -> {
             lines.forEach(line -> line.takeCommands().forEach(Runnable::run));
             return now;
@@ -183,8 +184,9 @@ public final class Simulation implements AutoCloseable {
                 whileWaiting.run();
             }
             synchronized (lock) {
-                var silent =
-                        audience.stream().filter(line -> !line.hasAnswered(tick)).toList();
+                var silent = audience.stream()
+                        .filter(line -> !line.hasAnswered(tick))
+                        .toList();
                 if (silent.isEmpty()) {
                     return;
                 }

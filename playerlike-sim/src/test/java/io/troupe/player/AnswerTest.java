@@ -35,7 +35,9 @@ class AnswerTest {
         assertThat(pos.isDataReady()).isTrue();
         assertThat(son.isDataReady()).isFalse();
         client.readAll();
-        assertThat(pos.isDataReady()).as("nothing new, but the sonar is still unseen").isFalse();
+        assertThat(pos.isDataReady())
+                .as("nothing new, but the sonar is still unseen")
+                .isFalse();
         assertThat(pos.isDataReady()).isFalse();
         assertThat(server.answered()).isLessThan(0);
         assertThat(son.isDataReady()).isTrue();

@@ -43,7 +43,8 @@ class LockStepTest {
             TestWorlds.scenario(
                     PORT,
                     TestWorlds.world(
-                            List.of(robot("one", 0, 0, 0), robot("two", 0, 3, Math.PI)), wall("east", 3, 0, 0.2, 1, RED))),
+                            List.of(robot("one", 0, 0, 0), robot("two", 0, 3, Math.PI)),
+                            wall("east", 3, 0, 0.2, 1, RED))),
             WorldSettings.DEFAULT);
 
     @AfterEach
@@ -56,6 +57,7 @@ class LockStepTest {
         final List<Frame> frames = new ArrayList<>();
         final PlayerConnection line = PlayerPorts.find(PORT).orElseThrow().connect(this, null);
         private final BiConsumer<Client, Frame> move;
+
         @Nullable
         String lost;
 
@@ -131,8 +133,7 @@ class LockStepTest {
 
     @Test
     void twoClientsOfOneRobot_theOneThatConnectedLastWins_whoeverSpeaksFirst() {
-        var first = new Client(
-                (self, frame) -> {}, 0, Interfaces.POSITION2D);
+        var first = new Client((self, frame) -> {}, 0, Interfaces.POSITION2D);
         new Client(
                 (self, frame) -> {
                     self.drive(0, 0.4);
@@ -157,7 +158,8 @@ class LockStepTest {
         assertThat(client.frames.getLast().timeSeconds()).isEqualTo(0.1);
         assertThat(client.frames.getLast().messages())
                 .allSatisfy(message -> assertThat(message.timeSeconds()).isEqualTo(0.1))
-                .extracting(message -> Interfaces.name(message.from().interfaceCode()) + ":" + message.from().index())
+                .extracting(message -> Interfaces.name(message.from().interfaceCode()) + ":"
+                        + message.from().index())
                 .containsExactly("sonar:0", "blobfinder:0", "position2d:1", "blobfinder:1");
         var images = client.frames.getLast().messages().stream()
                 .map(message -> message.data())
@@ -239,12 +241,13 @@ class LockStepTest {
         son.setSonarPower(1);
         assertThatThrownBy(() -> pos.setMotorPower(0)).isInstanceOf(PlayerException.class);
         pos.setOdometry(new PlayerPose2d(7, 8, 0));
-        simulation.whileWaiting(() -> { // the client's part of the tick, on this thread
-            client.readAll();
-            client.readAll();
-            simulation.whileWaiting(() -> {});
-            client.close();
-        });
+        simulation.whileWaiting(
+                () -> { // the client's part of the tick, on this thread
+                    client.readAll();
+                    client.readAll();
+                    simulation.whileWaiting(() -> {});
+                    client.close();
+                });
         simulation.tick();
         assertThat(pos.getX()).as("before").isZero();
         assertThat(simulation.latest().robots().get(1).odometry().pose().x()).isEqualTo(7);
@@ -309,7 +312,8 @@ class LockStepTest {
         var connected = new CountDownLatch(1);
         space.execute(() -> {
             var client = new PlayerClient("localhost", PORT);
-            client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE).setSpeed(0.5, 0);
+            client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE)
+                    .setSpeed(0.5, 0);
             connected.countDown();
         });
         assertThat(connected.await(30, TimeUnit.SECONDS)).isTrue();

@@ -48,7 +48,9 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
 
     /** The newest tick the client has answered; -2 if it has not even asked for the first. */
     synchronized long answered() {
-        return answers.isEmpty() ? -2 : answers.stream().mapToLong(Long::longValue).max().orElseThrow();
+        return answers.isEmpty()
+                ? -2
+                : answers.stream().mapToLong(Long::longValue).max().orElseThrow();
     }
 
     synchronized void awaitAnswer(long tick) throws InterruptedException {

@@ -192,9 +192,8 @@ class StudentProgramsTest implements PlayerConstants {
     void programs_ofTwoRobots_driveTheSameWayEveryTime_whateverTimeTheyTake(Style style) throws Exception {
         List<Snapshot> first = run(style, 1);
         assertThat(first).hasSize(TICKS);
-        assertThat(first.getLast().robots()).allSatisfy(robot -> assertThat(robot.pose().x())
-                .as("it drove")
-                .isGreaterThan(0.5));
+        assertThat(first.getLast().robots())
+                .allSatisfy(robot -> assertThat(robot.pose().x()).as("it drove").isGreaterThan(0.5));
         for (long seed = 2; seed <= 4; seed++) {
             assertThat(run(style, seed)).as("times of seed %d", seed).isEqualTo(first);
         }
