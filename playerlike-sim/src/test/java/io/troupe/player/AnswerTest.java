@@ -139,10 +139,11 @@ class AnswerTest {
         assertThat(pos.isDataReady()).isFalse();
         server.publish(0);
         server.publish(1);
-        while (pos.getData() == null || pos.getX() < 1) {
+        while (pos.getTimestamp() < 0.1 || son.getTimestamp() < 0.1) {
             Thread.onSpinWait();
         }
-        assertThat(son.getTimestamp()).isEqualTo(0.1);
+        assertThat(pos.getX()).isEqualTo(1);
+        assertThat(son.getData().getRanges()).containsExactly(1f);
     }
 
     @Test
