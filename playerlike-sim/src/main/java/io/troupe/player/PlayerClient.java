@@ -33,7 +33,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> In lock step the world waits until its clients have answered a tick: by {@code readAll} waiting, by {@code isDataReady()} finding nothing
  * new where everything was seen or where it was asked in vain before, or, on an actor space, by the space having nothing left to do. In the threaded
  * style a frame appears as a whole, and in the call of {@code isDataReady()} by which the program waits for it: a program that uses its client from one
- * thread does the same every time, however fast anybody is. What it sends after its answer counts for the next tick. Use one client per thread.
+ * thread does the same every time, however fast anybody is. What it sends after its answer counts for the next tick. Use one client per thread. A program that
+ * only reads {@code getData()} and never asks may meet the devices of one frame one after the other.
  * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away.
  */
 public class PlayerClient extends Thread implements PlayerConstants {

@@ -72,8 +72,8 @@ public abstract class PlayerDevice implements PlayerConstants {
     abstract Latest<?> latest();
 
     final void accept(double timeSeconds, DeviceData data) {
-        timestamp = timeSeconds;
         accept(data);
+        timestamp = timeSeconds; // last: whoever sees a new one without asking isDataReady() finds its data
     }
 
     final void bind(DeviceAddress newAddress, byte newAccess, String newDriverName) {
