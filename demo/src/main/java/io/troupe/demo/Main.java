@@ -2,7 +2,11 @@ package io.troupe.demo;
 
 import io.troupe.player.PlayerException;
 import io.troupe.sim.scenario.WorldFileException;
+import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
@@ -17,13 +21,15 @@ import picocli.CommandLine.ParameterException;
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
+    /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
+    static final int FAILED = 1;
 
     private Main() {}
 
     public static void main(String[] arguments) {
         var out = new PrintWriter(System.out, true);
         var err = new PrintWriter(System.err, true);
-        System.exit(execute(out, err, arguments.length == 0 ? new String[] {"run"} : arguments));
+        System.exit(execute(out, err, arguments));
     }
 
     /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly. */
@@ -33,12 +39,27 @@ public final class Main {
                 .setErr(err)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException || thrown instanceof PlayerException) {
+                    if (thrown instanceof WorldFileException) {
                         return complain(commandLine, thrown.getMessage());
+                    }
+                    if (thrown instanceof IOException || thrown instanceof PlayerException) {
+                        err.println("troupe: " + thrown);
+                        err.flush();
+                        return FAILED;
                     }
                     throw thrown;
                 })
-                .execute(arguments);
+                .execute(withCommand(arguments));
+    }
+
+    /** {@code run} is what is done unless something else is asked for. */
+    private static String[] withCommand(String[] arguments) {
+        boolean optionsOfRun = arguments.length == 0
+                || arguments[0].startsWith("--")
+                        && !List.of("--help", "--version").contains(arguments[0]);
+        return optionsOfRun
+                ? Stream.concat(Stream.of("run"), Arrays.stream(arguments)).toArray(String[]::new)
+                : arguments;
     }
 
     private static int complain(CommandLine commandLine, String problem) {

@@ -9,9 +9,13 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.DeviceBinding;
+import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
@@ -29,7 +33,10 @@ final class PaperRun {
     private static final double JITTER_M = 0.02;
     private static final double JITTER_RAD = StrictMath.toRadians(2);
 
+    private static final int SONARS = 8;
+
     private final Scenario scenario;
+    private final int port;
     private final WorldSettings settings;
     private final long endMicros;
     private final CornerStyle corners;
@@ -42,10 +49,51 @@ final class PaperRun {
         this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
         this.endMicros = StrictMath.round(seconds * 1e6);
         this.realtime = realtime;
-        int robots = scenario.world().robots().size();
-        if (robots != table.robots()) {
-            throw new WorldFileException(scenario.world().file() + " has " + robots + " robots, expected "
-                    + table.robots() + " for the services of the paper");
+        this.port = check(scenario, table.robots());
+    }
+
+    /** Whether the world has what the services of the paper need; the port on which it is offered. */
+    private static int check(Scenario scenario, int expected) {
+        List<RobotSpec> robots = scenario.world().robots();
+        if (robots.size() != expected) {
+            throw new WorldFileException(scenario.world().file() + " has " + robots.size() + " robots, expected "
+                    + expected + " for the services of the paper");
+        }
+        int port = scenario.devices().stream()
+                .filter(device -> device.interfaceName().equals("position2d"))
+                .mapToInt(DeviceBinding::port)
+                .findFirst()
+                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
+        for (int index = 0; index < expected; index++) {
+            RobotSpec robot = robots.get(index);
+            SonarSpec sonar = robot.sonar();
+            if (sonar == null || sonar.mounts().size() < SONARS || robot.blobfinder() == null) {
+                throw new WorldFileException(
+                        robot.where(),
+                        "robot '" + robot.name() + "' has "
+                                + (sonar == null ? 0 : sonar.mounts().size()) + " sonars and "
+                                + (robot.blobfinder() == null ? "no" : "a")
+                                + " blobfinder, expected " + SONARS
+                                + " sonars or more and a blobfinder for the services of the paper");
+            }
+            for (String type : List.of("position2d", "sonar", "blobfinder")) {
+                checkBinding(scenario, robot, port, type, index);
+            }
+        }
+        return port;
+    }
+
+    private static void checkBinding(Scenario scenario, RobotSpec robot, int port, String type, int index) {
+        boolean offered = scenario.devices().stream()
+                .anyMatch(device -> device.port() == port
+                        && device.interfaceName().equals(type)
+                        && device.index() == index
+                        && device.model().equals(robot.name()));
+        if (!offered) {
+            throw new WorldFileException(
+                    robot.where(),
+                    "robot '" + robot.name() + "' is not " + type + ":" + index + " on port " + port
+                            + " of the configuration, expected the robots' devices in the order of the world file on one port");
         }
     }
 
@@ -81,7 +129,7 @@ final class PaperRun {
     private void begin(ActorSpace space, Ledger ledger, AtomicReference<@Nullable Throwable> failure)
             throws InterruptedException {
         var serviceSettings = RobotServices.Settings.ofThePaper()
-                .withPort(scenario.devices().getFirst().port())
+                .withPort(port)
                 .withCornerStyle(corners)
                 .withObserver(ledger);
         RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));

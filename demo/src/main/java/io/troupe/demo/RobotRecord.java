@@ -3,6 +3,7 @@ package io.troupe.demo;
 import io.troupe.services.subsumption.Service;
 import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
+import io.troupe.sim.physics.Physics;
 import io.troupe.sim.scenario.Pose;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -20,6 +21,7 @@ final class RobotRecord {
     private final List<Sample> path = new ArrayList<>();
     private final Map<String, Long> loops = new TreeMap<>();
     private double distanceM;
+    private double gapM = Double.POSITIVE_INFINITY;
     private double closestM = Double.POSITIVE_INFINITY;
     private int wallContacts;
     private int followingContacts;
@@ -32,6 +34,9 @@ final class RobotRecord {
 
     void began(Service service) {
         inCharge.add(service);
+        if (service.equals(Service.WALL_FOLLOWER) && gapM <= Physics.SKIN_M) {
+            followingContacts++; // it takes over while the robot touches something
+        }
     }
 
     void cycled(Service service) {
@@ -48,7 +53,8 @@ final class RobotRecord {
             Pose before = path.getLast().pose();
             distanceM += StrictMath.hypot(pose.x() - before.x(), pose.y() - before.y());
         }
-        closestM = StrictMath.min(closestM, reading.wallGapM());
+        gapM = reading.wallGapM();
+        closestM = StrictMath.min(closestM, gapM);
         path.add(new Sample(timeMicros, pose, serviceName()));
     }
 

@@ -42,7 +42,10 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
     private double seconds = 300;
 
-    @Option(names = "--seed", paramLabel = "N", description = "moves the start poses by up to 2 cm and 2 degrees")
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            description = "moves the start poses by up to 2 cm along x and y, and 2 degrees")
     private long seed = 1;
 
     @Option(
@@ -74,9 +77,7 @@ final class RunCommand implements Callable<Integer> {
             run(scenario, interrupted);
         } finally {
             finished.countDown();
-            if (!interrupted.get()) {
-                Runtime.getRuntime().removeShutdownHook(hook);
-            }
+            forget(hook);
         }
         return 0;
     }
@@ -106,6 +107,14 @@ final class RunCommand implements Callable<Integer> {
             Files.createDirectories(out);
         } catch (IOException e) {
             throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+        }
+    }
+
+    private static void forget(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shuttingDown) {
+            // it runs already, and that is what it is for
         }
     }
 

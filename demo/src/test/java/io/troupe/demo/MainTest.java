@@ -101,4 +101,65 @@ class MainTest {
         assertThat(troupe("run", "--help")).isZero();
         assertThat(out.toString()).contains("--world=FILE", "--seconds=N", "--seed=N", "--realtime", "--out=DIR");
     }
+
+    @Test
+    void optionsWithoutACommand_areThoseOfRun() {
+        assertThat(troupe(
+                        "--world",
+                        WORLD,
+                        "--seconds",
+                        "1",
+                        "--out",
+                        directory.resolve("o").toString()))
+                .isZero();
+        assertThat(out.toString()).contains("1.0 s simulated");
+    }
+
+    @Test
+    void fileThatCannotBeWritten_isOneLine() throws Exception {
+        Files.createDirectories(directory.resolve("o").resolve("run.jsonl"));
+        assertThat(troupe(
+                        "run",
+                        "--world",
+                        WORLD,
+                        "--seconds",
+                        "1",
+                        "--out",
+                        directory.resolve("o").toString()))
+                .isEqualTo(1);
+        assertThat(err.toString().lines())
+                .singleElement()
+                .satisfies(line -> assertThat(line).contains("run.jsonl"));
+    }
+
+    @Test
+    void robotThatTheServicesCannotDrive_isNamed() throws Exception {
+        Path world = directory.resolve("poor.world");
+        Files.writeString(world, """
+                define ring ranger ( scount 1 spose[0] [ 0 0 0 ] )
+                define bot position ( size [ 0.4 0.4 0.4 ] ring() blobfinder ( ) )
+                bot ( name "a" pose [ 0 0 0 0 ] )
+                bot ( name "b" pose [ 2 0 0 0 ] )
+                """);
+        assertComplaint(
+                troupe("run", "--world", world.toString()),
+                "poor.world:3:1",
+                "robot 'a' has 1 sonars and a blobfinder",
+                "expected 8");
+    }
+
+    @Test
+    void configurationThatSwapsTheRobots_isRefused() throws Exception {
+        for (String name : new String[] {"paper-arena.world", "pioneer.inc"}) {
+            Files.copy(Path.of("worlds", name), directory.resolve(name));
+        }
+        String swapped = Files.readString(Path.of("worlds", "paper-arena.cfg"))
+                .replace("\"robot1\"", "\"x\"")
+                .replace("\"robot2\"", "\"robot1\"")
+                .replace("\"x\"", "\"robot2\"");
+        Files.writeString(directory.resolve("paper-arena.cfg"), swapped);
+        assertComplaint(
+                troupe("run", "--world", directory.resolve("paper-arena.cfg").toString()),
+                "robot 'robot1' is not position2d:0 on port 6665");
+    }
 }

@@ -3,8 +3,9 @@ package io.troupe.services.subsumption;
 import io.troupe.actor.Actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
@@ -30,16 +31,25 @@ public class Arbitrator extends Actor {
         void began(State state, @Nullable Integer seenBy);
     }
 
+    private static final List<Service> KNOWN = List.of(Service.WALL_FOLLOWER, Service.SPACE_WANDERER);
+
     private final RobotServices services;
     private final SubsumptionTable table;
     private final StateListener listener;
     private final Deferred<@Nullable Void> ended = new Deferred<>();
-    private final List<AtomicReference<Integer>> references = new ArrayList<>();
+    private final Map<Integer, AtomicReference<Integer>> references = new TreeMap<>();
     private State state;
     private @Nullable Integer seenBy;
     private int switches;
 
     public Arbitrator(RobotServices services, SubsumptionTable table, StateListener listener) {
+        table.services().stream()
+                .filter(service -> !KNOWN.contains(service))
+                .findFirst()
+                .ifPresent(service -> {
+                    throw new IllegalArgumentException(
+                            "the table names the service " + service + ", expected one of " + KNOWN);
+                });
         this.services = services;
         this.table = table;
         this.listener = listener;
@@ -63,7 +73,7 @@ public class Arbitrator extends Actor {
         State present = state;
         int switchesBefore = switches;
         var reference = new AtomicReference<>(ServiceLoop.RUN);
-        references.add(reference);
+        references.put(robot, reference);
         Promise<?> end;
         if (present.services().get(robot).findsColours()) {
             var colourFinder = new AtomicReference<>(ServiceLoop.RUN);
@@ -82,15 +92,17 @@ public class Arbitrator extends Actor {
         });
     }
 
-    /** A robot has seen a colour: the first one to do so in a state ends it. */
+    /** A robot has seen a colour: the first one to do so in a state ends it. One that leads nowhere leaves the robot its service. */
     private void seen(int robot, int colour) {
-        table.next(state, colour).ifPresent(next -> {
-            state = next;
-            switches++;
-            seenBy = robot;
-            var stops = references.stream().map(services::stop).toList();
-            references.clear();
-            Promise.all(stops).thenRun(() -> ((Arbitrator) self()).live());
-        });
+        table.next(state, colour).ifPresentOrElse(next -> change(next, robot), () -> begin(robot));
+    }
+
+    private void change(State next, int robot) {
+        state = next;
+        switches++;
+        seenBy = robot;
+        var stops = references.values().stream().map(services::stop).toList();
+        references.clear();
+        Promise.all(stops).thenRun(() -> ((Arbitrator) self()).live());
     }
 }

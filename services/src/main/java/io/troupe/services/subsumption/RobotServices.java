@@ -101,10 +101,8 @@ public class RobotServices extends Actor {
                     }
                     return SpaceWanderer.steer(link.sonar());
                 })
-                .thenApply(stopped -> {
-                    colourFinder.set(ServiceLoop.STOPPED);
-                    return seen[0];
-                });
+                .whenComplete((stopped, error) -> colourFinder.set(ServiceLoop.STOPPED))
+                .thenApply(stopped -> seen[0]);
     }
 
     /**
@@ -147,6 +145,12 @@ public class RobotServices extends Actor {
 
     private Promise<@Nullable Void> start(
             int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Cycle cycle) {
+        for (var other : inCharge.values()) {
+            if (other.reference() == reference) {
+                throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
+                        + other.service() + " of another robot: give each service a reference of its own");
+            }
+        }
         RobotLink link =
                 links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
         var loop = new ServiceLoop(space(), robot, service, link, reference, cycle, settings.observer());

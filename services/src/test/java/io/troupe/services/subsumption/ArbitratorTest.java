@@ -1,6 +1,7 @@
 package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerException;
@@ -134,5 +135,44 @@ class ArbitratorTest {
         robots.vanish();
         assertThat(test.error(arbitrator.ended())).isInstanceOf(PlayerException.class);
         test.takeProblems();
+    }
+
+    @Test
+    void colourThatLeadsNowhere_leavesTheRobotItsService() {
+        var table = SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, WF, SW)
+                .when(Colours.RED, SW, WF)
+                .build();
+        var book = new ChargeBook();
+        try (var other = new TestSpace();
+                var others = new FakeRobots(other, 2, FakeRobots.PORT + 1)) {
+            RobotServices services = other.spawn(
+                    RobotServices.class,
+                    () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                            .withPort(FakeRobots.PORT + 1)
+                            .withObserver(book)));
+            Arbitrator partial =
+                    other.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
+            partial.live();
+            other.crank();
+            others.show(1, Colours.GREEN);
+            others.tick(100);
+            assertThat(book.of(1)).containsExactly(SW);
+            others.tick(100);
+            assertThat(book.of(1)).containsExactly(SW);
+            assertThat(others.lastCommand(1).vx()).isPositive();
+            other.space().close();
+        }
+    }
+
+    @Test
+    void serviceThatIsNotOffered_isRefused() {
+        var table = SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, new Service("parker", true))
+                .build();
+        var services = new RobotServices(RobotServices.Settings.ofThePaper());
+        assertThatThrownBy(() -> new Arbitrator(services, table, (state, seenBy) -> {}))
+                .hasMessage("the table names the service parker, expected one of [wallFollower, spaceWanderer]");
+        tick();
     }
 }

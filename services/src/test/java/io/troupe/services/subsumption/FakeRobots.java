@@ -27,7 +27,7 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
 
     private final TestSpace test;
     private final int robots;
-    private final PlayerPorts.Registration port = PlayerPorts.open(PORT, this);
+    private final PlayerPorts.Registration port;
     private final List<Line> lines = new ArrayList<>();
     private final float[][] ranges;
     private final int[] colours;
@@ -35,6 +35,11 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
     private long tick;
 
     FakeRobots(TestSpace test, int robots) {
+        this(test, robots, PORT);
+    }
+
+    FakeRobots(TestSpace test, int robots, int portNumber) {
+        this.port = PlayerPorts.open(portNumber, this);
         this.test = test;
         this.robots = robots;
         this.ranges = new float[robots][16];

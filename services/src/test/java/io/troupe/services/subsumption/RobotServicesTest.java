@@ -163,12 +163,23 @@ class RobotServicesTest {
         services.stop(first);
         test.crank();
         robots.show(0, Colours.BLACK);
-        Promise<Integer> second = services.spaceWanderer(0, running(), running(), Colours.BLUE);
+        var finder = running();
+        Promise<Integer> second = services.spaceWanderer(0, running(), finder, Colours.BLUE);
         test.crank();
         robots.tick(100);
         assertThat(test.error(second)).hasMessageContaining("sonar 3 reads NaN");
+        assertThat(finder).hasValue(2);
         assertThat(charge.of(0)).isEmpty();
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+    }
+
+    @Test
+    void referenceOfAnotherRobotsService_isRefused() {
+        var shared = running();
+        services.wallFollower(0, shared);
+        assertThat(test.error(services.wallFollower(1, shared)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("give each service a reference of its own");
     }
 
     @Test
