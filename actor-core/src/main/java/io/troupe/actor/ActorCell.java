@@ -29,7 +29,7 @@ public final class ActorCell {
         this.name = name;
         this.factory = factory;
         this.settings = settings;
-        this.ended = new Deferred<>();
+        this.ended = new Deferred<>(space);
         MailboxBound bound = settings.mailbox();
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
     }

@@ -25,8 +25,17 @@ record ActorMethods(List<Method> messages, List<Method> refused) {
         for (Method method : messages) {
             checkMessage(type, method);
         }
-        List<Method> refused = type.isInterface() ? List.of() : distinct(declaredUpToActor(type, false));
+        List<Method> refused = type.isInterface()
+                ? List.of()
+                : distinct(declaredUpToActor(type, false)).stream()
+                        .filter(method -> messages.stream().noneMatch(message -> sameSignature(method, message)))
+                        .toList();
         return new ActorMethods(messages, refused);
+    }
+
+    private static boolean sameSignature(Method first, Method second) {
+        return first.getName().equals(second.getName())
+                && Arrays.equals(first.getParameterTypes(), second.getParameterTypes());
     }
 
     /** As a caller writes it: {@code Greeter.greet(String)}. */

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * How an actor is made; immutable.
  *
  * @param name for messages about it; null = the type's simple name and a number
- * @param onError is told what its one-way messages, timers and listeners throw; null = the space's handler is
+ * @param onError is told what its one-way messages and timers throw; null = the space's handler is
  * @param supervision what becomes of it then
  * @param mailbox how many calls may wait for it; null = any number
  */

@@ -148,12 +148,12 @@ public final class ActorSpace extends Home implements AutoCloseable {
      * @return settled with what the work answers or throws
      */
     public <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
-        return offload.run(Objects.requireNonNull(work, "work"));
+        return offload.run(this, Objects.requireNonNull(work, "work"));
     }
 
     /** Fulfilled after a while, by this space's clock. */
     public Promise<@Nullable Void> delay(Duration duration) {
-        var over = new Deferred<@Nullable Void>();
+        var over = new Deferred<@Nullable Void>(this);
         schedule(duration.toNanos(), () -> over.resolve(null));
         return over;
     }
@@ -296,11 +296,20 @@ public final class ActorSpace extends Home implements AutoCloseable {
             Timer timer = dispatcher.timers.set(task, delayNanos, 0);
             return () -> onThread(timer::cancel);
         }
-        var pending = new Timer[1]; // touched on the space's thread only
+        var pending = new Timer[1]; // both touched on the space's thread only
+        var withdrawn = new boolean[1];
         long deadline = settings.clock().nanos() + delayNanos;
-        enqueue(new Entry(() -> pending[0] =
-                dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0)));
-        return () -> onThread(() -> pending[0].cancel());
+        enqueue(new Entry(() -> {
+            if (!withdrawn[0]) {
+                pending[0] = dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0);
+            }
+        }));
+        return () -> onThread(() -> {
+            withdrawn[0] = true;
+            if (pending[0] != null) {
+                pending[0].cancel();
+            }
+        });
     }
 
     @Override
@@ -334,8 +343,13 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return actors;
     }
 
+    /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
     void serve(Node node) {
-        run(node);
+        try {
+            run(node);
+        } catch (Throwable thrown) {
+            report("an entry of space " + this, thrown, null);
+        }
     }
 
     static boolean goesToMailbox(Node node) {
@@ -365,10 +379,6 @@ public final class ActorSpace extends Home implements AutoCloseable {
                 delay.toNanos(),
                 period.toNanos());
         return self[0];
-    }
-
-    void stop(ActorCell cell) {
-        cell.stop();
     }
 
     /** Before whatever waits in the mailboxes. */
@@ -418,7 +428,15 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     void deadLetter(ActorCell cell, String message, String reason) {
-        settings.onDeadLetter().accept(new DeadLetter(cell.toString(), message, reason));
+        tellOfDeadLetter(new DeadLetter(cell.toString(), message, reason));
+    }
+
+    private void tellOfDeadLetter(DeadLetter letter) {
+        try {
+            settings.onDeadLetter().accept(letter);
+        } catch (RuntimeException broken) {
+            report("the dead-letter handler of space " + this + ", about " + letter, broken, null);
+        }
     }
 
     void report(String where, Throwable error, @Nullable ErrorHandler first) {
@@ -466,26 +484,33 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     private void shut() {
-        List.copyOf(actors).forEach(ActorCell::stop);
-        clockRegistration.run();
-        lifeline.close();
-        refuseLeftovers();
-        rejections.releaseAll();
-        rejections.report((promise, error) -> report("a promise nobody listens to: " + promise, error, null));
-        ended.countDown();
+        try {
+            List.copyOf(actors).forEach(ActorCell::stop);
+            clockRegistration.run();
+            lifeline.close();
+            refuseLeftovers();
+            rejections.releaseAll();
+            rejections.report((promise, error) -> report("a promise nobody listens to: " + promise, error, null));
+        } finally {
+            lifeline.close();
+            ended.countDown();
+        }
     }
 
-    /** After the end: whoever finds entries in the queues turns them away, one thread at a time. */
+    /** After the end: whoever finds entries in the queues turns them away, on its own thread. */
     private void refuseLeftovers() {
-        synchronized (ended) {
-            for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
-                if (node instanceof Entry) {
-                    settings.onDeadLetter()
-                            .accept(new DeadLetter(settings.name(), "a task", "space " + this + " is closed"));
-                } else {
-                    run(node);
-                }
+        for (Node node = takeLeftover(); node != null; node = takeLeftover()) {
+            if (node instanceof Entry) {
+                tellOfDeadLetter(new DeadLetter(settings.name(), "a task", "space " + this + " is closed"));
+            } else {
+                serve(node);
             }
+        }
+    }
+
+    private @Nullable Node takeLeftover() {
+        synchronized (ended) {
+            return dispatcher.pollLeftover();
         }
     }
 

@@ -4,20 +4,42 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.invoke.VarHandle;
+import org.jspecify.annotations.Nullable;
 import org.objenesis.ObjenesisStd;
 import org.objenesis.instantiator.ObjectInstantiator;
 
 /** What was generated for an actor type: how to make its proxies. One per type, kept as long as the type. */
 abstract class ActorType {
-    private static final ClassValue<ActorType> TYPES = new ClassValue<>() {
+    private static final ClassValue<Once> TYPES = new ClassValue<>() {
         @Override
-        protected ActorType computeValue(Class<?> type) {
-            return generate(type);
+        protected Once computeValue(Class<?> type) {
+            return new Once();
         }
     };
 
     static ActorType of(Class<?> type) {
-        return TYPES.get(type);
+        return TYPES.get(type).get(type);
+    }
+
+    /** Classes can be defined once only: the first thread generates, the others wait, and a failure stays what it was. */
+    private static final class Once {
+        private @Nullable ActorType made;
+        private @Nullable ActorTypeException failure;
+
+        synchronized ActorType get(Class<?> type) {
+            if (failure != null) {
+                throw new ActorTypeException(String.valueOf(failure.getMessage()), failure);
+            }
+            if (made == null) {
+                try {
+                    made = generate(type);
+                } catch (ActorTypeException e) {
+                    failure = e;
+                    throw e;
+                }
+            }
+            return made;
+        }
     }
 
     /** A proxy that sends to the cell. */

@@ -52,6 +52,7 @@ final class Lifeline {
             }
         }
         phase.compareAndSet(ASLEEP, AWAKE);
+        Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping
     }
 
     void close() {

@@ -14,15 +14,14 @@ final class Offload {
         places = new Semaphore(limit, true);
     }
 
-    <T extends @Nullable Object> Promise<T> run(Callable<? extends T> work) {
-        var answer = new Deferred<T>();
+    <T extends @Nullable Object> Promise<T> run(ActorSpace space, Callable<? extends T> work) {
+        var answer = new Deferred<T>(space);
         Thread.ofVirtual().name("offload").start(() -> {
-            if (answer.isDone()) {
-                return; // cancelled before it began
-            }
             places.acquireUninterruptibly();
             try {
-                answer.resolve(work.call());
+                if (!answer.isDone()) { // else cancelled before it began
+                    answer.resolve(work.call());
+                }
             } catch (Throwable thrown) {
                 answer.reject(thrown);
             } finally {

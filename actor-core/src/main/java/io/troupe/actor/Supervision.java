@@ -3,8 +3,8 @@ package io.troupe.actor;
 import java.time.Duration;
 
 /**
- * What becomes of an actor when a one-way message, a timer or a listener of it throws. (What a request throws is an answer to its asker, and changes
- * nothing.) The error is reported in any case.
+ * What becomes of an actor when a one-way message or a timer of it throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise
+ * that {@code then} answered.) The error is reported in any case.
  *
  * @param directive what to do
  * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor

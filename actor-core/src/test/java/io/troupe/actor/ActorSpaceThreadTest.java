@@ -232,4 +232,49 @@ class ActorSpaceThreadTest {
         } // serves what was queued, then ends the thread
         assertThat(printed).containsExactly("Hello again, Ada on hello");
     }
+
+    interface Fresh {
+        Promise<String> hi();
+    }
+
+    @Test
+    void firstSpawnOfAType_byManyThreadsAtOnce_works() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("crowd"))) {
+            var begin = new CountDownLatch(1);
+            var answers = new ArrayList<Promise<String>>();
+            var threads = new ArrayList<Thread>();
+            for (int i = 0; i < 8; i++) {
+                threads.add(Thread.ofPlatform().start(() -> {
+                    holdTheThread(begin);
+                    Fresh fresh = space.spawn(Fresh.class, () -> () -> Promise.of("hi"));
+                    synchronized (answers) {
+                        answers.add(fresh.hi());
+                    }
+                }));
+            }
+            begin.countDown();
+            for (var thread : threads) {
+                thread.join();
+            }
+            assertThat(Promise.all(answers).get(LONG)).hasSize(8).containsOnly("hi");
+        }
+    }
+
+    @Test
+    void deadLetterHandlerThatThrows_doesNotEndTheSpace() throws Exception {
+        var problems = new ArrayList<String>();
+        var settings = SpaceSettings.named("tough")
+                .withOnDeadLetter(letter -> {
+                    throw new IllegalStateException("no letters, please");
+                })
+                .withOnError((where, error) -> problems.add(error.getMessage()));
+        try (var space = ActorSpace.create(settings)) {
+            Tally gone = space.spawn(Tally.class, StrictTally::new);
+            Tally alive = space.spawn(Tally.class, StrictTally::new);
+            space.stop(gone);
+            gone.add(0, 1);
+            assertThat(alive.count().get(LONG)).isZero();
+        }
+        assertThat(problems).containsExactly("no letters, please");
+    }
 }

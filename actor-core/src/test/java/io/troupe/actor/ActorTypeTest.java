@@ -276,4 +276,33 @@ class ActorTypeTest {
         Callable<String> label = TextBox::label;
         assertThat(label.call()).isEqualTo("text");
     }
+
+    abstract static class Stepping extends Actor {
+        protected abstract void step();
+    }
+
+    public static class Walker extends Stepping {
+        static int steps;
+
+        @Override
+        public void step() {
+            steps++;
+            stop();
+            steps++; // the message goes on to its end
+        }
+
+        @Override
+        protected void stopped() {
+            steps *= 10;
+        }
+    }
+
+    @Test
+    void methodThatBecomesPublicInASubclass_isAMessage_andStopWaitsForItsEnd() {
+        Walker walker = test.spawn(Walker.class, Walker::new);
+        walker.step();
+        test.crank();
+        assertThat(Walker.steps).isEqualTo(20);
+        Walker.steps = 0;
+    }
 }

@@ -10,14 +10,22 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;
+    private final boolean madeOutside;
 
     /** Belongs to the actor space whose thread is calling, if any. */
     public Deferred() {
         this(Home.current());
     }
 
-    Deferred(@Nullable Home home) {
+    /** Belongs to that home: its listeners from outside run there, and a rejection nobody hears is reported there. */
+    public Deferred(@Nullable Home home) {
         this.home = home;
+        this.madeOutside = home != null && !home.isCurrent();
+    }
+
+    @Override
+    protected boolean madeOutside() {
+        return madeOutside;
     }
 
     /** Fulfils the promise; false if it was settled before. */

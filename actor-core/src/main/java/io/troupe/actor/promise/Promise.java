@@ -260,7 +260,7 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
         return Gather.allSettled(promises);
     }
 
-    /** The first value; rejected when all are, with the last error and the others as suppressed ones. */
+    /** The first value; rejected when all are, with a {@link java.util.NoSuchElementException} that has their errors as suppressed ones. */
     public static <T extends @Nullable Object> Promise<T> any(Collection<? extends Promise<? extends T>> promises) {
         return Gather.any(promises);
     }

@@ -45,7 +45,7 @@ public final class TimerWheel {
         if (periodNanos < 0) {
             throw new IllegalArgumentException("a timer's period is " + periodNanos + " ns, expected 0 (once) or more");
         }
-        var timer = new Timer(this, task, clock.nanos() + Math.max(0, delayNanos), periodNanos, sequence++);
+        var timer = new Timer(this, task, saturatedSum(clock.nanos(), Math.max(0, delayNanos)), periodNanos, sequence++);
         insert(timer);
         return timer;
     }
@@ -68,7 +68,7 @@ public final class TimerWheel {
     }
 
     /**
-     * Runs what is due. A periodic task runs once for every period that is over.
+     * Runs what is due, each timer once: one whose next period is over too is due again at once, so that others have their turn in between.
      *
      * @param runner calls the task and deals with what it throws
      * @return how many tasks were run
@@ -120,9 +120,7 @@ public final class TimerWheel {
             if (timer.periodNanos > 0) {
                 timer.deadlineNanos += timer.periodNanos;
                 insert(timer);
-                if (timer.deadlineNanos <= now) {
-                    due.add(timer);
-                }
+                doneSlot = Math.min(doneSlot, slotNumber(timer.deadlineNanos));
             }
             runner.accept(timer.task);
             count++;
@@ -164,6 +162,11 @@ public final class TimerWheel {
         slots[index] = timer;
         timer.waiting = true;
         size++;
+    }
+
+    private static long saturatedSum(long nanos, long more) {
+        long sum = nanos + more;
+        return sum < nanos ? Long.MAX_VALUE : sum;
     }
 
     private static long slotNumber(long nanos) {

@@ -69,6 +69,19 @@ class TestSpaceTest {
     }
 
     @Test
+    void orTimeout_ofAnAnswerThatComesFirst_isWithdrawn() {
+        interface Quick {
+            Promise<String> hi();
+        }
+        try (var test = new TestSpace()) {
+            Quick quick = test.spawn(Quick.class, () -> () -> Promise.of("hi"));
+            assertThat(test.get(quick.hi().orTimeout(Duration.ofSeconds(1)))).isEqualTo("hi");
+            test.advance(Duration.ofSeconds(2));
+            assertThat(test.get(quick.hi())).isEqualTo("hi");
+        }
+    }
+
+    @Test
     void forgottenProblem_failsTheTestAtTheEnd() {
         var test = new TestSpace();
         test.spawn(Probe.class, Silent::new).poke("ouch");

@@ -19,7 +19,9 @@ class TimerWheelTest {
 
     private void advanceMillis(long millis) {
         clock.advance(Duration.ofMillis(millis));
-        wheel.runDue(Runnable::run);
+        while (wheel.isDue()) {
+            wheel.runDue(Runnable::run);
+        }
     }
 
     @Test
@@ -63,6 +65,24 @@ class TimerWheelTest {
         assertThat(timer.cancel()).isFalse();
         advanceMillis(1_000);
         assertThat(log).hasSize(10);
+    }
+
+    @Test
+    void periodicTimer_thatIsLate_letsOthersHaveTheirTurn() {
+        wheel.set(() -> log.add("fast"), MILLI, MILLI);
+        clock.advance(Duration.ofMillis(10));
+        assertThat(wheel.runDue(Runnable::run)).isEqualTo(1);
+        assertThat(wheel.isDue()).isTrue();
+        wheel.set(() -> log.add("other"), 0, 0);
+        assertThat(wheel.runDue(Runnable::run)).isEqualTo(2);
+        assertThat(log).containsExactly("fast", "fast", "other");
+    }
+
+    @Test
+    void timerForTheEndOfTime_waits() {
+        wheel.set(() -> log.add("never"), Long.MAX_VALUE, 0);
+        advanceMillis(10_000);
+        assertThat(log).isEmpty();
     }
 
     @Test
