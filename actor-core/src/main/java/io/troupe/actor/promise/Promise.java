@@ -127,6 +127,7 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
 
     /**
      * Waits for the value, from outside.
+     *
      * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an {@code ExecutionException}.
      *
      * @throws IllegalStateException on the thread of an actor space, which must never wait; use {@code then} or {@code thenCompose}
