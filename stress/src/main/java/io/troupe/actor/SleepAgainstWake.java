@@ -18,7 +18,10 @@ import org.openjdk.jcstress.infra.results.ZZ_Result;
         expect = Expect.ACCEPTABLE,
         desc = "The sleeper saw the message, and does not park.")
 @Outcome(id = "true, false", expect = Expect.ACCEPTABLE, desc = "The sleeper is about to park, and was woken.")
-@Outcome(id = "true, true", expect = Expect.FORBIDDEN, desc = "Each missed the other: the space parks with a message waiting.")
+@Outcome(
+        id = "true, true",
+        expect = Expect.FORBIDDEN,
+        desc = "Each missed the other: the space parks with a message waiting.")
 @State
 public class SleepAgainstWake {
     private static final class Letter extends Node {
