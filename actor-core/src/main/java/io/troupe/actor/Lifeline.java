@@ -41,9 +41,7 @@ final class Lifeline {
             }
             Thread.onSpinWait();
         }
-        sleeper = Thread.currentThread();
-        phase.set(ASLEEP);
-        if (dispatcher.isQuiet()) {
+        if (fallAsleep(dispatcher)) {
             long deadline = dispatcher.timers.nextDeadline();
             if (deadline == Long.MAX_VALUE || !clock.runsByItself()) {
                 LockSupport.park(this);
@@ -53,6 +51,18 @@ final class Lifeline {
         }
         phase.compareAndSet(ASLEEP, AWAKE);
         Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping
+    }
+
+    /** Says that the space sleeps, and only then looks again; true if there is still nothing to do, so that it may park. */
+    boolean fallAsleep(Dispatcher dispatcher) {
+        sleeper = Thread.currentThread();
+        phase.set(ASLEEP);
+        return dispatcher.isQuiet();
+    }
+
+    /** Whether the space has said that it sleeps, and nobody has woken it since. */
+    boolean isAsleep() {
+        return phase.get() == ASLEEP;
     }
 
     void close() {

@@ -128,9 +128,10 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
     /**
      * Waits for the value, from outside.
      *
+     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an {@code ExecutionException}.
+     *
      * @throws IllegalStateException on the thread of an actor space, which must never wait; use {@code then} or {@code thenCompose}
      * @throws TimeoutException if it is not settled in time
-     * @throws java.util.concurrent.ExecutionException never: a rejection's own error is thrown, a checked one too
      */
     public final T get(Duration timeout) throws TimeoutException, InterruptedException {
         Waiter.await(this, timeout);
