@@ -69,10 +69,6 @@ final class Lifeline {
         phase.set(CLOSED);
     }
 
-    boolean isAsleep() {
-        return phase.get() == ASLEEP;
-    }
-
     boolean isClosed() {
         return phase.get() == CLOSED;
     }
