@@ -301,7 +301,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         long deadline = settings.clock().nanos() + delayNanos;
         enqueue(new Entry(() -> {
             if (!withdrawn[0]) {
-                pending[0] = dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0);
+                pending[0] =
+                        dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0);
             }
         }));
         return () -> onThread(() -> {

@@ -45,7 +45,8 @@ public final class TimerWheel {
         if (periodNanos < 0) {
             throw new IllegalArgumentException("a timer's period is " + periodNanos + " ns, expected 0 (once) or more");
         }
-        var timer = new Timer(this, task, saturatedSum(clock.nanos(), Math.max(0, delayNanos)), periodNanos, sequence++);
+        var timer =
+                new Timer(this, task, saturatedSum(clock.nanos(), Math.max(0, delayNanos)), periodNanos, sequence++);
         insert(timer);
         return timer;
     }
