@@ -228,6 +228,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
         }
     }
 
+    boolean isCrankedByHand() {
+        return settings.handCranked();
+    }
+
     /** The clock by which this space's timers run. */
     public Clock clock() {
         return settings.clock();
@@ -384,7 +388,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     /** Before whatever waits in the mailboxes. */
     void runNext(Runnable task) {
-        enqueue(new UrgentEntry(task));
+        enqueue(Entry.urgent(task));
     }
 
     void runTimer(Runnable task) {
@@ -531,37 +535,6 @@ public final class ActorSpace extends Home implements AutoCloseable {
             }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
-        }
-    }
-
-    /** Something to do on the space's thread that is no call of an actor. */
-    private static class Entry extends Node {
-        private final Runnable task;
-
-        Entry(Runnable task) {
-            this.task = task;
-        }
-
-        @Override
-        protected void run() {
-            task.run();
-        }
-
-        @Override
-        protected boolean isMail() {
-            return true;
-        }
-    }
-
-    /** The same, in the callback queue: before the mails that wait. */
-    private static final class UrgentEntry extends Entry {
-        UrgentEntry(Runnable task) {
-            super(task);
-        }
-
-        @Override
-        protected boolean isMail() {
-            return false;
         }
     }
 }

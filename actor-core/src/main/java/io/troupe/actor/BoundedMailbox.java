@@ -29,7 +29,7 @@ final class BoundedMailbox {
                     return false;
                 }
                 case BLOCK -> {
-                    if (Home.current() != null) {
+                    if (Home.current() != null || cell.space().isCrankedByHand()) {
                         return false;
                     }
                     room.acquireUninterruptibly();

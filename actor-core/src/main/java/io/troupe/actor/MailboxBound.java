@@ -11,7 +11,9 @@ public record MailboxBound(int capacity, Overflow overflow) {
     public enum Overflow {
         /** The new request is rejected with {@link MailboxFullException}; a new one-way message becomes a dead letter. */
         REJECT,
-        /** A caller outside every actor space waits for room; one on an actor space must not wait, and is treated as by {@link #REJECT}. */
+        /** A caller outside every actor space waits for room; one on an actor space must not wait, and is treated as by
+         * {@link #REJECT}; so is everybody whose actor lives in a space cranked by hand, where nobody else would make room.
+         */
         BLOCK,
         /** The call that has waited longest is rejected or becomes a dead letter, to make room. */
         DROP_OLDEST

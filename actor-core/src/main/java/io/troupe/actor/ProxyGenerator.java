@@ -15,15 +15,15 @@ import org.objectweb.asm.Type;
  *
  * <p>For {@code interface Greeter { Promise<String> greet(String name); }} it writes what this would compile to:
  * {@snippet lang=java :
- * final class Greeter$$greet extends Request<String> {
+ * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;
- *     Greeter$$greet(ActorCell cell, String a0) { super(cell); this.a0 = a0; }
+ *     Greeter$$greet$0(ActorCell cell, String a0) { super(cell); this.a0 = a0; }
  *     protected Promise<String> invoke(Object implementation) { return ((Greeter) implementation).greet(a0); }
  * }
  * final class Greeter$$Proxy implements Greeter, ActorProxy {
  *     ActorCell troupe$cell;
  *     public Promise<String> greet(String a0) {
- *         var request = new Greeter$$greet(troupe$cell, a0);
+ *         var request = new Greeter$$greet$0(troupe$cell, a0);
  *         troupe$cell.send(request);
  *         return request;
  *     }
@@ -65,12 +65,9 @@ final class ProxyGenerator {
         }
     }
 
-    /** Overloads are told apart by their number. */
+    /** The number tells overloads apart, and any message from the proxy itself. */
     private String messageName(int index) {
-        String name = messages.get(index).getName();
-        boolean overloaded =
-                messages.stream().filter(each -> each.getName().equals(name)).count() > 1;
-        return typeName + "$$" + name + (overloaded ? "$" + index : "");
+        return typeName + "$$" + messages.get(index).getName() + "$" + index;
     }
 
     private byte[] proxy() {

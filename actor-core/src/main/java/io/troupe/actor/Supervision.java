@@ -15,7 +15,7 @@ public record Supervision(Directive directive, int limit, Duration window) {
     public enum Directive {
         /** Go on with the next message: the actor keeps its state. */
         RESUME,
-        /** Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox is kept. */
+        /** Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox is kept. A factory that throws stops the actor. */
         RESTART,
         /** End it. */
         STOP

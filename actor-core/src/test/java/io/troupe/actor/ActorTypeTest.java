@@ -305,4 +305,27 @@ class ActorTypeTest {
         assertThat(Walker.steps).isEqualTo(20);
         Walker.steps = 0;
     }
+
+    interface Named {
+        Promise<String> Proxy();
+
+        Promise<String> Proxy(int number);
+    }
+
+    @Test
+    void methodNames_neverMeetGeneratedOnes() {
+        Named named = test.spawn(Named.class, () -> new Named() {
+            @Override
+            public Promise<String> Proxy() {
+                return Promise.of("plain");
+            }
+
+            @Override
+            public Promise<String> Proxy(int number) {
+                return Promise.of("number " + number);
+            }
+        });
+        assertThat(test.get(named.Proxy())).isEqualTo("plain");
+        assertThat(test.get(named.Proxy(2))).isEqualTo("number 2");
+    }
 }

@@ -22,9 +22,10 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> What a request to an actor answers at once. Settled exactly once: fulfilled with a value or rejected with an error.
  * Made by calling an actor, by {@link Deferred}, or by {@link #of}.
  * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered; registered elsewhere, on the
- * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). It never runs on the stack of
- * an actor that settles the promise.
- * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them.
+ * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). In a space it
+ * is an entry of the callback queue, never a call on the stack of whoever settles the promise.
+ * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them; only one that is registered at the very moment
+ * at which another thread settles the promise may come before those registered earlier.
  * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection nobody listens to is
  * reported to the space's error handler.
  * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's {@code then}.
