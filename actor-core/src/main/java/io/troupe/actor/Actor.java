@@ -47,7 +47,7 @@ public abstract class Actor {
     /** Stops this actor after the current message; the messages behind it become dead letters, the requests are rejected. */
     protected final void stop() {
         var mine = cell("stop()");
-        mine.space().runNext(mine::stop);
+        mine.space().afterTurn(mine::stop);
     }
 
     /** Runs a task once, later, unless this actor has stopped. */

@@ -13,43 +13,65 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ActorCell {
     private final ActorSpace space;
-    private final String name;
+    private final Class<?> type;
+    private final int number;
     private final Supplier<?> factory;
     private final ActorSettings settings;
-    private final Deferred<@Nullable Void> ended;
     private final @Nullable BoundedMailbox mailbox;
     private @Nullable Object implementation;
     private @Nullable Object proxy;
     private @Nullable FailureCount failures;
-    private Life life = new Life(this);
+    private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as is stopped for other threads
+    private Life life;
     private boolean stopped;
 
-    ActorCell(ActorSpace space, String name, Supplier<?> factory, ActorSettings settings) {
+    @Nullable
+    ActorCell before;
+
+    @Nullable
+    ActorCell after;
+
+    /**
+     * An actor that has not started.
+     *
+     * @param type what it is called by if it has no name of its own
+     * @param number tells it from others of its type then
+     */
+    ActorCell(ActorSpace space, Class<?> type, int number, Supplier<?> factory, ActorSettings settings) {
         this.space = space;
-        this.name = name;
+        this.type = type;
+        this.life = new Life(this);
+        this.number = number;
         this.factory = factory;
         this.settings = settings;
-        this.ended = new Deferred<>(space);
         MailboxBound bound = settings.mailbox();
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
     }
 
     /** Puts a call into the actor's mailbox. */
     public void send(Message message) {
-        if (mailbox != null && !mailbox.admit(message, this)) {
-            drop(message, mailbox.reason());
+        if (mailbox == null) {
+            space.enqueueMail(message);
         } else {
-            space.enqueue(message);
+            sendBounded(message, mailbox);
         }
     }
 
     /** Puts a call into the actor's mailbox. */
     public void send(Request<?> request) {
         request.noteAsker(space.isCurrent());
-        if (mailbox != null && !mailbox.admit(request, this)) {
-            drop(request, mailbox.reason());
+        if (mailbox == null) {
+            space.enqueueMail(request);
         } else {
-            space.enqueue(request);
+            sendBounded(request, mailbox);
+        }
+    }
+
+    private void sendBounded(Node call, BoundedMailbox bounded) {
+        switch (bounded.admit(call, this)) {
+            case QUEUED -> space.enqueueMail(call);
+            case TAKEN_IN -> {}
+            case REFUSED -> drop(call, bounded.reason());
         }
     }
 
@@ -80,8 +102,14 @@ public final class ActorCell {
         return life;
     }
 
-    /** Fulfilled when the actor has stopped. */
-    Promise<@Nullable Void> ended() {
+    /** Fulfilled when the actor has stopped. Any thread. */
+    synchronized Promise<@Nullable Void> ended() {
+        if (ended == null) {
+            if (stopped) {
+                return Promise.done();
+            }
+            ended = new Deferred<>(space);
+        }
         return ended;
     }
 
@@ -113,10 +141,16 @@ public final class ActorCell {
         if (stopped) {
             return;
         }
-        stopped = true;
         space.actors().remove(this);
+        Deferred<@Nullable Void> watched;
+        synchronized (this) {
+            stopped = true;
+            watched = ended;
+        }
         endLife();
-        ended.resolve(null);
+        if (watched != null) {
+            watched.resolve(null);
+        }
     }
 
     /** The end of one instance. */
@@ -139,70 +173,77 @@ public final class ActorCell {
 
     /** Turns a call away that found no room, or had to make room. Any thread. */
     void drop(Node call, String reason) {
-        if (call instanceof Request<?> request) {
-            request.reject(new MailboxFullException(request + " was not begun: " + reason));
+        space.reports().turnAway(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
+    }
+
+    /** Serves a one-way call. */
+    void deliver(Message message) {
+        Object target = implementation;
+        if (target == null || mailbox != null) {
+            deliverNext(message);
         } else {
-            space.deadLetter(this, call.toString(), reason);
+            handle(message, target);
         }
     }
 
-    void deliver(Message message) {
-        if (mailbox != null && !mailbox.leave(message)) {
-            return; // dropped while it waited
+    /** Serves a request. */
+    void deliver(Request<?> request) {
+        Object target = implementation;
+        if (target == null || mailbox != null) {
+            deliverNext(request);
+        } else {
+            handle(request, target);
         }
+    }
+
+    private void deliverNext(Node ticket) {
+        Node call = mailbox == null ? ticket : mailbox.next(ticket);
         Object target = implementation;
         if (target == null) {
-            space.deadLetter(this, message.toString(), space.whyStopped(this));
-            return;
+            refuse(call);
+        } else if (call instanceof Message message) {
+            handle(message, target);
+        } else {
+            handle((Request<?>) call, target);
         }
-        ActorCell before = space.enter(this);
+    }
+
+    private void handle(Message message, Object target) {
+        space.beginTurnOf(life);
         try {
             message.invoke(target);
         } catch (Throwable thrown) {
             failed(message.method(), thrown);
-        } finally {
-            space.leave(before);
         }
     }
 
-    void deliver(Request<?> request) {
-        if (mailbox != null && !mailbox.leave(request) || request.isDone()) {
-            return; // dropped or cancelled while it waited
-        }
-        Object target = implementation;
-        if (target == null) {
-            refuse(request);
+    private void handle(Request<?> request, Object target) {
+        if (request.isDone()) {
+            space.reports().skip(request); // cancelled while it waited
             return;
         }
-        ActorCell before = space.enter(this);
-        try {
-            request.answer(target);
-        } finally {
-            space.leave(before);
-        }
+        space.beginTurnOf(life);
+        request.answer(target);
     }
 
-    /** Answers a request that nobody will handle. */
-    void refuse(Request<?> request) {
-        String reason = space.whyStopped(this);
-        request.reject(new ActorStoppedException(request + " was not begun: " + reason));
+    private void refuse(Node call) {
+        String reason = space.isClosing() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
+        space.reports().turnAway(call, this, reason, new ActorStoppedException(call + " was not begun: " + reason));
     }
 
     /** Runs something on behalf of this actor; what it throws is a failure of the actor. */
     void guard(String what, Runnable action) {
-        ActorCell before = space.enter(this);
+        space.beginTurnOf(life);
         try {
             action.run();
         } catch (Throwable thrown) {
             failed(what, thrown);
-        } finally {
-            space.leave(before);
         }
     }
 
-    /** After the failing code has returned, so that nothing of the old instance is on the stack when a new one begins. */
+    /** What the failure leads to comes when the failing turn has returned, and before anything else. */
     private void failed(String what, Throwable thrown) {
-        space.report(what + " of " + this, thrown, settings.onError());
+        space.reports().error(what + " of " + this, thrown, settings.onError());
         if (stopped) {
             return;
         }
@@ -211,13 +252,14 @@ public final class ActorCell {
         }
         switch (failures.note(space.clock().nanos())) {
             case RESUME -> {}
-            case STOP -> space.runNext(this::stop);
-            case RESTART -> space.runNext(this::restart);
+            case STOP -> space.afterTurn(this::stop);
+            case RESTART -> space.afterTurn(this::restart);
         }
     }
 
     @Override
     public String toString() {
-        return name;
+        String name = settings.name();
+        return name != null ? name : type.getSimpleName() + "#" + number;
     }
 }

@@ -3,20 +3,18 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
+import io.troupe.actor.promise.Owner;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
-import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Objects;
-import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -34,7 +32,6 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single thread.
  */
 public final class ActorSpace extends Home implements AutoCloseable {
-    private static final int OFFLOAD_LIMIT = 256;
     private static final long GRACE_NANOS = 1_000_000_000;
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
@@ -44,23 +41,30 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
+    private final Reports reports;
     private final Lifeline lifeline = new Lifeline();
     private final Rejections rejections = new Rejections();
-    private final Set<ActorCell> actors = new LinkedHashSet<>();
-    private final AtomicLong spawned = new AtomicLong();
+    private final ActorList actors = new ActorList();
+    private final AtomicInteger spawned = new AtomicInteger();
     private final AtomicBoolean closing = new AtomicBoolean();
+    private final AtomicBoolean refusing = new AtomicBoolean();
     private final boolean closeable;
-    private final Offload offload = new Offload(OFFLOAD_LIMIT);
+    private final Offload offload;
+    private final Sequences sequences = new Sequences(this);
+    private final Probing metrics;
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Runnable clockRegistration;
     private @Nullable Thread thread; // the one that serves now; only ever equal to a reader that set it itself
-    private @Nullable ActorCell current;
+    private volatile @Nullable Leftovers leftovers;
     private boolean stopping;
 
     private ActorSpace(SpaceSettings settings, boolean closeable) {
         this.settings = settings;
         this.closeable = closeable;
-        this.dispatcher = new Dispatcher(this, new TimerWheel(settings.clock()));
+        this.reports = new Reports(settings);
+        this.dispatcher = new Dispatcher(this, new TimerWheel(settings.clock(), this::isCurrent));
+        this.metrics = new Probing(this, dispatcher, reports);
+        this.offload = new Offload(settings.offloadLimit());
         this.clockRegistration = settings.clock().onMove(lifeline::wake);
     }
 
@@ -104,18 +108,17 @@ public final class ActorSpace extends Home implements AutoCloseable {
         Objects.requireNonNull(factory, "factory");
         checkOpen("spawn(" + type.getName() + ")");
         var proxies = ActorType.of(type);
-        String given = actorSettings.name();
-        String name = given != null ? given : type.getSimpleName() + "#" + spawned.incrementAndGet();
-        var cell = new ActorCell(this, name, factory, actorSettings);
+        var cell = new ActorCell(this, type, spawned.incrementAndGet(), factory, actorSettings);
         A proxy = proxies.newProxy(cell);
         cell.bind(proxy);
-        enqueue(new Entry(cell::start));
+        enqueueMail(new Entry(cell::start, cell::stop));
         return proxy;
     }
 
     /** Stops the actor behind a proxy of this space after the messages already in its mailbox. */
     public void stop(Object proxy) {
-        enqueue(new Entry(cellOf(proxy)::stop));
+        ActorCell cell = cellOf(proxy);
+        enqueueMail(new Entry(cell::stop, cell::stop));
     }
 
     /**
@@ -139,11 +142,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
     public void execute(Runnable task) {
         Objects.requireNonNull(task, "task");
         checkOpen("execute(..)");
-        enqueue(new Entry(() -> runGuarded(task)));
+        enqueueMail(new Entry(() -> runGuarded(task)));
     }
 
     /**
-     * Runs blocking work on a virtual thread, {@value #OFFLOAD_LIMIT} at a time in one space.
+     * Runs blocking work on a virtual thread, so many at a time as {@link SpaceSettings#offloadLimit} says.
      *
      * @return settled with what the work answers or throws
      */
@@ -151,10 +154,29 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return offload.run(this, Objects.requireNonNull(work, "work"));
     }
 
-    /** Fulfilled after a while, by this space's clock. */
+    /**
+     * Runs a body that may wait with {@link Promise#await()}, on a virtual thread that counts as this space's while the body runs: it sees and
+     * changes what an actor's code may. While it waits the space serves others, the same actor included, so what it has read before may have changed after.
+     *
+     * <p><b>Order.</b> The body begins in its turn among the messages, on behalf of the calling actor; what it waited for is a callback. <b>Cost.</b> Two switches
+     * between threads for the beginning and for each {@code await()} that really waits.
+     *
+     * @return settled with what the body answers or throws
+     */
+    public <T extends @Nullable Object> Promise<T> sequential(Callable<? extends T> body) {
+        Objects.requireNonNull(body, "body");
+        checkOpen("sequential(..)");
+        return sequences.start(body, isCurrent() ? owner() : itself());
+    }
+
+    /** Fulfilled after a while, by this space's clock; rejected with {@link ActorStoppedException} if the space is closed before. */
     public Promise<@Nullable Void> delay(Duration duration) {
         var over = new Deferred<@Nullable Void>(this);
-        schedule(duration.toNanos(), () -> over.resolve(null));
+        schedule(
+                duration.toNanos(),
+                () -> over.resolve(null),
+                () -> over.reject(new ActorStoppedException(
+                        "space " + this + " was closed before the delay of " + duration + " was over")));
         return over;
     }
 
@@ -181,7 +203,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     public void onIdle(Runnable action) {
         Objects.requireNonNull(action, "action");
         checkOpen("onIdle(..)");
-        enqueue(new Entry(() -> dispatcher.addIdleAction(action)));
+        enqueueMail(new Entry(() -> dispatcher.addIdleAction(action)));
     }
 
     /**
@@ -237,32 +259,56 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return settings.clock();
     }
 
-    /** Whether nothing waits here: no entry in any queue, no timer due. Exact only on the space's thread, or between cranks. */
+    /** Whether nothing waits here: no entry in any queue, no timer due. Exact between cranks, and between two turns on the space's thread. */
     public boolean isQuiet() {
         return dispatcher.isQuiet();
     }
 
+    /** How much this space has done, and how far it is behind. */
+    public SpaceMetrics metrics() {
+        return metrics;
+    }
+
     /**
-     * Serves what was queued before, stops every actor, turns what is left into dead letters, and ends the thread; waits for that, unless it
-     * is called on the space's own thread. Later calls to its actors become dead letters and rejections.
+     * Serves what was queued before, stops every actor, turns what is left into dead letters, and ends the thread; waits for that, up to ten seconds, unless
+     * it is called on the space's own thread. Later calls to its actors become dead letters and rejections.
      *
      * @throws IllegalStateException if this is the {@link #global()} space
+     * @throws ActorException if the thread is busy with something else all the time; it ends when it has done that
      */
     @Override
     public void close() {
+        beginClosing();
+        if (!isCurrent()) {
+            awaitEnd(CLOSING_TIME);
+        }
+    }
+
+    /**
+     * Closes the space as {@link #close()} does, and says what it had not done.
+     *
+     * @param patience how long to wait for the entry that is being served, and for what was queued before
+     * @throws IllegalStateException if this is the {@link #global()} space, or on the space's own thread
+     * @throws ActorException if that takes longer; the text says what the thread is doing
+     */
+    public Leftovers close(Duration patience) {
+        if (isCurrent()) {
+            throw new IllegalStateException(
+                    "close(" + patience + ") would wait for itself on the thread of space " + this + ": call close()");
+        }
+        beginClosing();
+        awaitEnd(patience);
+        return Objects.requireNonNull(leftovers);
+    }
+
+    private void beginClosing() {
         if (!closeable) {
             throw new IllegalStateException(
                     "the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
         }
         if (closing.compareAndSet(false, true)) {
-            enqueue(new Entry(() -> stopping = true));
-        }
-        if (settings.handCranked()) {
-            if (!isCurrent() && ended.getCount() > 0) {
-                crank();
-            }
-        } else if (!isCurrent()) {
-            awaitEnd();
+            Runnable stop = () -> stopping = true;
+            enqueueMail(new Entry(stop, stop));
         }
     }
 
@@ -280,14 +326,26 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     @Override
     protected void enqueue(Node node) {
+        enqueueCallback(node);
+    }
+
+    void enqueueCallback(Node node) {
         if (isCurrent()) {
-            if (isMail(node)) {
-                dispatcher.addMail(node);
-            } else {
-                dispatcher.addCallback(node);
-            }
-            return;
+            dispatcher.addCallback(node);
+        } else {
+            offer(node);
         }
+    }
+
+    void enqueueMail(Node node) {
+        if (isCurrent()) {
+            dispatcher.addMail(node);
+        } else {
+            offer(node);
+        }
+    }
+
+    private void offer(Node node) {
         dispatcher.inbox.offer(node);
         if (!lifeline.wake()) {
             refuseLeftovers();
@@ -295,20 +353,23 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     @Override
-    protected Runnable schedule(long delayNanos, Runnable task) {
+    protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
+        var expiry = new Expiry(task, ifClosed);
         if (isCurrent()) {
-            Timer timer = dispatcher.timers.set(task, delayNanos, 0);
+            Timer timer = dispatcher.timers.set(expiry, delayNanos, 0);
             return () -> onThread(timer::cancel);
         }
         var pending = new Timer[1]; // both touched on the space's thread only
         var withdrawn = new boolean[1];
         long deadline = settings.clock().nanos() + delayNanos;
-        enqueue(new Entry(() -> {
-            if (!withdrawn[0]) {
-                pending[0] =
-                        dispatcher.timers.set(task, deadline - settings.clock().nanos(), 0);
-            }
-        }));
+        enqueueMail(new Entry(
+                () -> {
+                    if (!withdrawn[0]) {
+                        pending[0] = dispatcher.timers.set(
+                                expiry, deadline - settings.clock().nanos(), 0);
+                    }
+                },
+                ifClosed));
         return () -> onThread(() -> {
             withdrawn[0] = true;
             if (pending[0] != null) {
@@ -318,22 +379,12 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     @Override
-    protected @Nullable Object owner() {
-        return current == null ? null : current.life();
-    }
-
-    @Override
-    protected boolean runFor(Object owner, Runnable listener) {
-        return ((Life) owner).run("a listener", listener);
-    }
-
-    @Override
     protected void rejected(Promise<?> promise, Throwable error) {
         if (lifeline.isClosed()) {
             return; // a late asker has the refusal in its hands
         }
         if (!isCurrent()) {
-            enqueue(new Entry(() -> rejected(promise, error)));
+            enqueueMail(new Entry(() -> rejected(promise, error), () -> {}));
         } else if (isMadeOutside(promise)) {
             rejections.hold(promise, error);
             dispatcher.timers.set(() -> rejections.release(promise), GRACE_NANOS, 0);
@@ -342,34 +393,91 @@ public final class ActorSpace extends Home implements AutoCloseable {
         }
     }
 
+    @Override
+    protected void await(Promise<?> promise) {
+        sequences.await(promise);
+    }
+
     // ---- for this room, on the space's thread
 
-    Set<ActorCell> actors() {
+    ActorList actors() {
         return actors;
     }
 
-    /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
-    void serve(Node node) {
-        try {
-            run(node);
-        } catch (Throwable thrown) {
-            report("an entry of space " + this, thrown, null);
-        }
+    Reports reports() {
+        return reports;
+    }
+
+    Sequences sequences() {
+        return sequences;
+    }
+
+    static void runNode(Node node) {
+        run(node);
     }
 
     static boolean goesToMailbox(Node node) {
         return isMail(node);
     }
 
-    @Nullable
-    ActorCell enter(ActorCell cell) {
-        ActorCell before = current;
-        current = cell;
-        return before;
+    static boolean isListenedTo(Promise<?> promise) {
+        return isHeard(promise);
     }
 
-    void leave(@Nullable ActorCell before) {
-        current = before;
+    void whenPromiseSettled(Promise<?> promise, Runnable action) {
+        whenSettled(promise, action);
+    }
+
+    void beginTurnOf(Owner owner) {
+        begin(owner);
+    }
+
+    /** See {@link Home#renewTurn}. */
+    void renewOwner() {
+        renewTurn();
+    }
+
+    Owner currentOwner() {
+        return owner();
+    }
+
+    Owner ownself() {
+        return itself();
+    }
+
+    /** Runs an action when the entry that is being served has returned, before anything else. */
+    void afterTurn(Runnable action) {
+        dispatcher.afterTurn(action);
+    }
+
+    /** How far a request has come, for a message about it. */
+    String progressOf(Request<?> request) {
+        if (!isCurrent()) {
+            return "";
+        }
+        int before = dispatcher.mailsBefore(request);
+        return before < 0 ? ", which has begun it" : ", which has not begun it: " + before + " calls come first";
+    }
+
+    /** The sequence's thread is this space's until it gives the baton back. */
+    void lendThreadTo(Sequence<?> sequence) {
+        Thread mine = thread;
+        thread = sequence.thread();
+        try {
+            sequence.go();
+        } finally {
+            thread = mine;
+        }
+    }
+
+    /** Runs something on a thread that holds the baton. */
+    void runOnLoan(Runnable body) {
+        Home before = enterThread();
+        try {
+            body.run();
+        } finally {
+            leaveThread(before);
+        }
     }
 
     Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
@@ -386,33 +494,32 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return self[0];
     }
 
-    /** Before whatever waits in the mailboxes. */
-    void runNext(Runnable task) {
-        enqueue(Entry.urgent(task));
-    }
-
-    void runTimer(Runnable task) {
-        runGuarded(task);
-    }
-
+    /** On the space's own behalf. */
     void runGuarded(Runnable task) {
+        beginForItself();
         try {
             task.run();
         } catch (Throwable thrown) {
-            report("a task of space " + this, thrown, null);
+            reports.error("a task of space " + this, thrown, null);
         }
     }
 
     /** A turn of its own, on behalf of the actor that is running now. */
     void nextTurn(Runnable task, Runnable ifStopped) {
-        Life life = current == null ? null : current.life();
-        enqueue(new Entry(() -> {
-            if (life == null) {
-                runGuarded(task);
-            } else if (!life.run("a repetition", task)) {
-                ifStopped.run();
-            }
-        }));
+        Life life = owner() instanceof Life mine ? mine : null;
+        enqueueMail(new Entry(
+                () -> {
+                    if (life == null) {
+                        runGuarded(task);
+                    } else if (!life.run("a repetition", task)) {
+                        ifStopped.run();
+                    }
+                },
+                ifStopped));
+    }
+
+    boolean isClosing() {
+        return closing.get();
     }
 
     void checkOpen(String call) {
@@ -428,43 +535,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
         }
     }
 
-    String whyStopped(ActorCell cell) {
-        return closing.get() ? "space " + this + " is closed" : "the actor " + cell + " has stopped";
-    }
-
-    void deadLetter(ActorCell cell, String message, String reason) {
-        tellOfDeadLetter(new DeadLetter(cell.toString(), message, reason));
-    }
-
-    private void tellOfDeadLetter(DeadLetter letter) {
-        try {
-            settings.onDeadLetter().accept(letter);
-        } catch (RuntimeException broken) {
-            report("the dead-letter handler of space " + this + ", about " + letter, broken, null);
-        }
-    }
-
-    void report(String where, Throwable error, @Nullable ErrorHandler first) {
-        try {
-            (first != null ? first : settings.onError()).handle(where, error);
-        } catch (Throwable broken) {
-            broken.addSuppressed(error);
-            System.getLogger(ActorSpace.class.getName())
-                    .log(
-                            System.Logger.Level.ERROR,
-                            "the error handler of space " + this + " threw about " + where,
-                            broken);
-        }
-        if (error instanceof VirtualMachineError fatal && !(error instanceof StackOverflowError)) {
-            throw fatal;
-        }
-    }
-
     // ---- the thread
 
     private void live() {
         Home before = enter();
-        Watchdog.watch(settings, Thread.currentThread(), lifeline, dispatcher);
+        Watchdog.watch(this, settings, lifeline, dispatcher);
         try {
             while (!stopping) {
                 if (!dispatcher.pass() & !settle()) {
@@ -479,43 +554,60 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     /** Between two passes: lost rejections, then, if all is quiet, those who waited for that. */
     private boolean settle() {
-        rejections.report((promise, error) -> report("a promise nobody listens to: " + promise, error, null));
+        settleRejections();
         return dispatcher.isQuiet() ? dispatcher.runIdleActions() : true;
     }
 
     private @Nullable Home enter() {
         thread = Thread.currentThread();
+        beginForItself();
         return enterThread();
     }
 
+    /** The one that holds the baton now; a moment later it may be another. */
+    @Nullable
+    Thread servingThread() {
+        return thread;
+    }
+
     private void shut() {
+        var last = new Closing(this, dispatcher);
+        refusing.set(true); // nobody else turns leftovers away before this thread has
         try {
-            List.copyOf(actors).forEach(ActorCell::stop);
+            int bodies = sequences.count();
+            actors.all().forEach(ActorCell::stop);
+            sequences.cancelAll();
             clockRegistration.run();
+            last.dropTimers(dispatcher.timers);
             lifeline.close();
-            refuseLeftovers();
+            last.refuseAll();
+            leftovers = last.leftovers(bodies);
             rejections.releaseAll();
-            rejections.report((promise, error) -> report("a promise nobody listens to: " + promise, error, null));
+            settleRejections();
         } finally {
             lifeline.close();
+            thread = null;
+            refusing.set(false);
             ended.countDown();
         }
+        refuseLeftovers();
     }
 
-    /** After the end: whoever finds entries in the queues turns them away, on its own thread. */
+    private void settleRejections() {
+        rejections.report((promise, error) -> reports.error("a promise nobody listens to: " + promise, error, null));
+    }
+
+    /** After the end: whoever finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. */
     private void refuseLeftovers() {
-        for (Node node = takeLeftover(); node != null; node = takeLeftover()) {
-            if (node instanceof Entry) {
-                tellOfDeadLetter(new DeadLetter(settings.name(), "a task", "space " + this + " is closed"));
-            } else {
-                serve(node);
+        while (!dispatcher.inbox.isEmpty() && refusing.compareAndSet(false, true)) {
+            Home before = enter();
+            try {
+                new Closing(this, dispatcher).refuseAll();
+            } finally {
+                thread = null;
+                leaveThread(before);
+                refusing.set(false);
             }
-        }
-    }
-
-    private @Nullable Node takeLeftover() {
-        synchronized (ended) {
-            return dispatcher.pollLeftover();
         }
     }
 
@@ -523,18 +615,35 @@ public final class ActorSpace extends Home implements AutoCloseable {
         if (isCurrent()) {
             task.run();
         } else {
-            enqueue(new Entry(task));
+            enqueueMail(new Entry(task, () -> {}));
         }
     }
 
-    private void awaitEnd() {
+    private void awaitEnd(Duration patience) {
+        if (settings.handCranked()) {
+            if (ended.getCount() > 0) {
+                crank();
+            }
+            return;
+        }
         try {
-            if (!ended.await(CLOSING_TIME.toSeconds(), TimeUnit.SECONDS)) {
+            if (!ended.await(patience.toNanos(), TimeUnit.NANOSECONDS)) {
                 throw new ActorException(
-                        "space " + this + " did not end within " + CLOSING_TIME + ": its thread is busy");
+                        "space " + this + " did not end within " + patience + ": its thread is busy" + whatItDoes());
             }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
+            if (ended.getCount() > 0) {
+                throw new ActorException(
+                        "interrupted while waiting for the end of space " + this + ": it ends when its thread is free",
+                        interrupted);
+            }
         }
+    }
+
+    private String whatItDoes() {
+        Thread busy = thread;
+        StackTraceElement[] stack = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
+        return stack.length == 0 ? "" : " at " + stack[0];
     }
 }

@@ -4,60 +4,78 @@ import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
 import java.util.concurrent.ConcurrentLinkedDeque;
 import java.util.concurrent.Semaphore;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps count of the calls that wait for one actor.
+ * Keeps count of the calls that wait for one actor, and of their order if the oldest may be dropped.
  *
- * <p><b>Threads.</b> {@link #admit} from any thread, {@link #leave} from the space's. A call is in the deque from before it is queued until it is delivered
- * or dropped; whoever removes it from there, once, gives its permit back.
+ * <p><b>Threads.</b> {@link #admit} from any thread, {@link #next} from the space's.
+ *
+ * <p>With {@code DROP_OLDEST} the calls wait here, and those in the space's queues are no more than tickets: a call that takes the place of the oldest one
+ * is not queued itself, it will be served with the ticket of another. So there are never more tickets than places, however many calls are dropped.
  */
 final class BoundedMailbox {
+    enum Admission {
+        /** To be queued in the space. */
+        QUEUED,
+        /** It waits; nothing is to be queued. */
+        TAKEN_IN,
+        /** There is no room. */
+        REFUSED
+    }
+
     private final MailboxBound bound;
     private final Semaphore room;
-    private final ConcurrentLinkedDeque<Node> waiting = new ConcurrentLinkedDeque<>();
+    private final @Nullable ConcurrentLinkedDeque<Node> calls;
 
     BoundedMailbox(MailboxBound bound) {
         this.bound = bound;
         this.room = new Semaphore(bound.capacity());
+        this.calls = bound.overflow() == MailboxBound.Overflow.DROP_OLDEST ? new ConcurrentLinkedDeque<>() : null;
     }
 
-    /** Makes room for a call, by waiting or by dropping another if that is the rule; false if there is none. */
-    boolean admit(Node call, ActorCell cell) {
-        while (!room.tryAcquire()) {
-            switch (bound.overflow()) {
-                case REJECT -> {
-                    return false;
-                }
-                case BLOCK -> {
-                    if (Home.current() != null || cell.space().isCrankedByHand()) {
-                        return false;
-                    }
-                    room.acquireUninterruptibly();
-                    waiting.addLast(call);
-                    return true;
-                }
-                case DROP_OLDEST -> {
-                    Node oldest = waiting.pollFirst();
-                    if (oldest != null) {
-                        room.release();
-                        cell.drop(oldest, reason());
-                    } else {
-                        Thread.onSpinWait(); // another sender has the permit and is about to add its call
-                    }
-                }
+    /** Makes room for a call, by waiting or by dropping another if that is the rule. */
+    Admission admit(Node call, ActorCell cell) {
+        if (calls != null) {
+            return admitDropping(call, cell, calls);
+        }
+        if (!room.tryAcquire()) {
+            if (bound.overflow() != MailboxBound.Overflow.BLOCK
+                    || Home.current() != null
+                    || cell.space().isCrankedByHand()) {
+                return Admission.REFUSED;
             }
+            room.acquireUninterruptibly();
         }
-        waiting.addLast(call);
-        return true;
+        return Admission.QUEUED;
     }
 
-    /** A call is about to be delivered; false if it has been dropped before. */
-    boolean leave(Node call) {
-        boolean waited = waiting.removeFirstOccurrence(call);
-        if (waited) {
-            room.release();
-        }
-        return waited;
+    private Admission admitDropping(Node call, ActorCell cell, ConcurrentLinkedDeque<Node> waiting) {
+        while (!room.tryAcquire()) {
+            waiting.addLast(call); // first in, then one out: a ticket must never find nothing
+            Node oldest = waiting.pollFirst();
+            if (oldest != call) {
+                if (oldest != null) {
+                    cell.drop(oldest, reason());
+                }
+                return Admission.TAKEN_IN;
+            }
+        } // all that waited has been served meanwhile: there is room now
+        waiting.addLast(call);
+        return Admission.QUEUED;
+    }
+
+    /** The call to be served with this ticket. */
+    Node next(Node ticket) {
+        Node call =
+                calls == null ? ticket : java.util.Objects.requireNonNull(calls.pollFirst(), "a ticket without a call");
+        room.release();
+        return call;
+    }
+
+    /** How many calls wait. */
+    int size() {
+        return bound.capacity() - room.availablePermits();
     }
 
     String reason() {

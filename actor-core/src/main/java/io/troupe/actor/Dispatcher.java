@@ -5,19 +5,22 @@ import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.time.TimerWheel;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queues of a space and the order in which they are served; on the space's thread, but for {@link #inbox}.
+ * The queues of a space and the order in which they are served; on the space's thread, but for {@link #inbox} and {@link #served}.
  *
  * <p><b>Order.</b> Entries from outside wait in the inbox, entries from inside in two rings: callbacks and mails. An entry from the inbox
  * runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one receiver keep their order.
- * Callbacks come before mails, but after {@value #QUOTA} in a row one mail has its turn, so that neither starves the other.
+ * Callbacks come before mails, but after {@value #QUOTA} in a row one mail has its turn, so that neither starves the other. What an entry asked for
+ * {@link #afterTurn} comes before everything else.
  */
 final class Dispatcher {
     private static final int QUOTA = 256;
+    private static final int RENEWAL = (1 << 10) - 1;
 
     private static final VarHandle SERVED;
 
@@ -34,8 +37,10 @@ final class Dispatcher {
     private final ActorSpace space;
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
-    private long served;
+    private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
+    private long served;
+    private int passes;
 
     Dispatcher(ActorSpace space, TimerWheel timers) {
         this.space = space;
@@ -50,19 +55,27 @@ final class Dispatcher {
         mails.add(node);
     }
 
+    /** Runs an action when the entry that is being served has returned. */
+    void afterTurn(Runnable action) {
+        afterTurn.add(action);
+    }
+
     void addIdleAction(Runnable action) {
         idleActions.add(action);
     }
 
     /** One round through the queues; false if nothing was there to do. */
     boolean pass() {
+        if ((++passes & RENEWAL) == 0) {
+            space.renewOwner();
+        }
         boolean worked = drainInbox();
         worked |= drainRings();
-        worked |= timers.runDue(space::runTimer) > 0;
+        worked |= timers.runDue(this::runTask) > 0;
         return worked;
     }
 
-    /** Nothing waits, and no timer is due. */
+    /** Nothing waits, and no timer is due; between two turns. */
     boolean isQuiet() {
         return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && !timers.isDue();
     }
@@ -74,7 +87,7 @@ final class Dispatcher {
         }
         var actions = List.copyOf(idleActions);
         idleActions.clear();
-        actions.forEach(space::runGuarded);
+        actions.forEach(this::runTask);
         return true;
     }
 
@@ -93,26 +106,72 @@ final class Dispatcher {
         return (long) SERVED.getOpaque(this);
     }
 
-    private void serve(Node node) {
+    /** How many entries wait in the rings; those in the inbox are not counted. */
+    int inside() {
+        return callbacks.size() + mails.size();
+    }
+
+    /** How many mails wait in front of one; -1 if it does not wait. Takes time in their number. */
+    int mailsBefore(Node mail) {
+        for (int index = 0; index < mails.size(); index++) {
+            if (mails.get(index) == mail) {
+                return index;
+            }
+        }
+        int behind = inbox.indexOf(mail);
+        return behind < 0 ? -1 : mails.size() + behind;
+    }
+
+    /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
+    void serve(Node node) {
         SERVED.setOpaque(this, served + 1); // before, so that a message that never ends is one that was seen to begin
-        space.serve(node);
+        try {
+            ActorSpace.runNode(node);
+        } catch (Throwable thrown) {
+            space.reports().error("an entry of space " + space, thrown, null);
+        }
+        if (!afterTurn.isEmpty()) {
+            endTurn();
+        }
+    }
+
+    /** A task that is no entry: a timer's, or one that waited for quiet. */
+    void runTask(Runnable task) {
+        SERVED.setOpaque(this, served + 1);
+        space.runGuarded(task);
+        if (!afterTurn.isEmpty()) {
+            endTurn();
+        }
+    }
+
+    private void endTurn() {
+        for (Runnable action = afterTurn.poll(); action != null; action = afterTurn.poll()) {
+            space.runGuarded(action);
+        }
     }
 
     private boolean drainInbox() {
-        for (int count = 0; count < QUOTA; count++) {
-            Node node = inbox.poll();
-            if (node == null) {
-                return count > 0;
+        Node last = inbox.beginBatch();
+        int count = 0;
+        try {
+            for (; count < QUOTA; count++) {
+                Node node = inbox.takeAfter(last);
+                if (node == null) {
+                    break;
+                }
+                last = node;
+                if (callbacks.isEmpty() && mails.isEmpty()) {
+                    serve(node);
+                } else if (ActorSpace.goesToMailbox(node)) {
+                    mails.add(node);
+                } else {
+                    callbacks.add(node);
+                }
             }
-            if (callbacks.isEmpty() && mails.isEmpty()) {
-                serve(node);
-            } else if (ActorSpace.goesToMailbox(node)) {
-                mails.add(node);
-            } else {
-                callbacks.add(node);
-            }
+        } finally {
+            inbox.endBatch(last);
         }
-        return true;
+        return count > 0;
     }
 
     private boolean drainRings() {

@@ -24,6 +24,10 @@ public abstract class Message extends Node {
     /** The arguments, for messages about this message. */
     protected abstract Object[] arguments();
 
+    final ActorCell receiver() {
+        return cell;
+    }
+
     @Override
     protected final void run() {
         cell.deliver(this);

@@ -42,7 +42,7 @@ final class Rejections {
         var candidates = List.copyOf(lost);
         lost.clear();
         for (var candidate : candidates) {
-            if (!candidate.promise.isListenedTo()) {
+            if (!ActorSpace.isListenedTo(candidate.promise)) {
                 reporter.accept(candidate.promise, candidate.error);
             }
         }

@@ -40,11 +40,22 @@ final class Repetition {
                 space.nextTurn(
                         this::round, () -> end.reject(new CancellationException("the actor of this loop has stopped")));
             } else {
-                step.handle((value, error) -> next(error));
+                await(step);
             }
         } catch (Throwable thrown) {
             end.reject(thrown);
         }
+    }
+
+    /** The listener is not called if the actor of this loop stops meanwhile; then its promise says so. */
+    private void await(Promise<?> step) {
+        Promise<?> listener = step.handle((value, error) -> next(error));
+        space.whenPromiseSettled(listener, () -> {
+            Throwable error = listener.error();
+            if (error != null) {
+                end.reject(error);
+            }
+        });
     }
 
     private @Nullable Void next(@Nullable Throwable error) {

@@ -45,8 +45,18 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
+    protected final boolean isLocal() {
+        return askedInside;
+    }
+
+    @Override
     protected final boolean madeOutside() {
         return !askedInside;
+    }
+
+    @Override
+    protected final String progress() {
+        return isDone() ? "" : cell.space().progressOf(this);
     }
 
     /** Calls the method and passes its outcome on. */

@@ -1,17 +1,18 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
+import io.troupe.actor.promise.Owner;
 import org.jspecify.annotations.Nullable;
 
 /** A callback on its way through a proxy: what the actor sends becomes entries of the caller's callback queue. */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private final Callback<T> reader;
     private final ActorSpace home;
-    private final @Nullable Object owner;
+    private final Owner owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
 
-    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Object owner) {
+    private ReturningCallback(Callback<T> reader, ActorSpace home, Owner owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
@@ -24,8 +25,8 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
         ActorSpace caller = ActorSpace.current();
         return caller == null
-                ? new ReturningCallback<>(callback, callee, null)
-                : new ReturningCallback<>(callback, caller, caller.owner());
+                ? new ReturningCallback<>(callback, callee, callee.ownself())
+                : new ReturningCallback<>(callback, caller, caller.currentOwner());
     }
 
     @Override
@@ -52,6 +53,13 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         send(() -> reader.fail(error));
     }
 
+    /** Nobody will ever send anything: ends it, unless it has ended. */
+    void abandon(Throwable error) {
+        if (!ended) {
+            fail(error);
+        }
+    }
+
     @Override
     public boolean isCancelled() {
         return readerGone || reader.isCancelled();
@@ -65,7 +73,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            home.enqueue(new Delivery(delivery));
+            home.enqueueCallback(new Delivery(delivery));
         }
     }
 
@@ -78,9 +86,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
         @Override
         protected void run() {
-            if (owner == null) {
+            if (!(owner instanceof Life life)) {
                 home.runGuarded(delivery);
-            } else if (!home.runFor(owner, delivery)) {
+            } else if (!life.run("a listener", delivery)) {
                 readerGone = true; // the actor that listened has stopped
             }
         }

@@ -14,6 +14,7 @@ import java.util.function.Consumer;
  * @param onDeadLetter is told of messages that reached nobody, on whichever thread found out
  * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = none is, nor in a space cranked by hand
  * @param onStall is told of such a message, on a thread of its own
+ * @param offloadLimit how many pieces of blocking work {@link ActorSpace#offload} does at a time
  * @param handCranked true for a space without a thread of its own, which only {@link ActorSpace#crank} moves
  */
 public record SpaceSettings(
@@ -23,7 +24,10 @@ public record SpaceSettings(
         Consumer<DeadLetter> onDeadLetter,
         Duration stallLimit,
         Consumer<Stall> onStall,
+        int offloadLimit,
         boolean handCranked) {
+    private static final int USUAL_OFFLOAD_LIMIT = 256;
+
     public SpaceSettings {
         Objects.requireNonNull(name, "name");
         Objects.requireNonNull(clock, "clock");
@@ -32,6 +36,9 @@ public record SpaceSettings(
         Objects.requireNonNull(onStall, "onStall");
         if (stallLimit.isNegative()) {
             throw new IllegalArgumentException("stallLimit is " + stallLimit + ", expected zero (off) or more");
+        }
+        if (offloadLimit < 1) {
+            throw new IllegalArgumentException("offloadLimit is " + offloadLimit + ", expected 1 or more");
         }
     }
 
@@ -45,26 +52,31 @@ public record SpaceSettings(
                 letter -> log.log(System.Logger.Level.WARNING, "dead letter: " + letter),
                 Duration.ofSeconds(1),
                 stall -> log.log(System.Logger.Level.WARNING, stall.toString()),
+                USUAL_OFFLOAD_LIMIT,
                 false);
     }
 
     public SpaceSettings withClock(Clock newClock) {
-        return new SpaceSettings(name, newClock, onError, onDeadLetter, stallLimit, onStall, handCranked);
+        return new SpaceSettings(name, newClock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
     }
 
     public SpaceSettings withOnError(ErrorHandler handler) {
-        return new SpaceSettings(name, clock, handler, onDeadLetter, stallLimit, onStall, handCranked);
+        return new SpaceSettings(name, clock, handler, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
     }
 
     public SpaceSettings withOnDeadLetter(Consumer<DeadLetter> handler) {
-        return new SpaceSettings(name, clock, onError, handler, stallLimit, onStall, handCranked);
+        return new SpaceSettings(name, clock, onError, handler, stallLimit, onStall, offloadLimit, handCranked);
     }
 
     public SpaceSettings withOnStall(Duration limit, Consumer<Stall> handler) {
-        return new SpaceSettings(name, clock, onError, onDeadLetter, limit, handler, handCranked);
+        return new SpaceSettings(name, clock, onError, onDeadLetter, limit, handler, offloadLimit, handCranked);
     }
 
     public SpaceSettings withHandCrank() {
-        return new SpaceSettings(name, clock, onError, onDeadLetter, stallLimit, onStall, true);
+        return new SpaceSettings(name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, true);
+    }
+
+    public SpaceSettings withOffloadLimit(int limit) {
+        return new SpaceSettings(name, clock, onError, onDeadLetter, stallLimit, onStall, limit, handCranked);
     }
 }

@@ -12,22 +12,17 @@ import java.util.function.Consumer;
 final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
 
-    private final String space;
-    private final Thread watched;
+    private static final System.Logger LOG = System.getLogger(Watchdog.class.getName());
+
+    private final ActorSpace space;
     private final Lifeline lifeline;
     private final Dispatcher dispatcher;
     private final long limitNanos;
     private final Consumer<Stall> listener;
 
     private Watchdog(
-            String space,
-            Thread watched,
-            Lifeline lifeline,
-            Dispatcher dispatcher,
-            Duration limit,
-            Consumer<Stall> listener) {
+            ActorSpace space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
         this.space = space;
-        this.watched = watched;
         this.lifeline = lifeline;
         this.dispatcher = dispatcher;
         this.limitNanos = limit.toNanos();
@@ -35,10 +30,9 @@ final class Watchdog {
     }
 
     /** Watches until the space is closed. */
-    static void watch(SpaceSettings settings, Thread watched, Lifeline lifeline, Dispatcher dispatcher) {
+    static void watch(ActorSpace space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
         if (!settings.stallLimit().isZero()) {
-            var watchdog = new Watchdog(
-                    settings.name(), watched, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
+            var watchdog = new Watchdog(space, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
             Thread.ofVirtual().name(settings.name() + "-watchdog").start(watchdog::run);
         }
     }
@@ -50,6 +44,7 @@ final class Watchdog {
         boolean reported = false;
         while (!lifeline.isClosed()) {
             LockSupport.parkNanos(limitNanos / LOOKS_PER_LIMIT);
+            recordFigures();
             long served = dispatcher.served();
             long now = clock.nanos();
             if (served != seen || lifeline.isAsleep()) {
@@ -64,11 +59,25 @@ final class Watchdog {
     }
 
     private void report(Duration atLeast) {
+        Thread busy = space.servingThread();
+        if (busy == null) {
+            return;
+        }
+        var stall = new Stall(space.toString(), atLeast, List.of(busy.getStackTrace()));
+        new StallEvent(stall).commit();
         try {
-            listener.accept(new Stall(space, atLeast, List.of(watched.getStackTrace())));
+            listener.accept(stall);
         } catch (RuntimeException broken) {
-            System.getLogger(Watchdog.class.getName())
-                    .log(System.Logger.Level.ERROR, "the stall listener of space " + space + " threw", broken);
+            LOG.log(System.Logger.Level.ERROR, "the stall listener of space " + space + " threw", broken);
+        }
+    }
+
+    /** For the flight recorder, if it is on. */
+    private void recordFigures() {
+        var event = new SpaceFiguresEvent();
+        if (event.isEnabled()) {
+            event.fill(space);
+            event.commit();
         }
     }
 }

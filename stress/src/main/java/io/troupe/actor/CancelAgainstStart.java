@@ -39,7 +39,7 @@ public class CancelAgainstStart {
 
     private static ActorCell startedCell() {
         var space = ActorSpace.create(SpaceSettings.named("law").withHandCrank());
-        var cell = new ActorCell(space, "asked", Object::new, ActorSettings.DEFAULT);
+        var cell = new ActorCell(space, Object.class, 1, Object::new, ActorSettings.DEFAULT);
         space.execute(cell::start);
         space.crank();
         return cell;

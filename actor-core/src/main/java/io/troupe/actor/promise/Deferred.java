@@ -49,6 +49,11 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
+    protected boolean isLocal() {
+        return false;
+    }
+
+    @Override
     protected void run() {
         throw new IllegalStateException("a deferred promise is never queued");
     }

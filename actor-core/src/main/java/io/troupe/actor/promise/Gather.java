@@ -4,31 +4,46 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.NoSuchElementException;
+import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Promises about several promises. */
+/** Promises about several promises. They belong to the calling space, else to the first one that a part belongs to. */
 final class Gather {
     private Gather() {}
 
+    private static <R extends @Nullable Object> Deferred<R> about(List<? extends Promise<?>> parts) {
+        Home here = Home.current();
+        return new Deferred<>(
+                here != null
+                        ? here
+                        : parts.stream()
+                                .map(Promise::home)
+                                .filter(Objects::nonNull)
+                                .findFirst()
+                                .orElse(null));
+    }
+
     static <T extends @Nullable Object> Promise<List<T>> all(Collection<? extends Promise<? extends T>> promises) {
         var parts = List.<Promise<? extends T>>copyOf(promises);
-        var whole = new Deferred<List<T>>();
+        Deferred<List<T>> whole = about(parts);
         if (parts.isEmpty()) {
             whole.resolve(List.of());
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(() -> {
-                Throwable error = part.error();
-                if (error != null) {
-                    whole.reject(error);
-                } else if (pending.decrementAndGet() == 0) {
-                    var values = new ArrayList<T>(parts.size());
-                    parts.forEach(each -> values.add(Stage.present(each.getNow())));
-                    whole.resolve(values);
-                }
-            }));
+            part.register(new Relay(
+                    () -> {
+                        Throwable error = part.error();
+                        if (error != null) {
+                            whole.reject(error);
+                        } else if (pending.decrementAndGet() == 0) {
+                            var values = new ArrayList<T>(parts.size());
+                            parts.forEach(each -> values.add(Stage.present(each.getNow())));
+                            whole.resolve(values);
+                        }
+                    },
+                    whole));
         }
         return whole;
     }
@@ -36,49 +51,53 @@ final class Gather {
     static <T extends @Nullable Object> Promise<List<Outcome<T>>> allSettled(
             Collection<? extends Promise<? extends T>> promises) {
         var parts = List.<Promise<? extends T>>copyOf(promises);
-        var whole = new Deferred<List<Outcome<T>>>();
+        Deferred<List<Outcome<T>>> whole = about(parts);
         if (parts.isEmpty()) {
             whole.resolve(List.of());
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(() -> {
-                if (pending.decrementAndGet() == 0) {
-                    var outcomes = new ArrayList<Outcome<T>>(parts.size());
-                    parts.forEach(each -> outcomes.add(widen(each.outcome())));
-                    whole.resolve(outcomes);
-                }
-            }));
+            part.register(new Relay(
+                    () -> {
+                        if (pending.decrementAndGet() == 0) {
+                            var outcomes = new ArrayList<Outcome<T>>(parts.size());
+                            parts.forEach(each -> outcomes.add(widen(each.outcome())));
+                            whole.resolve(outcomes);
+                        }
+                    },
+                    whole));
         }
         return whole;
     }
 
     static <T extends @Nullable Object> Promise<T> any(Collection<? extends Promise<? extends T>> promises) {
         var parts = List.<Promise<? extends T>>copyOf(promises);
-        var first = new Deferred<T>();
+        Deferred<T> first = about(parts);
         if (parts.isEmpty()) {
             first.reject(new NoSuchElementException("any of no promises"));
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(() -> {
-                if (!part.isRejected()) {
-                    first.resolve(Stage.present(part.getNow()));
-                } else if (pending.decrementAndGet() == 0) {
-                    var error = new NoSuchElementException("none of " + parts.size() + " promises was fulfilled");
-                    parts.forEach(each -> error.addSuppressed(each.error()));
-                    first.reject(error);
-                }
-            }));
+            part.register(new Relay(
+                    () -> {
+                        if (!part.isRejected()) {
+                            first.resolve(Stage.present(part.getNow()));
+                        } else if (pending.decrementAndGet() == 0) {
+                            var error =
+                                    new NoSuchElementException("none of " + parts.size() + " promises was fulfilled");
+                            parts.forEach(each -> error.addSuppressed(each.error()));
+                            first.reject(error);
+                        }
+                    },
+                    first));
         }
         return first;
     }
 
     static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
-        var first = new Deferred<T>();
-        for (var part : promises) {
-            first.follow(part);
-        }
+        var parts = List.<Promise<? extends T>>copyOf(promises);
+        Deferred<T> first = about(parts);
+        parts.forEach(first::follow);
         return first;
     }
 

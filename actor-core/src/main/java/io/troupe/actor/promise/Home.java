@@ -11,6 +11,17 @@ import org.jspecify.annotations.Nullable;
 public abstract class Home {
     private static final ThreadLocal<@Nullable Home> CURRENT = new ThreadLocal<>();
 
+    final Owner outsider;
+    private final Owner self;
+    private Turn turn;
+
+    @SuppressWarnings("this-escape") // owners keep the home, and ask it nothing before there is something to run
+    protected Home() {
+        outsider = new Owner(this, true);
+        self = new Owner(this);
+        turn = new Turn(self);
+    }
+
     /** The home whose thread is calling, or null. */
     public static @Nullable Home current() {
         return CURRENT.get();
@@ -42,30 +53,71 @@ public abstract class Home {
     /** Queues a node; first in, first out per sender. */
     protected abstract void enqueue(Node node);
 
-    /** Runs the task on this home's thread after a delay; the answer takes it back, from any thread. */
-    protected abstract Runnable schedule(long delayNanos, Runnable task);
-
-    /** On whose behalf this home's thread is running: an actor, or null. */
-    protected abstract @Nullable Object owner();
-
-    /** Runs a listener on behalf of an owner; false, and nothing is done, if the owner does not take callbacks any more. */
-    protected abstract boolean runFor(Object owner, Runnable listener);
+    /**
+     * Runs a task on this home's thread after a delay, or, if the home is closed before, the other one.
+     *
+     * @return takes it back, from any thread
+     */
+    protected abstract Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed);
 
     /** A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still so. */
     protected abstract void rejected(Promise<?> promise, Throwable error);
+
+    /** Lets others run until the promise is settled, if the caller is a sequential body; else throws. */
+    protected abstract void await(Promise<?> promise);
+
+    /** From now on this home's thread runs on behalf of that owner. */
+    protected final void begin(Owner owner) {
+        Turn now = turn;
+        if (now.owner != owner) {
+            now.owner = owner;
+        }
+    }
+
+    /** From now on this home's thread runs on its own behalf. */
+    protected final void beginForItself() {
+        begin(self);
+    }
+
+    /** On whose behalf this home's thread is running. */
+    protected final Owner owner() {
+        return turn.owner;
+    }
+
+    /** The owner of what runs on this home's own behalf. */
+    protected final Owner itself() {
+        return self;
+    }
+
+    /** To be called now and then, see {@link Turn}. */
+    protected final void renewTurn() {
+        turn = new Turn(turn.owner);
+    }
+
+    // ---- what homes may do with nodes and promises
+
+    /** Runs a node. */
+    protected static void run(Node node) {
+        node.run();
+    }
+
+    /** Whether a node goes to a mailbox. */
+    protected static boolean isMail(Node node) {
+        return node.isMail();
+    }
 
     /** Whether a thread outside made the promise and may be just about to listen to it. */
     protected static boolean isMadeOutside(Promise<?> promise) {
         return promise.madeOutside();
     }
 
-    /** Runs a node; the access to {@link Node#run} that homes have. */
-    protected static void run(Node node) {
-        node.run();
+    /** Whether anybody was or will be told how the promise ends. */
+    protected static boolean isHeard(Promise<?> promise) {
+        return promise.isHeard();
     }
 
-    /** The access to {@link Node#isMail} that homes have. */
-    protected static boolean isMail(Node node) {
-        return node.isMail();
+    /** Runs an action when the promise is settled, on whichever thread does that. */
+    protected static void whenSettled(Promise<?> promise, Runnable action) {
+        promise.register(new Relay(action, promise));
     }
 }

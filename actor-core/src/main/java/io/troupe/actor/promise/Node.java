@@ -9,14 +9,20 @@ import org.jspecify.annotations.Nullable;
  * nodes, so that queueing one allocates nothing.
  */
 public abstract class Node {
-    /** Link to the node behind; owned by the queue, or by the promise it listens to, that holds this node. */
-    volatile @Nullable Node next;
+    /** Link to another node; owned by the queue, or by the promise it listens to, that holds this node. */
+    @Nullable
+    Node next;
 
     /** Does what this node is for, on its home's thread. */
     protected abstract void run();
 
     /** Whether this goes to a mailbox; everything else goes to the callback queue, which is served first. */
     protected boolean isMail() {
+        return false;
+    }
+
+    /** Whether this listens for somebody who needs no answer any more, so that the promise it listens to may forget it. */
+    boolean isIdle() {
         return false;
     }
 }

@@ -4,16 +4,46 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import org.jspecify.annotations.Nullable;
 
+/** Keeps the producers' end and the consumer's end of a queue on different cache lines: fields of a superclass come first. */
+@SuppressWarnings("unused")
+abstract class QueuePadding {
+    private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
+}
+
+/** Written by the consumer. */
+abstract class QueueHead extends QueuePadding {
+    Node head = new Stub();
+
+    private static final class Stub extends Node {
+        @Override
+        protected void run() {
+            throw new IllegalStateException("a stub is never run");
+        }
+    }
+}
+
+/** More of it. */
+@SuppressWarnings("unused")
+abstract class QueueHeadPadding extends QueueHead {
+    private long q00, q01, q02, q03, q04, q05, q06, q07, q08, q09, q10, q11, q12, q13, q14, q15;
+}
+
+/** Written by producers. */
+abstract class QueueTail extends QueueHeadPadding {
+    volatile Node tail = head;
+}
+
 /**
  * An unbounded queue of nodes, from many threads to one.
  *
  * <p><b>Role.</b> A space's inbox; for the rooms of this library.
- * <p><b>Threads.</b> {@link #offer} from any thread; {@link #poll} and {@link #isEmpty} from one thread at a time.
- * What a thread did before {@code offer} is visible to the thread whose {@code poll} returns the node.
+ * <p><b>Threads.</b> {@link #offer} from any thread; {@link #poll}, {@link #isEmpty} and the batch methods from one thread at a time.
+ * What a thread did before {@code offer} is visible to the thread that is given the node.
  * <p><b>Order.</b> First in, first out per offering thread; between threads, the order of their atomic exchanges.
  * <p><b>Cost.</b> One atomic exchange per offer, no allocation.
  */
-public final class NodeQueue {
+@SuppressWarnings("unused")
+public final class NodeQueue extends QueueTail {
     /*
      * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, so it must not be
      * linked into anything else while it is; its own link is cleared when the next one is taken, so that a kept node keeps nothing alive.
@@ -21,49 +51,86 @@ public final class NodeQueue {
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 
+    private long r00, r01, r02, r03, r04, r05, r06, r07, r08, r09, r10, r11, r12, r13, r14, r15;
+
     static {
         try {
             var lookup = MethodHandles.lookup();
-            TAIL = lookup.findVarHandle(NodeQueue.class, "tail", Node.class);
+            TAIL = lookup.findVarHandle(QueueTail.class, "tail", Node.class);
             NEXT = lookup.findVarHandle(Node.class, "next", Node.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }
     }
 
-    private Node head;
-    private volatile Node tail;
-
-    public NodeQueue() {
-        head = new Stub();
-        tail = head;
-    }
-
     /** Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. */
     public void offer(Node node) {
-        NEXT.setRelease(node, null);
+        node.next = null;
         var before = (Node) TAIL.getAndSet(this, node);
         NEXT.setRelease(before, node);
     }
 
     /** Takes the oldest node, or null if there is none. */
     public @Nullable Node poll() {
-        Node stub = head;
-        var first = (Node) NEXT.getAcquire(stub);
-        if (first == null) {
-            if (stub == tail) {
-                return null;
-            }
-            first = awaitLink(stub);
+        Node first = takeAfter(head);
+        if (first != null) {
+            head = first;
         }
-        head = first;
-        NEXT.setOpaque(stub, null);
         return first;
     }
 
     /** Whether nothing has been offered that was not taken. */
     public boolean isEmpty() {
         return head == tail;
+    }
+
+    /** How many nodes wait; takes time in their number, and counts only those that were there when it was called. */
+    public int size() {
+        int size = 0;
+        Node last = tail;
+        for (Node node = head; node != null && node != last; node = (Node) NEXT.getAcquire(node)) {
+            size++;
+        }
+        return size;
+    }
+
+    /** How many nodes would be taken before this one, or -1 if it does not wait here. As {@link #size}. */
+    public int indexOf(Node wanted) {
+        int index = 0;
+        for (Node node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
+            if (node == wanted) {
+                return index;
+            }
+            index++;
+        }
+        return -1;
+    }
+
+    /**
+     * Where a batch begins: the node taken last. A batch is {@link #takeAfter} again and again, each time after the node it answered last, and
+     * {@link #endBatch} with that node; it saves a store for every node.
+     */
+    public Node beginBatch() {
+        return head;
+    }
+
+    /** Takes the node behind the one taken last, or null if there is none. */
+    public @Nullable Node takeAfter(Node last) {
+        var first = (Node) NEXT.getAcquire(last);
+        if (first == null) {
+            if (last == tail) {
+                return null;
+            }
+            first = awaitLink(last);
+        }
+        last.next = null;
+        return first;
+    }
+
+    public void endBatch(Node last) {
+        if (head != last) {
+            head = last;
+        }
     }
 
     /** An offer has exchanged the tail and is about to set the link. */
@@ -74,13 +141,6 @@ public final class NodeQueue {
                 return next;
             }
             Thread.onSpinWait();
-        }
-    }
-
-    private static final class Stub extends Node {
-        @Override
-        protected void run() {
-            throw new IllegalStateException("a stub is never run");
         }
     }
 }

@@ -1,7 +1,5 @@
 package io.troupe.actor.promise;
 
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
@@ -24,61 +22,28 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered; registered elsewhere, on the
  * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). In a space it
  * is an entry of the callback queue, never a call on the stack of whoever settles the promise.
- * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them; only one that is registered at the very moment
- * at which another thread settles the promise may come before those registered earlier.
+ * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them.
  * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection nobody listens to is
  * reported to the space's error handler.
  * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's {@code then}.
  */
-public abstract class Promise<T extends @Nullable Object> extends Node {
-    /*
-     * One field says everything, so that one compare-and-set decides between "settle" and "register":
-     *   null           pending, nobody listens
-     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones
-     *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that is itself a node)
-     */
-    private static final Object NULL = new Object();
-    private static final VarHandle STATE;
-
-    static {
-        try {
-            STATE = MethodHandles.lookup().findVarHandle(Promise.class, "state", Object.class);
-        } catch (ReflectiveOperationException e) {
-            throw new ExceptionInInitializerError(e);
-        }
-    }
-
-    private static final Node REFUSED = new Relay(() -> {});
-
-    private record Rejection(Throwable error) {}
-
-    private record Boxed(Object value) {}
-
-    private volatile @Nullable Object state;
-    private volatile boolean listenedTo;
-
+public abstract class Promise<T extends @Nullable Object> extends Settleable<T> {
     protected Promise() {}
 
-    /** Where listeners from outside every space run, and where a lost rejection is reported; null if nowhere. */
-    protected abstract @Nullable Home home();
-
-    /** Whether it was made by a thread outside its home, which may need a moment to register a listener. */
-    protected boolean madeOutside() {
-        return false;
+    Promise(Object outcome) {
+        super(outcome);
     }
 
     // ---- made at once
 
     /** A promise that is already fulfilled. */
     public static <T extends @Nullable Object> Promise<T> of(T value) {
-        var promise = new Deferred<T>();
-        promise.resolve(value);
-        return promise;
+        return new Settled<>(value);
     }
 
     /** A promise of nothing, already fulfilled. */
     public static Promise<@Nullable Void> done() {
-        return Promise.<@Nullable Void>of(null);
+        return Settled.DONE;
     }
 
     /** A promise that is already rejected. */
@@ -103,27 +68,23 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
 
     // ---- looking at it
 
-    public final boolean isDone() {
-        return isSettled(state);
-    }
-
     public final boolean isRejected() {
-        return state instanceof Rejection;
+        return outcomeNow() instanceof Rejection;
     }
 
     public final boolean isCancelled() {
-        return state instanceof Rejection(Throwable error) && error instanceof CancellationException;
+        return error() instanceof CancellationException;
     }
 
     /** The value if it is there, else null; a null value looks the same. */
     public final @Nullable T getNow() {
-        Object now = state;
-        return isSettled(now) && !(now instanceof Rejection) ? valueOf(now) : null;
+        Object outcome = outcomeNow();
+        return outcome == null || outcome instanceof Rejection ? null : valueOf(outcome);
     }
 
     /** The error if it is rejected, else null. */
     public final @Nullable Throwable error() {
-        return state instanceof Rejection(Throwable error) ? error : null;
+        return outcomeNow() instanceof Rejection rejection ? rejection.error() : null;
     }
 
     /**
@@ -136,22 +97,44 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
      */
     public final T get(Duration timeout) throws TimeoutException, InterruptedException {
         Waiter.await(this, timeout);
-        Object now = Objects.requireNonNull(state);
-        if (now instanceof Rejection(Throwable error)) {
-            throw Errors.rethrow(error);
+        return valueOrThrow();
+    }
+
+    /**
+     * Waits for the value in the body of {@code ActorSpace.sequential(..)}; the space serves others meanwhile.
+     *
+     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too.
+     *
+     * @throws IllegalStateException anywhere else; the text says what to write instead
+     * @throws CancellationException if the actor on whose behalf the body runs has stopped meanwhile, or its space has been closed
+     */
+    public final T await() {
+        Home here = Home.current();
+        if (here == null) {
+            throw new IllegalStateException(
+                    "await() belongs in the body of ActorSpace.sequential(..); a thread outside the space waits with get(Duration)");
         }
-        return valueOf(now);
+        if (isDone()) {
+            hear();
+        } else {
+            here.await(this);
+        }
+        return valueOrThrow();
+    }
+
+    private T valueOrThrow() {
+        Object outcome = Objects.requireNonNull(outcomeNow());
+        if (outcome instanceof Rejection rejection) {
+            throw Errors.rethrow(rejection.error());
+        }
+        return valueOf(outcome);
     }
 
     // ---- what comes next
 
     /** The paper's {@code then(result -> ..)}: calls the listener with the value; the answer carries the same value on. */
     public final Promise<T> then(Consumer<? super T> listener) {
-        Objects.requireNonNull(listener, "listener");
-        return listen(new Stage.Transform<T, T>(this, value -> {
-            listener.accept(value);
-            return value;
-        }));
+        return listen(new Stage.Look<>(this, listener));
     }
 
     /** The paper's {@code then((result, error) -> ..)}: calls the listener either way; the answer carries the same outcome on. */
@@ -187,8 +170,9 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
     public final <U extends @Nullable Object, R extends @Nullable Object> Promise<R> thenCombine(
             Promise<? extends U> other, BiFunction<? super T, ? super U, ? extends R> function) {
         Objects.requireNonNull(function, "function");
-        other.listenedTo = true;
-        return thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
+        Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
+        other.register(new Relay(() -> {}, both)); // so that an error of the other is not one that nobody hears
+        return both;
     }
 
     public final Promise<T> exceptionally(Function<Throwable, ? extends T> function) {
@@ -213,17 +197,7 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
 
     /** Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first. */
     public final Promise<T> orTimeout(Duration timeout) {
-        Home place = Home.current() != null ? Home.current() : home();
-        if (place == null) {
-            throw new IllegalStateException(
-                    "orTimeout needs a clock: call it in an actor space, or on a promise of one");
-        }
-        var limited = new Deferred<T>(place);
-        var error = "no answer within " + timeout + " from " + this;
-        Runnable withdraw = place.schedule(timeout.toNanos(), () -> limited.reject(new TimeoutException(error)));
-        limited.follow(this);
-        limited.register(new Relay(withdraw));
-        return limited;
+        return Limited.start(this, timeout);
     }
 
     /**
@@ -231,20 +205,29 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
      * skipped; one that has begun goes on, and its answer is ignored.
      */
     public final boolean cancel() {
-        return settle(new Rejection(new CancellationException(this + " was cancelled")));
+        boolean done = settleError(new CancellationException(this + " was cancelled"));
+        if (done) {
+            cancelled();
+        }
+        return done;
     }
+
+    /** It was cancelled by hand, on the calling thread. */
+    void cancelled() {}
 
     /** A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. */
     public final CompletableFuture<T> toCompletableFuture() {
         var future = new CompletableFuture<T>();
-        register(new Relay(() -> {
-            Object now = Objects.requireNonNull(state);
-            if (now instanceof Rejection(Throwable error)) {
-                future.completeExceptionally(error);
-            } else {
-                future.complete(valueOf(now));
-            }
-        }));
+        register(new Relay(
+                () -> {
+                    Object outcome = Objects.requireNonNull(outcomeNow());
+                    if (outcome instanceof Rejection rejection) {
+                        future.completeExceptionally(rejection.error());
+                    } else {
+                        future.complete(valueOf(outcome));
+                    }
+                },
+                this));
         return future;
     }
 
@@ -272,164 +255,20 @@ public abstract class Promise<T extends @Nullable Object> extends Node {
         return Gather.race(promises);
     }
 
-    // ---- for this room and for requests
-
-    /** Fulfils this promise; false if it was settled before. */
-    protected final boolean settleValue(T value) {
-        return settle(
-                value == null ? NULL : value instanceof Node || value instanceof Rejection ? new Boxed(value) : value);
-    }
-
-    /** Rejects this promise; false if it was settled before. */
-    protected final boolean settleError(Throwable error) {
-        return settle(new Rejection(Objects.requireNonNull(error, "error")));
-    }
-
-    /** Settles this promise as the other is, as soon as it is. */
-    protected final void follow(Promise<? extends T> other) {
-        if (other.isDone()) {
-            other.listenedTo = true;
-            settle(Objects.requireNonNull(other.state));
-        } else {
-            other.register(new Follower(this, other));
-        }
-    }
-
-    /** Runs the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where they are. */
-    final void register(Node listener) {
-        listenedTo = true;
-        while (true) {
-            Object now = state;
-            if (isSettled(now)) {
-                listener.next = null;
-                dispatch(listener);
-                return;
-            }
-            listener.next = (Node) now;
-            if (STATE.compareAndSet(this, now, listener)) {
-                return;
-            }
-        }
-    }
-
-    /** Whether anybody will see how this promise ends. */
-    public final boolean isListenedTo() {
-        return listenedTo;
+    /** How far it has come, to be put behind its name in a message: empty, or beginning with a comma. */
+    protected String progress() {
+        return "";
     }
 
     final Outcome<T> outcome() {
-        Object now = Objects.requireNonNull(state);
-        return now instanceof Rejection(Throwable error)
-                ? new Outcome.Rejected<>(error)
-                : new Outcome.Fulfilled<>(valueOf(now));
+        Object outcome = Objects.requireNonNull(outcomeNow());
+        return outcome instanceof Rejection rejection
+                ? new Outcome.Rejected<>(rejection.error())
+                : new Outcome.Fulfilled<>(valueOf(outcome));
     }
 
     private <R extends @Nullable Object> Promise<R> listen(Stage<T, R> stage) {
         register(stage);
         return stage;
-    }
-
-    private boolean settle(Object outcome) {
-        if (isDone()) {
-            return false;
-        }
-        Node listeners = claim(outcome);
-        if (listeners == REFUSED) {
-            return false;
-        }
-        dispatchAll(listeners, outcome);
-        return true;
-    }
-
-    /** Settles this promise and answers its listeners, newest first; {@link #REFUSED} if it was settled before. */
-    private @Nullable Node claim(Object outcome) {
-        while (true) {
-            Object now = state;
-            if (isSettled(now)) {
-                return REFUSED;
-            }
-            if (STATE.compareAndSet(this, now, outcome)) {
-                if (now == null) {
-                    reportIfUnheard(outcome);
-                }
-                return (Node) now;
-            }
-        }
-    }
-
-    private void reportIfUnheard(Object outcome) {
-        Home place = home();
-        if (place != null
-                && outcome instanceof Rejection(Throwable error)
-                && !(error instanceof CancellationException)) {
-            place.rejected(this, error);
-        }
-    }
-
-    /**
-     * Listeners run oldest first. Promises that only follow are settled in this loop, not each on the stack of the one before, so that a chain of them
-     * may be of any length.
-     */
-    private static void dispatchAll(@Nullable Node newest, Object outcome) {
-        Node waiting = reverse(newest, null);
-        while (waiting != null) {
-            Node listener = waiting;
-            waiting = listener.next;
-            listener.next = null;
-            if (listener instanceof Follower follower) {
-                Node more = follower.promise.claim(outcome);
-                waiting = more == REFUSED ? waiting : reverse(more, waiting);
-            } else {
-                dispatch(listener);
-            }
-        }
-    }
-
-    /** Puts a list, newest first, in front of another, oldest first. */
-    private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
-        Node oldest = rest;
-        for (Node node = newest; node != null; ) {
-            Node before = node.next;
-            node.next = oldest;
-            oldest = node;
-            node = before;
-        }
-        return oldest;
-    }
-
-    private static void dispatch(Node listener) {
-        if (listener instanceof Stage<?, ?> stage) {
-            stage.dispatch();
-        } else {
-            listener.run();
-        }
-    }
-
-    /** A promise that is to end as another one does. */
-    private static final class Follower extends Node {
-        private final Promise<?> promise;
-        private final Promise<?> leader;
-
-        Follower(Promise<?> promise, Promise<?> leader) {
-            this.promise = promise;
-            this.leader = leader;
-        }
-
-        @Override
-        protected void run() {
-            promise.settle(Objects.requireNonNull(leader.state));
-        }
-    }
-
-    private static boolean isSettled(@Nullable Object state) {
-        return state != null && !(state instanceof Node);
-    }
-
-    @SuppressWarnings("unchecked") // only settleValue puts values in
-    private T valueOf(Object settled) {
-        if (settled == NULL) {
-            return Stage.present(null);
-        }
-        return (T) (settled instanceof Boxed(Object value) ? value : settled);
     }
 }

@@ -4,6 +4,7 @@ import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
@@ -13,64 +14,97 @@ import org.jspecify.annotations.Nullable;
  */
 abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> extends Promise<T> {
     private @Nullable Promise<S> source;
-    private final @Nullable Home home;
-    private final @Nullable Object owner;
-    private final boolean madeOutside;
+    private final @Nullable Owner owner;
 
     Stage(Promise<S> source) {
         this.source = source;
         Home from = source.home();
-        this.home = from != null && from.isCurrent() ? from : orElse(Home.current(), from);
-        this.madeOutside = home != null && !home.isCurrent();
-        this.owner = home != null && !madeOutside ? home.owner() : null;
-    }
-
-    private static @Nullable Home orElse(@Nullable Home first, @Nullable Home second) {
-        return first != null ? first : second;
+        Home here = from != null && from.isCurrent() ? from : Home.current();
+        this.owner = here != null ? here.owner() : from != null ? from.outsider : null;
     }
 
     /** Reacts to how the source ended; may throw. */
-    abstract void react(Promise<S> settled) throws Throwable;
+    abstract void react(Promise<S> settled, Object outcome) throws Throwable;
 
+    /** Queues it where it is to run. */
     final void dispatch() {
+        Home home = owner == null ? Home.current() : owner.home();
         if (home == null) {
-            fire();
+            Detached.run(this);
         } else {
             home.enqueue(this);
         }
     }
 
-    @Override
-    protected final void run() {
-        if (owner == null) {
-            fire();
-        } else if (!Objects.requireNonNull(home).runFor(owner, this::fire)) {
-            settleError(new CancellationException("the actor that waited for this has been stopped: " + owner));
-        }
+    /** Whether it runs on another thread than the calling one. */
+    final boolean isElsewhere() {
+        return owner != null && !owner.home().isCurrent();
     }
 
-    private void fire() {
+    @Override
+    protected final void run() {
         Promise<S> settled = Objects.requireNonNull(source);
         source = null;
         if (isDone()) {
             return; // cancelled meanwhile
         }
+        Object outcome = Objects.requireNonNull(settled.outcomeNow());
+        if (!begin()) {
+            giveUp(outcome);
+            return;
+        }
         try {
-            react(settled);
+            react(settled, outcome);
         } catch (Throwable thrown) {
             settleError(thrown);
             Errors.rethrowIfFatal(thrown);
         }
     }
 
+    private boolean begin() {
+        if (owner != null) {
+            owner.home().begin(owner);
+            return !owner.isOver();
+        }
+        Home here = Home.current();
+        if (here != null) {
+            here.beginForItself();
+        }
+        return true;
+    }
+
+    /** Nobody is there to listen any more; an error that nobody else has seen is not lost with them. */
+    private void giveUp(Object outcome) {
+        settleError(
+                outcome instanceof Rejection rejection
+                        ? rejection.error()
+                        : new CancellationException("the actor that waited for this has been stopped: " + owner));
+    }
+
     @Override
     protected final @Nullable Home home() {
-        return home;
+        return owner == null ? null : owner.home();
+    }
+
+    @Override
+    protected final boolean isLocal() {
+        return owner != null && !owner.isOutside();
     }
 
     @Override
     protected final boolean madeOutside() {
-        return madeOutside;
+        return owner != null && owner.isOutside();
+    }
+
+    @Override
+    final boolean isIdle() {
+        return isDone();
+    }
+
+    @Override
+    protected String progress() {
+        Promise<S> from = source;
+        return from == null ? "" : from.progress();
     }
 
     @Override
@@ -85,8 +119,26 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return value;
     }
 
-    /** Value in, value out; errors pass by. */
-    static final class Transform<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
+    /** What comes of a value; an error passes by. */
+    abstract static class OfValue<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
+        OfValue(Promise<S> source) {
+            super(source);
+        }
+
+        abstract void react(S value) throws Throwable;
+
+        @Override
+        final void react(Promise<S> settled, Object outcome) throws Throwable {
+            if (outcome instanceof Rejection rejection) {
+                settleError(rejection.error());
+            } else {
+                react(settled.valueOf(outcome));
+            }
+        }
+    }
+
+    /** Value in, value out. */
+    static final class Transform<S extends @Nullable Object, T extends @Nullable Object> extends OfValue<S, T> {
         private final Function<? super S, ? extends T> function;
 
         Transform(Promise<S> source, Function<? super S, ? extends T> function) {
@@ -95,13 +147,24 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled) {
-            Throwable error = settled.error();
-            if (error != null) {
-                settleError(error);
-            } else {
-                settleValue(function.apply(present(settled.getNow())));
-            }
+        void react(S value) {
+            settleValue(function.apply(value));
+        }
+    }
+
+    /** Looks at a value and passes it on. */
+    static final class Look<S extends @Nullable Object> extends OfValue<S, S> {
+        private final Consumer<? super S> listener;
+
+        Look(Promise<S> source, Consumer<? super S> listener) {
+            super(source);
+            this.listener = Objects.requireNonNull(listener, "listener");
+        }
+
+        @Override
+        void react(S value) {
+            listener.accept(value);
+            settleValue(value);
         }
     }
 
@@ -115,7 +178,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled) {
+        void react(Promise<S> settled, Object outcome) {
             settleValue(function.apply(settled.getNow(), settled.error()));
         }
     }
@@ -130,7 +193,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled) {
+        void react(Promise<S> settled, Object outcome) {
             Throwable error = settled.error();
             try {
                 listener.accept(settled.getNow(), error);
@@ -159,15 +222,15 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled) {
-            Throwable error = settled.error();
-            if (error == null) {
+        void react(Promise<S> settled, Object outcome) {
+            if (!(outcome instanceof Rejection rejection)) {
                 follow(Objects.requireNonNull(
-                        function.apply(present(settled.getNow())), "the function answered null, not a promise"));
+                        function.apply(settled.valueOf(outcome)), "the function answered null, not a promise"));
             } else if (rescue == null) {
-                settleError(error);
+                settleError(rejection.error());
             } else {
-                follow(Objects.requireNonNull(rescue.apply(error), "the function answered null, not a promise"));
+                follow(Objects.requireNonNull(
+                        rescue.apply(rejection.error()), "the function answered null, not a promise"));
             }
         }
     }

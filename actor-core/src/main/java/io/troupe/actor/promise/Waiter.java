@@ -6,22 +6,41 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /** A thread that waits for a promise from outside. */
-final class Waiter {
+final class Waiter extends Node {
+    private final CountDownLatch settled = new CountDownLatch(1);
+    private volatile boolean gone;
+
     private Waiter() {}
 
     static void await(Promise<?> promise, Duration timeout) throws TimeoutException, InterruptedException {
         if (Home.current() != null) {
-            throw new IllegalStateException("get() would stop the whole space, and with it whoever could settle "
-                    + promise + ": register what comes next with then(..), or return thenCompose(..)");
+            throw new IllegalStateException(
+                    "get() would stop the whole space, and with it whoever could settle "
+                            + promise
+                            + ": register what comes next with then(..), return thenCompose(..), or write await() in the body of sequential(..)");
         }
         if (promise.isDone()) {
-            promise.register(new Relay(() -> {}));
+            promise.hear();
             return;
         }
-        var settled = new CountDownLatch(1);
-        promise.register(new Relay(settled::countDown));
-        if (!settled.await(timeout.toNanos(), TimeUnit.NANOSECONDS)) {
-            throw new TimeoutException("no answer within " + timeout + " from " + promise);
+        var waiter = new Waiter();
+        promise.register(waiter);
+        try {
+            if (!waiter.settled.await(timeout.toNanos(), TimeUnit.NANOSECONDS)) {
+                throw new TimeoutException("no answer within " + timeout + " from " + promise);
+            }
+        } finally {
+            waiter.gone = true;
         }
+    }
+
+    @Override
+    protected void run() {
+        settled.countDown();
+    }
+
+    @Override
+    boolean isIdle() {
+        return gone;
     }
 }

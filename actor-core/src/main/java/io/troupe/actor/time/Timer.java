@@ -30,9 +30,14 @@ public final class Timer {
         this.sequence = sequence;
     }
 
-    /** Takes the task back; false if it has run (and is not periodic) or was cancelled before. */
+    /**
+     * Takes the task back.
+     *
+     * @return false if it has run (and is not periodic) or was cancelled before
+     * @throws IllegalStateException on another thread than that of its space
+     */
     public boolean cancel() {
-        return wheel.remove(this);
+        return wheel.cancel(this);
     }
 
     /** Whether it is still going to run. */

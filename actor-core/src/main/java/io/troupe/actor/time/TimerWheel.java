@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -22,6 +23,7 @@ public final class TimerWheel {
             Comparator.<Timer>comparingLong(timer -> timer.deadlineNanos).thenComparingLong(timer -> timer.sequence);
 
     private final Clock clock;
+    private final BooleanSupplier onThread;
     private final @Nullable Timer[] slots = new Timer[SLOTS];
     private final List<Timer> due = new ArrayList<>();
     private long doneSlot;
@@ -30,7 +32,17 @@ public final class TimerWheel {
     private int size;
 
     public TimerWheel(Clock clock) {
+        this(clock, () -> true);
+    }
+
+    /**
+     * A wheel whose timers are cancelled on its own thread only.
+     *
+     * @param onThread whether the calling thread is the wheel's
+     */
+    public TimerWheel(Clock clock, BooleanSupplier onThread) {
         this.clock = clock;
+        this.onThread = onThread;
         this.doneSlot = slotNumber(clock.nanos());
     }
 
@@ -53,6 +65,24 @@ public final class TimerWheel {
 
     public boolean isEmpty() {
         return size == 0;
+    }
+
+    /** How many timers are set. */
+    public int size() {
+        return size;
+    }
+
+    /** Takes all timers back; answers their tasks, in the order in which they would have run. */
+    public List<Runnable> clear() {
+        var waiting = new ArrayList<Timer>();
+        for (Timer first : slots) {
+            for (Timer timer = first; timer != null; timer = timer.after) {
+                waiting.add(timer);
+            }
+        }
+        waiting.forEach(this::remove);
+        waiting.sort(IN_TURN);
+        return waiting.stream().map(timer -> timer.task).toList();
     }
 
     /** Whether the next deadline is over. */
@@ -129,7 +159,16 @@ public final class TimerWheel {
         return count;
     }
 
-    boolean remove(Timer timer) {
+    /** Takes a timer back, on the wheel's thread. */
+    boolean cancel(Timer timer) {
+        if (!onThread.getAsBoolean()) {
+            throw new IllegalStateException("a timer can be cancelled on the thread of its space only, and not on "
+                    + Thread.currentThread().getName() + ": send the actor a message");
+        }
+        return remove(timer);
+    }
+
+    private boolean remove(Timer timer) {
         if (!timer.waiting) {
             return false;
         }

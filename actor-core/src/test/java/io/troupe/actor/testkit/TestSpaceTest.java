@@ -64,7 +64,8 @@ class TestSpaceTest {
             test.advance(Duration.ofMillis(1));
             assertThat(test.error(limited))
                     .isInstanceOf(TimeoutException.class)
-                    .hasMessage("no answer within PT3S from Probe.never() of Probe#1");
+                    .hasMessage(
+                            "no answer to thread main within PT3S from Probe.never() of Probe#1, which has begun it");
         }
     }
 

@@ -1,0 +1,80 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Node;
+import io.troupe.actor.time.TimerWheel;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space. */
+final class Closing {
+    private final ActorSpace space;
+    private final Dispatcher dispatcher;
+    private final List<String> examples = new ArrayList<>();
+    private int messages;
+    private int requests;
+    private int tasks;
+    private int timers;
+
+    Closing(ActorSpace space, Dispatcher dispatcher) {
+        this.space = space;
+        this.dispatcher = dispatcher;
+    }
+
+    void dropTimers(TimerWheel wheel) {
+        for (Runnable task : wheel.clear()) {
+            timers++;
+            if (task instanceof Expiry expiry) {
+                space.runGuarded(expiry.ifClosed());
+            }
+        }
+    }
+
+    /** Until nothing waits any more; what is refused may lead to more. */
+    void refuseAll() {
+        for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
+            refuse(node);
+        }
+    }
+
+    private void refuse(Node node) {
+        switch (node) {
+            case Message message -> {
+                messages++;
+                note(message + " to " + message.receiver());
+            }
+            case Request<?> request
+            when !request.isDone() -> {
+                requests++;
+                note(request.toString());
+            }
+            case Entry entry -> {
+                refuse(entry);
+                return;
+            }
+            default -> {}
+        }
+        dispatcher.serve(node); // its actor has stopped: it turns the call away
+    }
+
+    private void refuse(Entry entry) {
+        Runnable ifClosed = entry.ifClosed();
+        if (entry.isMailEntry()) {
+            tasks++;
+        }
+        if (ifClosed != null) {
+            space.runGuarded(ifClosed);
+        } else {
+            space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
+        }
+    }
+
+    private void note(String call) {
+        if (examples.size() < Leftovers.EXAMPLES) {
+            examples.add(call);
+        }
+    }
+
+    Leftovers leftovers(int sequences) {
+        return new Leftovers(messages, requests, tasks, timers, sequences, examples);
+    }
+}

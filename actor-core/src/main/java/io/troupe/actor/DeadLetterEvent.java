@@ -1,0 +1,33 @@
+package io.troupe.actor;
+
+import jdk.jfr.Category;
+import jdk.jfr.Event;
+import jdk.jfr.Label;
+import jdk.jfr.Name;
+import jdk.jfr.StackTrace;
+
+/** For the flight recorder: a message reached nobody. */
+@Name("io.troupe.DeadLetter")
+@Label("Dead Letter")
+@Category("Troupe")
+@StackTrace(false)
+final class DeadLetterEvent extends Event {
+    @Label("Space")
+    final String space;
+
+    @Label("Receiver")
+    final String receiver;
+
+    @Label("Message")
+    final String message;
+
+    @Label("Reason")
+    final String reason;
+
+    DeadLetterEvent(String space, DeadLetter letter) {
+        this.space = space;
+        this.receiver = letter.actor();
+        this.message = letter.message();
+        this.reason = letter.reason();
+    }
+}

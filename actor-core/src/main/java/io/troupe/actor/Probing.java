@@ -1,0 +1,89 @@
+package io.troupe.actor;
+
+import io.troupe.actor.time.Clock;
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/** The figures of one space. */
+final class Probing implements SpaceMetrics {
+    private record Probe(long sentNanos, long servedBefore) {}
+
+    private record Finding(long waiting, Duration latency) {}
+
+    private final ActorSpace space;
+    private final Dispatcher dispatcher;
+    private final Reports reports;
+    private final Clock clock = Clock.system();
+    private final AtomicReference<@Nullable Probe> underWay = new AtomicReference<>();
+    private volatile Finding found = new Finding(0, Duration.ZERO);
+
+    Probing(ActorSpace space, Dispatcher dispatcher, Reports reports) {
+        this.space = space;
+        this.dispatcher = dispatcher;
+        this.reports = reports;
+    }
+
+    private void send() {
+        var probe = new Probe(clock.nanos(), dispatcher.served());
+        if (!space.isClosing() && underWay.compareAndSet(null, probe)) {
+            space.enqueueMail(new Entry(() -> arrive(probe), () -> underWay.set(null)));
+        }
+    }
+
+    private void arrive(Probe probe) {
+        found = new Finding(
+                Math.max(0, dispatcher.served() - probe.servedBefore - 1),
+                Duration.ofNanos(clock.nanos() - probe.sentNanos));
+        underWay.set(null);
+    }
+
+    @Override
+    public long served() {
+        return dispatcher.served();
+    }
+
+    @Override
+    public long waiting() {
+        if (space.isCrankedByHand()) {
+            return dispatcher.inside() + (long) dispatcher.inbox.size();
+        }
+        send();
+        return found.waiting;
+    }
+
+    @Override
+    public Duration latency() {
+        if (space.isCrankedByHand()) {
+            return Duration.ZERO;
+        }
+        send();
+        Probe probe = underWay.get();
+        Duration last = found.latency;
+        if (probe == null) {
+            return last;
+        }
+        Duration sofar = Duration.ofNanos(clock.nanos() - probe.sentNanos);
+        return sofar.compareTo(last) > 0 ? sofar : last;
+    }
+
+    @Override
+    public int actors() {
+        return space.actors().size();
+    }
+
+    @Override
+    public int timers() {
+        return dispatcher.timers.size();
+    }
+
+    @Override
+    public long errors() {
+        return reports.errors();
+    }
+
+    @Override
+    public long deadLetters() {
+        return reports.deadLetters();
+    }
+}

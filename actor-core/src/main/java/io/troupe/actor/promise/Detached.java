@@ -1,0 +1,31 @@
+package io.troupe.actor.promise;
+
+import java.util.ArrayDeque;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Runs listeners that belong to no home, on the thread that settles their promise, one after the other and never inside each other, so that a chain of
+ * them may be of any length.
+ */
+final class Detached {
+    private static final ThreadLocal<@Nullable ArrayDeque<Node>> WAITING = new ThreadLocal<>();
+
+    private Detached() {}
+
+    static void run(Node listener) {
+        ArrayDeque<Node> waiting = WAITING.get();
+        if (waiting != null) {
+            waiting.add(listener);
+            return;
+        }
+        waiting = new ArrayDeque<>();
+        WAITING.set(waiting);
+        try {
+            for (Node each = listener; each != null; each = waiting.poll()) {
+                each.run();
+            }
+        } finally {
+            WAITING.remove();
+        }
+    }
+}

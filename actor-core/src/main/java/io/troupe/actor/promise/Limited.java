@@ -1,0 +1,105 @@
+package io.troupe.actor.promise;
+
+import java.time.Duration;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeoutException;
+import org.jspecify.annotations.Nullable;
+
+/** Follows a promise until a time is over. */
+final class Limited<T extends @Nullable Object> extends Promise<T> {
+    private static final Runnable NOTHING = () -> {};
+
+    private final Home home;
+    private final Promise<T> source;
+    private final Duration timeout;
+    private final String asker;
+    private final boolean madeOutside;
+    private volatile Runnable withdraw = NOTHING;
+
+    private Limited(Home home, Promise<T> source, Duration timeout) {
+        this.home = home;
+        this.source = source;
+        this.timeout = timeout;
+        this.madeOutside = !home.isCurrent();
+        this.asker = asker();
+    }
+
+    static <T extends @Nullable Object> Promise<T> start(Promise<T> source, Duration timeout) {
+        Home here = Home.current();
+        Home home = here != null ? here : source.home();
+        if (home == null) {
+            throw new IllegalStateException(
+                    "orTimeout needs a clock: call it in an actor space, or on a promise of one");
+        }
+        var limited = new Limited<>(home, source, timeout);
+        limited.withdraw = home.schedule(timeout.toNanos(), limited::expire, limited::abandon);
+        source.register(new Ending(limited));
+        return limited;
+    }
+
+    private static String asker() {
+        Home here = Home.current();
+        return here == null
+                ? "thread " + Thread.currentThread().getName()
+                : here.owner().toString();
+    }
+
+    private void expire() {
+        settleError(new TimeoutException(
+                "no answer to " + asker + " within " + timeout + " from " + source + source.progress()));
+    }
+
+    private void abandon() {
+        settleError(new CancellationException("space " + home + " was closed before " + source + " was settled"));
+    }
+
+    @Override
+    void cancelled() {
+        withdraw.run();
+    }
+
+    @Override
+    protected Home home() {
+        return home;
+    }
+
+    @Override
+    protected boolean isLocal() {
+        return false;
+    }
+
+    @Override
+    protected boolean madeOutside() {
+        return madeOutside;
+    }
+
+    @Override
+    protected String progress() {
+        return source.progress();
+    }
+
+    @Override
+    protected void run() {
+        throw new IllegalStateException("a promise with a time limit is never queued");
+    }
+
+    @Override
+    public String toString() {
+        return source + " within " + timeout;
+    }
+
+    /** Takes the time-out back, and passes the outcome on. */
+    private static final class Ending extends Follower {
+        private final Limited<?> limited;
+
+        Ending(Limited<?> limited) {
+            super(limited);
+            this.limited = limited;
+        }
+
+        @Override
+        void beforeSettling() {
+            limited.withdraw.run();
+        }
+    }
+}

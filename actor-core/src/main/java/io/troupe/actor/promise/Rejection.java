@@ -1,0 +1,23 @@
+package io.troupe.actor.promise;
+
+/** The error of a rejected promise, and whether anybody was told of it. */
+final class Rejection {
+    private final Throwable error;
+    private volatile boolean heard;
+
+    Rejection(Throwable error) {
+        this.error = error;
+    }
+
+    Throwable error() {
+        return error;
+    }
+
+    void hear() {
+        heard = true;
+    }
+
+    boolean isHeard() {
+        return heard;
+    }
+}

@@ -1,0 +1,326 @@
+package io.troupe.actor.promise;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.util.Objects;
+import java.util.concurrent.CancellationException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The state of a promise: pending with its listeners, or settled.
+ *
+ * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores; what other threads want of it is posted
+ * to its home. A <i>shared</i> one changes on any thread, by compare-and-set. Both may be read anywhere.
+ */
+abstract class Settleable<T extends @Nullable Object> extends Node {
+    /*
+     * One field says everything, so that one compare-and-set decides between "settle" and "register":
+     *   null           pending, nobody listens
+     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones
+     *   a Settling     settled, but earlier listeners are still being told
+     *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for something else)
+     */
+    private static final Object NULL = new Object();
+    private static final VarHandle STATE;
+
+    static {
+        try {
+            STATE = MethodHandles.lookup().findVarHandle(Settleable.class, "state", Object.class);
+        } catch (ReflectiveOperationException e) {
+            throw new ExceptionInInitializerError(e);
+        }
+    }
+
+    private record Boxed(Object value) {}
+
+    private @Nullable Object state;
+
+    Settleable() {}
+
+    /** One that is settled already; the fence makes it so for whoever gets hold of it. */
+    Settleable(Object outcome) {
+        state = outcome;
+        VarHandle.storeStoreFence();
+    }
+
+    /** Where listeners from outside every space run, and where a lost rejection is reported; null if nowhere. */
+    protected abstract @Nullable Home home();
+
+    /** Whether it changes on its home's thread only. */
+    protected abstract boolean isLocal();
+
+    /** Whether it was made by a thread outside its home, which may need a moment to register a listener. */
+    protected boolean madeOutside() {
+        return false;
+    }
+
+    // ---- looking at it
+
+    public final boolean isDone() {
+        return isSettled(STATE.getAcquire(this));
+    }
+
+    private static boolean isSettled(@Nullable Object state) {
+        return state != null && !(state instanceof Node);
+    }
+
+    /** How it ended, or null if it has not. */
+    final @Nullable Object outcomeNow() {
+        Object now = STATE.getAcquire(this);
+        return now instanceof Settling settling ? settling.outcome() : isSettled(now) ? now : null;
+    }
+
+    static Object asOutcome(@Nullable Object value) {
+        if (value == null) {
+            return NULL;
+        }
+        return value instanceof Node || value instanceof Rejection || value instanceof Settling
+                ? new Boxed(value)
+                : value;
+    }
+
+    @SuppressWarnings("unchecked") // only asOutcome puts values in
+    final T valueOf(Object outcome) {
+        if (outcome == NULL) {
+            return Stage.present(null);
+        }
+        return (T) (outcome instanceof Boxed(Object value) ? value : outcome);
+    }
+
+    /** Whether anybody was or will be told how it ends. */
+    final boolean isHeard() {
+        Object now = STATE.getAcquire(this);
+        Object outcome = now instanceof Settling settling ? settling.outcome() : now;
+        return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHeard();
+    }
+
+    /** Somebody has seen how it ended. */
+    final void hear() {
+        if (outcomeNow() instanceof Rejection rejection) {
+            rejection.hear();
+        }
+    }
+
+    // ---- settling
+
+    /** Fulfils this promise; false if it was settled before. */
+    protected final boolean settleValue(T value) {
+        return settle(asOutcome(value));
+    }
+
+    /** Rejects this promise; false if it was settled before. */
+    protected final boolean settleError(Throwable error) {
+        return settle(new Rejection(Objects.requireNonNull(error, "error")));
+    }
+
+    /** Settles this promise as the other is, as soon as it is. */
+    protected final void follow(Promise<? extends T> other) {
+        if (other == this) {
+            settleError(new IllegalStateException("a promise cannot wait for itself: " + this));
+            return;
+        }
+        Object outcome = other.outcomeNow();
+        if (outcome == null) {
+            other.register(new Follower(this));
+        } else {
+            settle(handedOn(outcome));
+        }
+    }
+
+    /** Each promise has a rejection of its own, since each has its own listeners. */
+    private static Object handedOn(Object outcome) {
+        if (outcome instanceof Rejection rejection) {
+            rejection.hear();
+            return new Rejection(rejection.error());
+        }
+        return outcome;
+    }
+
+    /** False if it was settled before; a local promise away from home answers whether it was pending, and is settled a moment later. */
+    private boolean settle(Object outcome) {
+        Node listeners = claim(outcome);
+        if (listeners == Claim.REFUSED) {
+            return false;
+        }
+        if (listeners != null) {
+            tell(listeners, outcome);
+        }
+        return true;
+    }
+
+    /** Settles this promise and answers its listeners, newest first; {@link Claim#REFUSED} if it was settled before. */
+    private @Nullable Node claim(Object outcome) {
+        if (!isLocal()) {
+            return claimShared(outcome);
+        }
+        Home home = Objects.requireNonNull(home());
+        return home.isCurrent() ? claimAtHome(outcome) : claimFromAfar(outcome, home);
+    }
+
+    private @Nullable Node claimAtHome(Object outcome) {
+        Object now = state;
+        if (isSettled(now)) {
+            return Claim.REFUSED;
+        }
+        STATE.setRelease(this, outcome);
+        if (outcome instanceof Rejection rejection) {
+            noteRejection(rejection, now != null);
+        }
+        return (Node) now;
+    }
+
+    private @Nullable Node claimFromAfar(Object outcome, Home home) {
+        if (isDone()) {
+            return Claim.REFUSED;
+        }
+        home.enqueue(new Errand(() -> settle(outcome)));
+        return null;
+    }
+
+    private @Nullable Node claimShared(Object outcome) {
+        while (true) {
+            Object now = STATE.getAcquire(this);
+            if (isSettled(now)) {
+                return Claim.REFUSED;
+            }
+            var listeners = (Node) now;
+            Object next = outcome;
+            if (listeners != null && Settling.isNeeded(listeners)) {
+                var settling = new Settling(outcome);
+                listeners = new Settling.End(settling, this, listeners);
+                next = settling;
+            }
+            if (STATE.compareAndSet(this, now, next)) {
+                if (outcome instanceof Rejection rejection) {
+                    noteRejection(rejection, now != null);
+                }
+                return listeners;
+            }
+        }
+    }
+
+    /** Every listener has been told. */
+    final void endSettling(Settling settling) {
+        STATE.setRelease(this, settling.outcome());
+    }
+
+    @SuppressWarnings("ReferenceEquality")
+    private void noteRejection(Rejection rejection, boolean heard) {
+        Home place = home();
+        if (heard) {
+            rejection.hear();
+        } else if (place != null && !(rejection.error() instanceof CancellationException)) {
+            place.rejected((Promise<?>) this, rejection.error());
+        }
+    }
+
+    /**
+     * Tells listeners, oldest first. Promises that only follow are settled in this loop, not each on the stack of the one before, so that a chain of them
+     * may be of any length.
+     */
+    private static void tell(Node newest, Object outcome) {
+        if (newest.next == null && newest instanceof Stage<?, ?> only) {
+            only.dispatch();
+            return;
+        }
+        Node waiting = reverse(newest, null);
+        while (waiting != null) {
+            Node listener = waiting;
+            waiting = listener.next;
+            listener.next = null;
+            if (listener instanceof Follower follower) {
+                follower.beforeSettling();
+                Node more = follower.promise.claim(handedOn(outcome));
+                waiting = more == Claim.REFUSED ? waiting : reverse(more, waiting);
+            } else if (listener instanceof Settling.End end) {
+                waiting = reverse(end.tryToEnd(), waiting);
+            } else {
+                dispatch(listener);
+            }
+        }
+    }
+
+    /** Puts a list, newest first, in front of another, oldest first. */
+    private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
+        Node oldest = rest;
+        for (Node node = newest; node != null; ) {
+            Node before = node.next;
+            node.next = oldest;
+            oldest = node;
+            node = before;
+        }
+        return oldest;
+    }
+
+    // ---- listening
+
+    /** Tells the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where they are. */
+    final void register(Node listener) {
+        if (!isLocal()) {
+            registerShared(listener);
+            return;
+        }
+        Home home = Objects.requireNonNull(home());
+        if (home.isCurrent()) {
+            registerAtHome(listener);
+        } else {
+            home.enqueue(new Errand(() -> registerAtHome(listener)));
+        }
+    }
+
+    private void registerAtHome(Node listener) {
+        Object now = state;
+        if (isSettled(now)) {
+            tellLate(listener, now);
+        } else {
+            listener.next = firstWithUse((Node) now);
+            STATE.setRelease(this, listener);
+        }
+    }
+
+    private void registerShared(Node listener) {
+        while (true) {
+            Object now = STATE.getAcquire(this);
+            if (now instanceof Settling settling) {
+                if (settling.join(listener)) {
+                    return;
+                }
+                tellLate(listener, settling.outcome());
+                return;
+            }
+            if (isSettled(now)) {
+                tellLate(listener, now);
+                return;
+            }
+            listener.next = firstWithUse((Node) now);
+            if (STATE.compareAndSet(this, now, listener)) {
+                return;
+            }
+        }
+    }
+
+    /** Listeners of those who have given up are left out when a new one comes, so that a promise that lives long collects none. */
+    private static @Nullable Node firstWithUse(@Nullable Node newest) {
+        Node node = newest;
+        while (node != null && node.isIdle()) {
+            node = node.next;
+        }
+        return node;
+    }
+
+    private static void tellLate(Node listener, Object outcome) {
+        if (outcome instanceof Rejection rejection) {
+            rejection.hear();
+        }
+        listener.next = null;
+        tell(listener, outcome);
+    }
+
+    private static void dispatch(Node listener) {
+        if (listener instanceof Stage<?, ?> stage) {
+            stage.dispatch();
+        } else {
+            listener.run();
+        }
+    }
+}
