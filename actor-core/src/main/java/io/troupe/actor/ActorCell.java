@@ -59,9 +59,10 @@ public final class ActorCell {
 
     /** Puts a call into the actor's mailbox. */
     public void send(Request<?> request) {
-        request.noteAsker(space.isCurrent());
+        boolean inside = space.isCurrent();
+        request.noteAsker(inside);
         if (mailbox == null) {
-            space.enqueueMail(request);
+            space.enqueueMail(request, inside);
         } else {
             sendBounded(request, mailbox);
         }
@@ -177,7 +178,7 @@ public final class ActorCell {
     }
 
     /** Serves a one-way call. */
-    void deliver(Message message) {
+    void deliver(Message message) throws Throwable {
         Object target = implementation;
         if (target == null || mailbox != null) {
             deliverNext(message);
@@ -187,7 +188,7 @@ public final class ActorCell {
     }
 
     /** Serves a request. */
-    void deliver(Request<?> request) {
+    void deliver(Request<?> request) throws Throwable {
         Object target = implementation;
         if (target == null || mailbox != null) {
             deliverNext(request);
@@ -201,23 +202,25 @@ public final class ActorCell {
         Object target = implementation;
         if (target == null) {
             refuse(call);
-        } else if (call instanceof Message message) {
-            handle(message, target);
-        } else {
-            handle((Request<?>) call, target);
+            return;
         }
-    }
-
-    private void handle(Message message, Object target) {
-        space.beginTurnOf(life);
         try {
-            message.invoke(target);
+            if (call instanceof Message message) {
+                handle(message, target);
+            } else {
+                handle((Request<?>) call, target);
+            }
         } catch (Throwable thrown) {
-            failed(message.method(), thrown);
+            space.fail(call, thrown); // the call's own failure, though another was its ticket
         }
     }
 
-    private void handle(Request<?> request, Object target) {
+    private void handle(Message message, Object target) throws Throwable {
+        space.beginTurnOf(life);
+        message.invoke(target);
+    }
+
+    private void handle(Request<?> request, Object target) throws Throwable {
         if (request.isDone()) {
             space.reports().skip(request); // cancelled while it waited
             return;
@@ -242,7 +245,7 @@ public final class ActorCell {
     }
 
     /** What the failure leads to comes when the failing turn has returned, and before anything else. */
-    private void failed(String what, Throwable thrown) {
+    void failed(String what, Throwable thrown) {
         space.reports().error(what + " of " + this, thrown, settings.onError());
         if (stopped) {
             return;

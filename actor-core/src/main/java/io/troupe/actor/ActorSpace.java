@@ -41,6 +41,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
+    private final NodeRing callbacks = new NodeRing();
+    private final NodeRing mails = new NodeRing();
     private final Reports reports;
     private final Lifeline lifeline = new Lifeline();
     private final Rejections rejections = new Rejections();
@@ -62,7 +64,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
         this.settings = settings;
         this.closeable = closeable;
         this.reports = new Reports(settings);
-        this.dispatcher = new Dispatcher(this, new TimerWheel(settings.clock(), this::isCurrent));
+        this.dispatcher = new Dispatcher(this, callbacks, mails, new TimerWheel(settings.clock(), this::isCurrent));
         this.metrics = new Probing(this, dispatcher, reports);
         this.offload = new Offload(settings.offloadLimit());
         this.clockRegistration = settings.clock().onMove(lifeline::wake);
@@ -331,15 +333,20 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     void enqueueCallback(Node node) {
         if (isCurrent()) {
-            dispatcher.addCallback(node);
+            callbacks.add(node);
         } else {
             offer(node);
         }
     }
 
     void enqueueMail(Node node) {
-        if (isCurrent()) {
-            dispatcher.addMail(node);
+        enqueueMail(node, isCurrent());
+    }
+
+    /** As {@link #enqueueMail(Node)}, for who knows whether the calling thread is this space's. */
+    void enqueueMail(Node node, boolean inside) {
+        if (inside) {
+            mails.add(node);
         } else {
             offer(node);
         }
@@ -412,8 +419,17 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return sequences;
     }
 
-    static void runNode(Node node) {
+    static void runNode(Node node) throws Throwable {
         run(node);
+    }
+
+    /** Lets a node deal with what running it has thrown. */
+    void fail(Node node, Throwable thrown) {
+        try {
+            threw(node, thrown);
+        } catch (Throwable again) {
+            reports.error("an entry of space " + this, again, null);
+        }
     }
 
     static boolean goesToMailbox(Node node) {

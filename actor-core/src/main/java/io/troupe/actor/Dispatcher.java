@@ -35,28 +35,24 @@ final class Dispatcher {
     final NodeQueue inbox = new NodeQueue();
     final TimerWheel timers;
     private final ActorSpace space;
-    private final NodeRing callbacks = new NodeRing();
-    private final NodeRing mails = new NodeRing();
+    private final NodeRing callbacks;
+    private final NodeRing mails;
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
     private long served;
     private int passes;
+    private boolean turnLeavesWork;
 
-    Dispatcher(ActorSpace space, TimerWheel timers) {
+    Dispatcher(ActorSpace space, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
         this.space = space;
+        this.callbacks = callbacks;
+        this.mails = mails;
         this.timers = timers;
-    }
-
-    void addCallback(Node node) {
-        callbacks.add(node);
-    }
-
-    void addMail(Node node) {
-        mails.add(node);
     }
 
     /** Runs an action when the entry that is being served has returned. */
     void afterTurn(Runnable action) {
+        turnLeavesWork = true;
         afterTurn.add(action);
     }
 
@@ -67,12 +63,19 @@ final class Dispatcher {
     /** One round through the queues; false if nothing was there to do. */
     boolean pass() {
         if ((++passes & RENEWAL) == 0) {
-            space.renewOwner();
+            renew();
         }
         boolean worked = drainInbox();
         worked |= drainRings();
         worked |= timers.runDue(this::runTask) > 0;
         return worked;
+    }
+
+    /** What is written at every turn must not grow old: see {@link NodeRing#renew}. */
+    private void renew() {
+        space.renewOwner();
+        callbacks.renew();
+        mails.renew();
     }
 
     /** Nothing waits, and no timer is due; between two turns. */
@@ -128,9 +131,9 @@ final class Dispatcher {
         try {
             ActorSpace.runNode(node);
         } catch (Throwable thrown) {
-            space.reports().error("an entry of space " + space, thrown, null);
+            space.fail(node, thrown);
         }
-        if (!afterTurn.isEmpty()) {
+        if (turnLeavesWork) {
             endTurn();
         }
     }
@@ -139,12 +142,13 @@ final class Dispatcher {
     void runTask(Runnable task) {
         SERVED.setOpaque(this, served + 1);
         space.runGuarded(task);
-        if (!afterTurn.isEmpty()) {
+        if (turnLeavesWork) {
             endTurn();
         }
     }
 
     private void endTurn() {
+        turnLeavesWork = false;
         for (Runnable action = afterTurn.poll(); action != null; action = afterTurn.poll()) {
             space.runGuarded(action);
         }
@@ -177,7 +181,7 @@ final class Dispatcher {
     private boolean drainRings() {
         boolean worked = false;
         for (int count = 0; count < QUOTA; count++) {
-            boolean called = drainCallbacks();
+            boolean called = !callbacks.isEmpty() && drainCallbacks();
             Node mail = mails.poll();
             if (mail != null) {
                 serve(mail);

@@ -29,8 +29,13 @@ public abstract class Message extends Node {
     }
 
     @Override
-    protected final void run() {
+    protected final void run() throws Throwable {
         cell.deliver(this);
+    }
+
+    @Override
+    protected final void threw(Throwable thrown) {
+        cell.failed(method(), thrown);
     }
 
     @Override

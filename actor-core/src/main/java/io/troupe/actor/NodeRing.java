@@ -1,69 +1,73 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/**
- * A first-in-first-out ring of nodes for one thread, that grows and shrinks.
- *
- * <p>Its array is replaced now and then even when it need not grow: storing a young node into an array that has grown old costs a fence under G1 (until JEP
- * 522, JDK 26), which is more than all the rest of queueing.
- */
+/** A first-in-first-out ring of nodes for one thread, that grows, and shrinks when it is renewed. */
 final class NodeRing {
     private static final int SMALL = 256;
-    private static final int RENEWAL = 1 << 13;
 
     private @Nullable Node[] entries = new Node[SMALL];
-    private int head;
-    private int size;
-    private int added;
+    private int head; // both count on and on; the lower bits are the place
+    private int tail;
 
     void add(Node node) {
-        if (size == entries.length || ++added > RENEWAL) {
-            renew();
+        @Nullable Node[] places = entries;
+        int place = tail;
+        if (place - head == places.length) {
+            moveTo(new Node[places.length * 2]);
+            places = entries;
+            place = tail;
         }
-        entries[(head + size++) & (entries.length - 1)] = node;
+        places[place & (places.length - 1)] = node;
+        tail = place + 1;
     }
 
     @Nullable
     Node poll() {
-        if (size == 0) {
+        int place = head;
+        if (place == tail) {
             return null;
         }
-        Node node = entries[head];
-        entries[head] = null;
-        head = (head + 1) & (entries.length - 1);
-        size--;
+        @Nullable Node[] places = entries;
+        int index = place & (places.length - 1);
+        Node node = places[index];
+        places[index] = null;
+        head = place + 1;
         return node;
     }
 
     boolean isEmpty() {
-        return size == 0;
+        return head == tail;
     }
 
     int size() {
-        return size;
+        return tail - head;
     }
 
     /** The node that is so many places behind the first one. */
     Node get(int index) {
-        return java.util.Objects.requireNonNull(entries[(head + index) & (entries.length - 1)]);
+        return Objects.requireNonNull(entries[(head + index) & (entries.length - 1)]);
     }
 
-    private void renew() {
-        added = 0;
-        if (size == entries.length) {
-            moveTo(new Node[entries.length * 2]);
-        } else if (size < SMALL) {
+    /**
+     * Takes a fresh array, if few nodes are inside. To be called now and then: storing a young node into an array that has grown old costs a fence under G1
+     * (until JEP 522, JDK 26), which is more than all the rest of queueing.
+     */
+    void renew() {
+        if (size() < SMALL) {
             moveTo(new Node[SMALL]);
         }
     }
 
     private void moveTo(@Nullable Node[] fresh) {
-        int first = Math.min(size, entries.length - head);
-        System.arraycopy(entries, head, fresh, 0, first);
-        System.arraycopy(entries, 0, fresh, first, size - first);
+        int size = size();
+        for (int index = 0; index < size; index++) {
+            fresh[index] = get(index);
+        }
         entries = fresh;
         head = 0;
+        tail = size;
     }
 }

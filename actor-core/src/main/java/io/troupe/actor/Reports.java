@@ -38,6 +38,11 @@ final class Reports {
                     "the error handler of space " + settings.name() + " threw about " + where,
                     broken);
         }
+        rethrowIfFatal(error);
+    }
+
+    /** A virtual machine that cannot go on must not be talked over. */
+    static void rethrowIfFatal(Throwable error) {
         if (error instanceof VirtualMachineError fatal && !(error instanceof StackOverflowError)) {
             throw fatal;
         }

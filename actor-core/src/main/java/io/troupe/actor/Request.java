@@ -26,8 +26,15 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     protected abstract Object[] arguments();
 
     @Override
-    protected final void run() {
+    protected final void run() throws Throwable {
         cell.deliver(this);
+    }
+
+    /** What an actor throws is its answer. */
+    @Override
+    protected final void threw(Throwable thrown) {
+        reject(thrown);
+        Reports.rethrowIfFatal(thrown);
     }
 
     @Override
@@ -60,21 +67,12 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     /** Calls the method and passes its outcome on. */
-    final void answer(Object implementation) {
-        Promise<? extends T> answer;
-        try {
-            answer = invoke(implementation);
-        } catch (Throwable thrown) {
-            reject(thrown);
-            if (thrown instanceof VirtualMachineError fatal && !(thrown instanceof StackOverflowError)) {
-                throw fatal;
-            }
-            return;
-        }
+    final void answer(Object implementation) throws Throwable {
+        Promise<? extends T> answer = invoke(implementation);
         if (answer == null) {
             reject(new ActorException(method() + " of " + cell + " answered null, expected a promise"));
         } else {
-            follow(answer);
+            followAtHome(answer);
         }
     }
 

@@ -12,6 +12,14 @@ final class Detached {
 
     private Detached() {}
 
+    private static void runOne(Node listener) {
+        try {
+            listener.run();
+        } catch (Throwable thrown) {
+            listener.threw(thrown);
+        }
+    }
+
     static void run(Node listener) {
         ArrayDeque<Node> waiting = WAITING.get();
         if (waiting != null) {
@@ -22,7 +30,7 @@ final class Detached {
         WAITING.set(waiting);
         try {
             for (Node each = listener; each != null; each = waiting.poll()) {
-                each.run();
+                runOne(each);
             }
         } finally {
             WAITING.remove();

@@ -97,8 +97,13 @@ public abstract class Home {
     // ---- what homes may do with nodes and promises
 
     /** Runs a node. */
-    protected static void run(Node node) {
+    protected static void run(Node node) throws Throwable {
         node.run();
+    }
+
+    /** Lets a node deal with what running it has thrown. */
+    protected static void threw(Node node, Throwable thrown) {
+        node.threw(thrown);
     }
 
     /** Whether a node goes to a mailbox. */

@@ -13,8 +13,13 @@ public abstract class Node {
     @Nullable
     Node next;
 
-    /** Does what this node is for, on its home's thread. */
-    protected abstract void run();
+    /** Does what this node is for, on its home's thread; whoever calls this passes what it throws to {@link #threw}. */
+    protected abstract void run() throws Throwable;
+
+    /** Deals with what {@link #run} has thrown; throws it again if that is not this node's business. */
+    protected void threw(Throwable thrown) {
+        throw Errors.rethrow(thrown);
+    }
 
     /** Whether this goes to a mailbox; everything else goes to the callback queue, which is served first. */
     protected boolean isMail() {

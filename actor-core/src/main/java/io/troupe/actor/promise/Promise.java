@@ -268,7 +268,6 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     private <R extends @Nullable Object> Promise<R> listen(Stage<T, R> stage) {
-        register(stage);
-        return stage;
+        return stage.listen();
     }
 }

@@ -1,7 +1,7 @@
 package io.troupe.actor.promise;
 
 /** The error of a rejected promise, and whether anybody was told of it. */
-final class Rejection {
+final class Rejection extends Special {
     private final Throwable error;
     private volatile boolean heard;
 

@@ -31,8 +31,6 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    private record Boxed(Object value) {}
-
     private @Nullable Object state;
 
     Settleable() {}
@@ -74,17 +72,21 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (value == null) {
             return NULL;
         }
-        return value instanceof Node || value instanceof Rejection || value instanceof Settling
-                ? new Boxed(value)
+        return value instanceof Node || value instanceof Special
+                ? new Special.Boxed(value)
                 : value;
     }
 
     @SuppressWarnings("unchecked") // only asOutcome puts values in
     final T valueOf(Object outcome) {
+        return (T) Stage.present(plainValue(outcome));
+    }
+
+    static @Nullable Object plainValue(Object outcome) {
         if (outcome == NULL) {
-            return Stage.present(null);
+            return null;
         }
-        return (T) (outcome instanceof Boxed(Object value) ? value : outcome);
+        return outcome instanceof Special.Boxed boxed ? boxed.value() : outcome;
     }
 
     /** Whether anybody was or will be told how it ends. */
@@ -102,6 +104,30 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     // ---- settling
+
+    /** Fulfils this promise, as {@link #settleValue}, on its home's thread or if it has no home. */
+    final boolean settleValueAtHome(T value) {
+        return settleAtHome(asOutcome(value));
+    }
+
+    /** Rejects this promise, as {@link #settleError}, on its home's thread or if it has no home. */
+    final boolean settleErrorAtHome(Throwable error) {
+        return settleAtHome(new Rejection(Objects.requireNonNull(error, "error")));
+    }
+
+    /** Settles this promise as the other is, as {@link #follow}, on its home's thread. */
+    protected final void followAtHome(Promise<? extends T> other) {
+        Object outcome = other.outcomeNow();
+        if (outcome == null || other == this) {
+            follow(other);
+        } else {
+            settleAtHome(handedOn(outcome));
+        }
+    }
+
+    final boolean settleAtHome(Object outcome) {
+        return finish(isLocal() ? claimAtHome(outcome) : claimShared(outcome), outcome);
+    }
 
     /** Fulfils this promise; false if it was settled before. */
     protected final boolean settleValue(T value) {
@@ -138,7 +164,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     /** False if it was settled before; a local promise away from home answers whether it was pending, and is settled a moment later. */
     private boolean settle(Object outcome) {
-        Node listeners = claim(outcome);
+        return finish(claim(outcome), outcome);
+    }
+
+    private static boolean finish(@Nullable Node listeners, Object outcome) {
         if (listeners == Claim.REFUSED) {
             return false;
         }
@@ -254,6 +283,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     // ---- listening
 
+    /** Registers a listener; {@code atHome} says whether the calling thread is known to be that of this promise's home. */
+    final void register(Node listener, boolean atHome) {
+        if (atHome && isLocal()) {
+            registerAtHome(listener);
+        } else {
+            register(listener);
+        }
+    }
+
     /** Tells the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where they are. */
     final void register(Node listener) {
         if (!isLocal()) {
@@ -320,7 +358,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (listener instanceof Stage<?, ?> stage) {
             stage.dispatch();
         } else {
+            runRelay(listener);
+        }
+    }
+
+    private static void runRelay(Node listener) {
+        try {
             listener.run();
+        } catch (Throwable thrown) {
+            listener.threw(thrown);
         }
     }
 }

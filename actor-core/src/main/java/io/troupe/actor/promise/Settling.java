@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * A promise that is settled while its listeners of other threads are still being told. Whoever registers now joins the end of the line, and cannot
  * overtake those who registered before.
  */
-final class Settling {
+final class Settling extends Special {
     private final Object outcome;
     private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
 

@@ -19,12 +19,20 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     Stage(Promise<S> source) {
         this.source = source;
         Home from = source.home();
-        Home here = from != null && from.isCurrent() ? from : Home.current();
-        this.owner = here != null ? here.owner() : from != null ? from.outsider : null;
+        if (from != null && from.isCurrent()) {
+            this.owner = from.owner();
+        } else {
+            Home here = Home.current();
+            this.owner = here != null ? here.owner() : from != null ? from.outsider : null;
+        }
     }
 
-    /** Reacts to how the source ended; may throw. */
-    abstract void react(Promise<S> settled, Object outcome) throws Throwable;
+    /** Begins to listen; answers itself. */
+    final Stage<S, T> listen() {
+        Promise<S> from = Objects.requireNonNull(source);
+        from.register(this, owner != null && owner.home() == from.home() && !owner.isOutside());
+        return this;
+    }
 
     /** Queues it where it is to run. */
     final void dispatch() {
@@ -41,36 +49,31 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return owner != null && !owner.home().isCurrent();
     }
 
-    @Override
-    protected final void run() {
+    /** Begins the listener's turn: how the source has ended, or null if there is nothing to do any more. */
+    final @Nullable Object begin() {
         Promise<S> settled = Objects.requireNonNull(source);
         source = null;
         if (isDone()) {
-            return; // cancelled meanwhile
+            return null; // cancelled meanwhile
         }
         Object outcome = Objects.requireNonNull(settled.outcomeNow());
-        if (!begin()) {
-            giveUp(outcome);
-            return;
-        }
-        try {
-            react(settled, outcome);
-        } catch (Throwable thrown) {
-            settleError(thrown);
-            Errors.rethrowIfFatal(thrown);
-        }
-    }
-
-    private boolean begin() {
         if (owner != null) {
             owner.home().begin(owner);
-            return !owner.isOver();
+            if (owner.isOver()) {
+                giveUp(outcome);
+                return null;
+            }
+        } else if (Home.current() != null) {
+            Home.current().beginForItself();
         }
-        Home here = Home.current();
-        if (here != null) {
-            here.beginForItself();
-        }
-        return true;
+        return outcome;
+    }
+
+    /** What a listener throws rejects the promise of what it makes. */
+    @Override
+    protected final void threw(Throwable thrown) {
+        settleError(thrown);
+        Errors.rethrowIfFatal(thrown);
     }
 
     /** Nobody is there to listen any more; an error that nobody else has seen is not lost with them. */
@@ -119,26 +122,13 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return value;
     }
 
-    /** What comes of a value; an error passes by. */
-    abstract static class OfValue<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
-        OfValue(Promise<S> source) {
-            super(source);
-        }
-
-        abstract void react(S value) throws Throwable;
-
-        @Override
-        final void react(Promise<S> settled, Object outcome) throws Throwable {
-            if (outcome instanceof Rejection rejection) {
-                settleError(rejection.error());
-            } else {
-                react(settled.valueOf(outcome));
-            }
-        }
+    @SuppressWarnings("unchecked") // the source settles with values of its own type
+    final S sourceValue(Object outcome) {
+        return (S) plainValue(outcome);
     }
 
-    /** Value in, value out. */
-    static final class Transform<S extends @Nullable Object, T extends @Nullable Object> extends OfValue<S, T> {
+    /** Value in, value out; an error passes by. */
+    static final class Transform<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
         private final Function<? super S, ? extends T> function;
 
         Transform(Promise<S> source, Function<? super S, ? extends T> function) {
@@ -147,13 +137,18 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(S value) {
-            settleValue(function.apply(value));
+        protected void run() {
+            Object outcome = begin();
+            if (outcome instanceof Rejection rejection) {
+                settleErrorAtHome(rejection.error());
+            } else if (outcome != null) {
+                settleValueAtHome(function.apply(sourceValue(outcome)));
+            }
         }
     }
 
-    /** Looks at a value and passes it on. */
-    static final class Look<S extends @Nullable Object> extends OfValue<S, S> {
+    /** Looks at a value and passes it on; an error passes by. */
+    static final class Look<S extends @Nullable Object> extends Stage<S, S> {
         private final Consumer<? super S> listener;
 
         Look(Promise<S> source, Consumer<? super S> listener) {
@@ -162,9 +157,14 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(S value) {
-            listener.accept(value);
-            settleValue(value);
+        protected void run() {
+            Object outcome = begin();
+            if (outcome instanceof Rejection rejection) {
+                settleErrorAtHome(rejection.error());
+            } else if (outcome != null) {
+                listener.accept(sourceValue(outcome));
+                settleAtHome(outcome);
+            }
         }
     }
 
@@ -178,8 +178,13 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled, Object outcome) {
-            settleValue(function.apply(settled.getNow(), settled.error()));
+        protected void run() {
+            Object outcome = begin();
+            if (outcome instanceof Rejection rejection) {
+                settleValueAtHome(function.apply(null, rejection.error()));
+            } else if (outcome != null) {
+                settleValueAtHome(function.apply(sourceValue(outcome), null));
+            }
         }
     }
 
@@ -193,17 +198,26 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled, Object outcome) {
-            Throwable error = settled.error();
+        protected void run() {
+            Object outcome = begin();
+            if (outcome instanceof Rejection rejection) {
+                observe(rejection.error());
+            } else if (outcome != null) {
+                listener.accept(sourceValue(outcome), null);
+                settleAtHome(outcome);
+            }
+        }
+
+        private void observe(Throwable error) {
             try {
-                listener.accept(settled.getNow(), error);
+                listener.accept(null, error);
             } catch (Throwable thrown) {
-                if (error != null && error != thrown) {
+                if (error != thrown) {
                     thrown.addSuppressed(error);
                 }
                 throw thrown;
             }
-            follow(settled);
+            settleErrorAtHome(error);
         }
     }
 
@@ -222,16 +236,21 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        void react(Promise<S> settled, Object outcome) {
+        protected void run() {
+            Object outcome = begin();
             if (!(outcome instanceof Rejection rejection)) {
-                follow(Objects.requireNonNull(
-                        function.apply(settled.valueOf(outcome)), "the function answered null, not a promise"));
+                if (outcome != null) {
+                    followAnswer(function.apply(sourceValue(outcome)));
+                }
             } else if (rescue == null) {
-                settleError(rejection.error());
+                settleErrorAtHome(rejection.error());
             } else {
-                follow(Objects.requireNonNull(
-                        rescue.apply(rejection.error()), "the function answered null, not a promise"));
+                followAnswer(rescue.apply(rejection.error()));
             }
+        }
+
+        private void followAnswer(@Nullable Promise<? extends T> answer) {
+            followAtHome(Objects.requireNonNull(answer, "the function answered null, not a promise"));
         }
     }
 }
