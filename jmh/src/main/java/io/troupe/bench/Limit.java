@@ -16,12 +16,12 @@ final class Limit implements Contender {
     private static final int SLOTS = 1 << 16;
     private static final int SPINS_BEFORE_YIELD = 20;
     private static final Object ADD = new Object();
+    private static final Object END = new Object();
 
     private final Finish finish = new Finish();
     private final MpscVarHandleArrayQueue<Object> inbox = new MpscVarHandleArrayQueue<>(SLOTS);
     private final List<Counter> created = new ArrayList<>();
     private final Thread thread;
-    private volatile boolean ended;
     private volatile boolean resting;
     private volatile int expected;
     private int sum;
@@ -56,7 +56,7 @@ final class Limit implements Contender {
     private void spin() {
         int received = 0;
         int spins = 0;
-        while (!ended) {
+        while (true) {
             Object message = inbox.poll();
             spins = message == null ? (spins + 1) & Integer.MAX_VALUE : 0;
             if (message == ADD) {
@@ -69,6 +69,8 @@ final class Limit implements Contender {
                 pause(spins);
             } else if (message instanceof LimitTask task) {
                 task.run();
+            } else if (message == END) {
+                return;
             } else {
                 handle(message);
             }
@@ -232,7 +234,7 @@ final class Limit implements Contender {
 
     @Override
     public void close() {
-        ended = true;
         wake();
+        send(END);
     }
 }

@@ -8,13 +8,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** A message that gets lost makes its workload wait for ever. Kontraktor is left out: its timer thread would outlive the tests. */
+/** A message that gets lost makes its workload wait for ever. */
 @Timeout(value = 10, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ContendersTest {
     private static final int ROUNDS = 3;
 
     @ParameterizedTest
-    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "KONTRAKTOR")
+    @EnumSource
     void everyWorkload_endsAndIsMeasured(Contenders contender) throws Exception {
         try (var subject = new Subject(contender.start())) {
             subject.contender().wake();
@@ -27,7 +27,7 @@ class ContendersTest {
     }
 
     @ParameterizedTest
-    @EnumSource(mode = EnumSource.Mode.EXCLUDE, names = "KONTRAKTOR")
+    @EnumSource
     void tellOfMany_reachesEachMessageTypeInItsOwnWay(Contenders contender) throws Exception {
         try (var subject = new Subject(contender.start())) {
             subject.contender().wake();

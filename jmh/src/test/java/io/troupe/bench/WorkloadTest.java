@@ -3,10 +3,6 @@ package io.troupe.bench;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Arrays;
-import java.util.Collections;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
 class WorkloadTest {
@@ -22,21 +18,5 @@ class WorkloadTest {
     void wakeUps_areNotRanked() {
         assertThat(Arrays.stream(Workload.values()).filter(each -> !each.isRanked()))
                 .containsExactly(Workload.ASK_ONCE, Workload.ASK_AFTER_SILENCE);
-    }
-
-    @Test
-    void fourSenders_sendAllTogetherOnFourThreads_eachTime() throws Exception {
-        Set<Thread> threads = Collections.newSetFromMap(new ConcurrentHashMap<>());
-        var sent = new AtomicInteger();
-        try (var four = new FourSenders()) {
-            for (int i = 0; i < 3; i++) {
-                four.send(11, share -> {
-                    threads.add(Thread.currentThread());
-                    sent.addAndGet(share);
-                });
-            }
-        }
-        assertThat(sent).hasValue(33);
-        assertThat(threads).hasSize(4);
     }
 }
