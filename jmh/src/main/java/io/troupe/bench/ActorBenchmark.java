@@ -2,6 +2,7 @@ package io.troupe.bench;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
@@ -34,6 +35,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 public class ActorBenchmark {
     private static final int MESSAGES = 20_000;
+    private static final int ACTORS = 2_000;
     private static final Duration LONG = Duration.ofSeconds(30);
 
     /** Counts what it is sent. */
@@ -44,6 +46,9 @@ public class ActorBenchmark {
 
         /** Asks another counter so many times, one after the other. */
         Promise<Integer> askInTurn(Counter other, int times);
+
+        /** The same with listeners instead of a chain of promises; the deferred is resolved with the last answer. */
+        void askAndListen(Counter other, int times, Deferred<Integer> last);
     }
 
     private static final class PlainCounter implements Counter {
@@ -62,6 +67,17 @@ public class ActorBenchmark {
         @Override
         public Promise<Integer> askInTurn(Counter other, int times) {
             return times == 0 ? sum() : other.sum().thenCompose(ignored -> askInTurn(other, times - 1));
+        }
+
+        @Override
+        public void askAndListen(Counter other, int times, Deferred<Integer> last) {
+            other.sum().then(answer -> {
+                if (times == 1) {
+                    last.resolve(answer);
+                } else {
+                    askAndListen(other, times - 1, last);
+                }
+            });
         }
     }
 
@@ -117,6 +133,49 @@ public class ActorBenchmark {
         return CompletableFuture.supplyAsync(() -> askExecutor(MESSAGES), executor)
                 .thenCompose(answer -> answer)
                 .get(30, TimeUnit.SECONDS);
+    }
+
+    /** A plain question: the caller listens, and nothing depends on its promise. */
+    @Benchmark
+    @OperationsPerInvocation(MESSAGES)
+    public int askAndListen_troupe() throws Exception {
+        var last = new Deferred<Integer>();
+        counter.askAndListen(other, MESSAGES, last);
+        return last.get(LONG);
+    }
+
+    @Benchmark
+    @OperationsPerInvocation(MESSAGES)
+    public int askAndListen_executor() throws Exception {
+        var last = new CompletableFuture<Integer>();
+        executor.execute(() -> listenToExecutor(MESSAGES, last));
+        return last.get(30, TimeUnit.SECONDS);
+    }
+
+    private void listenToExecutor(int times, CompletableFuture<Integer> last) {
+        CompletableFuture.supplyAsync(() -> executorSum, executor)
+                .thenAcceptAsync(
+                        answer -> {
+                            if (times == 1) {
+                                last.complete(answer);
+                            } else {
+                                listenToExecutor(times - 1, last);
+                            }
+                        },
+                        executor);
+    }
+
+    /** One operation is one actor: it is made, handles a message, answers one, and is stopped. */
+    @Benchmark
+    @OperationsPerInvocation(ACTORS)
+    public int createAskAndStop_troupe() throws Exception {
+        Promise<Integer> last = counter.sum();
+        for (int i = 0; i < ACTORS; i++) {
+            Counter newcomer = space.spawn(Counter.class, PlainCounter::new);
+            last = newcomer.sum();
+            space.stop(newcomer);
+        }
+        return last.get(LONG);
     }
 
     private CompletableFuture<Integer> askExecutor(int times) {

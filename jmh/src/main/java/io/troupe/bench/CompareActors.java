@@ -21,7 +21,7 @@ import java.util.Random;
 public final class CompareActors {
     private final CompareOptions options;
     private final Random random;
-    private final Map<Workload, Map<String, List<Double>>> nanos = new EnumMap<>(Workload.class);
+    private final Results results = new Results(new EnumMap<>(Workload.class), new LinkedHashMap<>());
 
     private CompareActors(CompareOptions options) {
         this.options = options;
@@ -48,18 +48,20 @@ public final class CompareActors {
                 start(name).ifPresent(pipes::add);
             }
             for (Workload workload : options.workloads()) {
-                nanos.put(workload, compare(workload, pipes));
+                results.turns().put(workload, compare(workload, pipes));
+            }
+            if (options.workloads().contains(Workload.CREATE)) {
+                weigh(pipes);
             }
         } finally {
             for (ContenderPipe pipe : pipes) {
                 pipe.close();
             }
         }
-        var report = new CompareReport(options, nanos);
-        System.out.print(report.table());
+        System.out.print(new CompareReport(options, results).table());
         var figure = options.figure();
         if (figure != null) {
-            Files.writeString(figure, report.drawing());
+            Files.writeString(figure, new CompareDrawing(results).svg());
         }
     }
 
@@ -72,12 +74,12 @@ public final class CompareActors {
         }
     }
 
-    private Map<String, List<Double>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
-        Map<String, List<Double>> results = new LinkedHashMap<>();
+    private Map<String, List<Turn>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
+        Map<String, List<Turn>> turns = new LinkedHashMap<>();
         Map<ContenderPipe, Integer> operations = new LinkedHashMap<>();
         for (ContenderPipe pipe : List.copyOf(pipes)) {
             progress(workload.label() + ": warming up " + pipe.name());
-            results.put(pipe.name(), new ArrayList<>());
+            turns.put(pipe.name(), new ArrayList<>());
             attempt(pipe, pipes, () -> operations.put(pipe, pipe.warm(workload, options.warmUpMillis())));
         }
         for (int round = 1; round <= options.rounds(); round++) {
@@ -85,12 +87,21 @@ public final class CompareActors {
             var order = new ArrayList<>(pipes);
             Collections.shuffle(order, random);
             for (ContenderPipe pipe : order) {
-                attempt(pipe, pipes, () -> results.get(pipe.name()).add(pipe.turn(workload, operations.get(pipe))));
+                attempt(pipe, pipes, () -> turns.get(pipe.name()).add(pipe.turn(workload, operations.get(pipe))));
             }
         }
         progress("");
-        results.values().removeIf(each -> each.size() < options.rounds());
-        return results;
+        turns.values().removeIf(each -> each.size() < options.rounds());
+        return turns;
+    }
+
+    /** After all the turns, since it collects garbage again and again. */
+    private void weigh(List<ContenderPipe> pipes) throws IOException {
+        for (ContenderPipe pipe : List.copyOf(pipes)) {
+            progress("retained bytes: " + pipe.name());
+            attempt(pipe, pipes, () -> results.retainedBytes().put(pipe.name(), pipe.retainedBytes()));
+        }
+        progress("");
     }
 
     private interface Attempt {

@@ -8,9 +8,12 @@ package io.troupe.bench;
  * <p><b>Threads.</b> Called by one thread outside the actors.
  * <p><b>Errors.</b> Whatever the contender throws; it ends the process of this contender.
  */
-interface Contender {
-    /** The outside thread sends so many numbers to one actor, which adds them up. */
-    void tell(int messages) throws Exception;
+interface Contender extends AutoCloseable {
+    /** Outside threads send so many numbers to one actor, which adds them up. */
+    void tell(int messages, Senders senders) throws Exception;
+
+    /** One more actor with ten message types of its own; see {@link FamilyLoader}. */
+    Family newFamily(Tally tally) throws Exception;
 
     /** Two actors on one thread pass one message to and fro. */
     void pingPong(int hops) throws Exception;
@@ -35,4 +38,8 @@ interface Contender {
 
     /** The contender's turn is over: until {@link #wake} its threads use no processor. */
     default void rest() {}
+
+    /** Lets its threads end, as far as the contender can, and does not wait for them. */
+    @Override
+    void close();
 }

@@ -50,9 +50,13 @@ final class ContenderPipe implements AutoCloseable {
         return Integer.parseInt(ask("warm " + workload.label() + " " + millis));
     }
 
-    /** One turn: nanoseconds for each operation. */
-    double turn(Workload workload, int operations) throws IOException {
-        return Double.parseDouble(ask("turn " + workload.label() + " " + operations));
+    Turn turn(Workload workload, int operations) throws IOException {
+        return Turn.parse(ask("turn " + workload.label() + " " + operations));
+    }
+
+    /** How many bytes of the heap an actor keeps. */
+    double retainedBytes() throws IOException {
+        return Double.parseDouble(ask("retained"));
     }
 
     private String ask(String question) throws IOException {

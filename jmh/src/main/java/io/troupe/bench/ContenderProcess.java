@@ -7,16 +7,19 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * The main class of a contender's own JVM. It waits at its standard input for {@code warm <workload> <millis>}, answered by a turn's number of
- * operations, and {@code turn <workload> <operations>}, answered by nanoseconds per operation; the end of the input is the end of the process.
+ * operations, {@code turn <workload> <operations>}, answered by a {@link Turn}, and {@code retained}, answered by bytes per actor; the end of the input
+ * is the end of the process.
  */
 final class ContenderProcess {
     private static final long TURN_NANOS = 30_000_000;
     private static final int MOST_OPERATIONS = 100_000_000;
 
     private final Contender contender;
+    private final Subject subject;
 
     private ContenderProcess(Contender contender) {
         this.contender = contender;
+        subject = new Subject(contender);
     }
 
     public static void main(String[] args) throws Exception {
@@ -34,20 +37,24 @@ final class ContenderProcess {
         } catch (Throwable failure) {
             failure.printStackTrace();
         } finally {
-            Runtime.getRuntime()
-                    .halt(status); // whatever threads a library leaves behind; Kontraktor's timer would keep the JVM
-            // alive
+            // whatever threads a library leaves behind: Kontraktor's timer would keep the JVM alive
+            Runtime.getRuntime().halt(status);
         }
     }
 
     private String answer(String[] command) throws Exception {
-        var workload = Workload.named(command[1]);
-        int number = Integer.parseInt(command[2]);
         contender.wake();
         try {
-            return command[0].equals("warm")
-                    ? Integer.toString(warm(workload, number))
-                    : Double.toString(turn(workload, number));
+            return switch (command[0]) {
+                case "warm" -> Integer.toString(warm(Workload.named(command[1]), Integer.parseInt(command[2])));
+                case "turn" ->
+                    turn(Workload.named(command[1]), Integer.parseInt(command[2]))
+                            .line();
+                case "retained" -> Double.toString(Retained.bytesPerActor(contender));
+                default ->
+                    throw new IllegalArgumentException(
+                            "a command is " + command[0] + ", expected warm, turn or retained");
+            };
         } finally {
             contender.rest();
         }
@@ -56,20 +63,21 @@ final class ContenderProcess {
     /** Runs more and more operations until one run fills a turn, and goes on until the time is over. */
     private int warm(Workload workload, int millis) throws Exception {
         long end = System.nanoTime() + millis * 1_000_000L;
-        int operations = 1;
+        int operations = workload.whole(1);
         while (true) {
             long start = System.nanoTime();
-            workload.run(contender, operations);
+            workload.run(subject, operations);
             long now = System.nanoTime();
             if (now >= end) {
                 return (int) Math.clamp((double) operations * TURN_NANOS / (now - start), 1, MOST_OPERATIONS);
             }
-            operations = (int) Math.clamp((double) operations * TURN_NANOS / (now - start), 1, 2.0 * operations);
+            operations = workload.whole(
+                    (int) Math.clamp((double) operations * TURN_NANOS / (now - start), 1, 2.0 * operations));
         }
     }
 
-    private double turn(Workload workload, int operations) throws Exception {
-        workload.run(contender, Math.max(1, operations / 10)); // back to full speed before the clock starts
-        return (double) workload.run(contender, operations) / operations;
+    private Turn turn(Workload workload, int operations) throws Exception {
+        workload.run(subject, Math.max(1, operations / 10)); // back to full speed before the clock starts
+        return workload.run(subject, operations);
     }
 }

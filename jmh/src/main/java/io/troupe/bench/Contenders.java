@@ -11,6 +11,7 @@ enum Contenders {
     EXECUTOR("executor", ExecutorContender::new),
     VIRTUAL_THREAD("virtual-thread", VirtualThreadContender::new),
     VERTX("vertx", VertxContender::new),
+    VERTX_BUS("vertx-bus", VertxBusContender::new),
     PEKKO("pekko", PekkoContender::withDefaults),
     PEKKO_ONE_THREAD("pekko-1t", PekkoContender::withOneThread),
     KONTRAKTOR("kontraktor", KontraktorContender::new);

@@ -1,5 +1,7 @@
 package io.troupe.bench;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -13,6 +15,7 @@ final class ExecutorContender implements Contender {
             Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().factory());
     private final Counter counter = new Counter();
     private final Counter other = new Counter();
+    private final List<Counter> created = new ArrayList<>();
 
     private final class Counter {
         private int sum;
@@ -56,14 +59,21 @@ final class ExecutorContender implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         executor.execute(() -> counter.left = messages);
-        for (int i = 0; i < messages; i++) {
-            int amount = i;
-            executor.execute(() -> counter.add(amount));
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                int amount = i;
+                executor.execute(() -> counter.add(amount));
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(ExecutorFamily.class, executor, tally);
     }
 
     @Override
@@ -107,8 +117,19 @@ final class ExecutorContender implements Contender {
         var beginners = new AtomicInteger(actors);
         for (int i = 0; i < actors; i++) {
             var newcomer = new Counter();
+            created.add(newcomer);
             executor.execute(() -> newcomer.begin(beginners));
         }
         finish.await();
+    }
+
+    @Override
+    public void clear() {
+        created.clear();
+    }
+
+    @Override
+    public void close() {
+        executor.shutdown();
     }
 }

@@ -82,13 +82,20 @@ final class KontraktorContender implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         counter.expect(messages);
-        for (int i = 0; i < messages; i++) {
-            counter.add(i);
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                counter.add(i);
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(KontraktorFamily.class, scheduler, tally);
     }
 
     @Override
@@ -147,5 +154,11 @@ final class KontraktorContender implements Contender {
     public void clear() {
         created.forEach(Actor::stop);
         created.clear();
+    }
+
+    @Override
+    public void close() {
+        counter.stop();
+        other.stop();
     }
 }

@@ -1,10 +1,12 @@
 package io.troupe.bench;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
 import org.jctools.queues.varhandle.MpscVarHandleArrayQueue;
-import org.jspecify.annotations.Nullable;
 
 /**
  * What every other time is compared with: the least anybody does who hands messages to one thread. A thread that spins on a bounded ring of
@@ -14,14 +16,15 @@ final class Limit implements Contender {
     private static final int SLOTS = 1 << 16;
     private static final int SPINS_BEFORE_YIELD = 20;
     private static final Object ADD = new Object();
+    private static final Object END = new Object();
 
     private final Finish finish = new Finish();
     private final MpscVarHandleArrayQueue<Object> inbox = new MpscVarHandleArrayQueue<>(SLOTS);
+    private final List<Counter> created = new ArrayList<>();
     private final Thread thread;
     private volatile boolean resting;
     private volatile int expected;
     private int sum;
-    private @Nullable Object lastCreated;
 
     Limit() {
         thread = Thread.ofPlatform().daemon().name("limit").start(this::spin);
@@ -64,6 +67,10 @@ final class Limit implements Contender {
                 }
             } else if (message == null) {
                 pause(spins);
+            } else if (message instanceof LimitTask task) {
+                task.run();
+            } else if (message == END) {
+                return;
             } else {
                 handle(message);
             }
@@ -149,13 +156,20 @@ final class Limit implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         expected = messages;
-        for (int i = 0; i < messages; i++) {
-            send(ADD);
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                send(ADD);
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(LimitFamily.class, (Consumer<Object>) this::send, tally);
     }
 
     @Override
@@ -196,7 +210,7 @@ final class Limit implements Contender {
         var beginners = new AtomicInteger(actors);
         for (int i = 0; i < actors; i++) {
             var counter = new Counter();
-            lastCreated = counter;
+            created.add(counter);
             send(new First(counter, beginners));
         }
         finish.await();
@@ -204,7 +218,7 @@ final class Limit implements Contender {
 
     @Override
     public void clear() {
-        lastCreated = null;
+        created.clear();
     }
 
     @Override
@@ -216,5 +230,11 @@ final class Limit implements Contender {
     @Override
     public void rest() {
         resting = true;
+    }
+
+    @Override
+    public void close() {
+        wake();
+        send(END);
     }
 }

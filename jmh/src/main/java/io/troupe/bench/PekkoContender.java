@@ -30,6 +30,7 @@ final class PekkoContender implements Contender {
     private final ActorSystem<Guardian> system;
     private final ActorRef<Message> counter;
     private final ActorRef<Message> other;
+    private int families;
 
     private PekkoContender(String settings) {
         Config config = ConfigFactory.parseString(QUIET + settings).withFallback(ConfigFactory.load());
@@ -157,13 +158,20 @@ final class PekkoContender implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         counter.tell(new Expect(messages));
-        for (int i = 0; i < messages; i++) {
-            counter.tell(new Add(i));
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                counter.tell(new Add(i));
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(PekkoFamily.class, system, "family" + families++, tally);
     }
 
     @Override
@@ -213,5 +221,10 @@ final class PekkoContender implements Contender {
         finish.reset();
         system.tell(new Clear());
         finish.await();
+    }
+
+    @Override
+    public void close() {
+        system.terminate();
     }
 }

@@ -102,13 +102,20 @@ final class TroupeContender implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         counter.expect(messages);
-        for (int i = 0; i < messages; i++) {
-            counter.add(i);
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                counter.add(i);
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(TroupeFamily.class, space, tally);
     }
 
     @Override
@@ -162,5 +169,10 @@ final class TroupeContender implements Contender {
     public void clear() {
         created.forEach(space::stop);
         created.clear();
+    }
+
+    @Override
+    public void close() {
+        space.close();
     }
 }

@@ -76,14 +76,21 @@ final class VertxContender implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         counter.home().runOnContext(none -> counter.left = messages);
-        for (int i = 0; i < messages; i++) {
-            int amount = i;
-            counter.home().runOnContext(none -> counter.add(amount));
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                int amount = i;
+                counter.home().runOnContext(none -> counter.add(amount));
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(VertxFamily.class, vertx, tally);
     }
 
     @Override
@@ -141,5 +148,10 @@ final class VertxContender implements Contender {
         }
         created.clear();
         await(Future.all(stopped));
+    }
+
+    @Override
+    public void close() {
+        vertx.close();
     }
 }

@@ -99,13 +99,20 @@ final class VirtualThreadContender implements Contender {
     }
 
     @Override
-    public void tell(int messages) {
+    public void tell(int messages, Senders senders) throws Exception {
         finish.reset();
         counter.mailbox.add(new Expect(messages));
-        for (int i = 0; i < messages; i++) {
-            counter.mailbox.add(new Add(i));
-        }
+        senders.send(messages, share -> {
+            for (int i = 0; i < share; i++) {
+                counter.mailbox.add(new Add(i));
+            }
+        });
         finish.await();
+    }
+
+    @Override
+    public Family newFamily(Tally tally) throws Exception {
+        return FamilyLoader.copy(VirtualThreadFamily.class, tally);
     }
 
     @Override
@@ -159,5 +166,11 @@ final class VirtualThreadContender implements Contender {
     public void clear() {
         created.forEach(each -> each.mailbox.add(new Stop()));
         created.clear();
+    }
+
+    @Override
+    public void close() {
+        counter.mailbox.add(new Stop());
+        other.mailbox.add(new Stop());
     }
 }

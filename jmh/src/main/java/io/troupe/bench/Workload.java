@@ -1,14 +1,20 @@
 package io.troupe.bench;
 
-/** What is measured: one operation is one message, one hop, one answer or one actor. */
+/**
+ * What is measured: one operation is one message, one hop, one answer or one actor. The last one is last because the compiled code of all others would
+ * suffer from what it has met there.
+ */
 enum Workload {
-    TELL("tell", 100_000, Contender::tell),
-    PING_PONG("pingPong", 1_000_000, Contender::pingPong),
-    ASK_PIPELINED("askPipelined", 20_000, Contender::askPipelined),
-    ASK_CHAIN("askChain", 1_000_000, Contender::askChain),
-    ASK_ONCE("askOnce", 1_000_000, Contender::askOnce),
-    ASK_AFTER_SILENCE("askAfterSilence", 1, Contender::askOnce),
-    CREATE("create", 2_000, Contender::create);
+    TELL("tell", 100_000, Subject::tell),
+    TELL_FROM_FOUR("tellFromFour", 100_000, Subject::tellFromFour),
+    PING_PONG("pingPong", 1_000_000, (subject, hops) -> subject.contender().pingPong(hops)),
+    ASK_PIPELINED("askPipelined", 20_000, (subject, asks) -> subject.contender().askPipelined(asks)),
+    ASK_CHAIN("askChain", 1_000_000, (subject, asks) -> subject.contender().askChain(asks)),
+    ASK_ONCE("askOnce", 1_000_000, (subject, asks) -> subject.contender().askOnce(asks)),
+    ASK_AFTER_SILENCE(
+            "askAfterSilence", 1, (subject, asks) -> subject.contender().askOnce(asks)),
+    CREATE("create", 2_000, (subject, actors) -> subject.contender().create(actors)),
+    TELL_OF_MANY("tellOfMany", 100_000, Subject::tellOfMany);
 
     private static final long SILENCE_MILLIS = 5;
 
@@ -23,11 +29,16 @@ enum Workload {
     }
 
     private interface Body {
-        void run(Contender contender, int operations) throws Exception;
+        void run(Subject subject, int operations) throws Exception;
     }
 
     String label() {
         return label;
+    }
+
+    /** False for what the operating system decides: how soon a sleeping thread runs. */
+    boolean isRanked() {
+        return this != ASK_ONCE && this != ASK_AFTER_SILENCE;
     }
 
     static Workload named(String label) {
@@ -39,18 +50,28 @@ enum Workload {
         throw new IllegalArgumentException("no workload " + label);
     }
 
-    /** Runs so many operations, in batches that bound what is queued, and gives the nanoseconds without pauses and clearing up. */
-    long run(Contender contender, int operations) throws Exception {
+    /** The next number of operations that the workload can run: each message type as often as any other. */
+    int whole(int operations) {
+        int grain = this == TELL_OF_MANY ? Families.TYPES : 1;
+        return Math.ceilDiv(operations, grain) * grain;
+    }
+
+    /** Runs so many operations, in batches that bound what is queued, and measures them without pauses and clearing up. */
+    Turn run(Subject subject, int operations) throws Exception {
         long nanos = 0;
-        for (int left = operations; left > 0; left -= batch) {
+        long bytes = 0;
+        int whole = whole(operations);
+        for (int left = whole; left > 0; left -= batch) {
             if (this == ASK_AFTER_SILENCE) {
                 Thread.sleep(SILENCE_MILLIS);
             }
+            long allocated = Turn.allocatedBytes();
             long start = System.nanoTime();
-            body.run(contender, Math.min(left, batch));
+            body.run(subject, Math.min(left, batch));
             nanos += System.nanoTime() - start;
-            contender.clear();
+            bytes += Turn.allocatedBytes() - allocated;
+            subject.contender().clear();
         }
-        return nanos;
+        return new Turn((double) nanos / whole, (double) bytes / whole);
     }
 }

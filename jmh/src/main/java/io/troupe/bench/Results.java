@@ -1,0 +1,46 @@
+package io.troupe.bench;
+
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What was measured.
+ *
+ * @param turns by workload and contender, one turn for each round
+ * @param retainedBytes what an actor keeps of the heap, by contender; empty when nobody was asked to make actors
+ */
+record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double> retainedBytes) {
+    Quartiles nanos(Workload workload, String contender) {
+        return Quartiles.of(of(workload, contender).stream().map(Turn::nanos).toList());
+    }
+
+    Quartiles bytes(Workload workload, String contender) {
+        return Quartiles.of(of(workload, contender).stream().map(Turn::bytes).toList());
+    }
+
+    /** The contender's time as a multiple of the limit's in the same round. */
+    Quartiles ratio(Workload workload, String contender) {
+        var limit = of(workload, Contenders.LIMIT.label());
+        var mine = of(workload, contender);
+        return Quartiles.of(IntStream.range(0, mine.size())
+                .mapToObj(round -> mine.get(round).nanos() / limit.get(round).nanos())
+                .toList());
+    }
+
+    /** Bytes an actor keeps, where the workload makes actors. */
+    @Nullable
+    Double retained(Workload workload, String contender) {
+        return workload == Workload.CREATE ? retainedBytes.get(contender) : null;
+    }
+
+    private List<Turn> of(Workload workload, String contender) {
+        var turns = turns().get(workload);
+        var found = turns == null ? null : turns.get(contender);
+        if (found == null) {
+            throw new IllegalArgumentException("no turns of " + contender + " in " + workload.label());
+        }
+        return found;
+    }
+}

@@ -1,0 +1,26 @@
+package io.troupe.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class RetainedTest {
+    private static final int BYTES = 10_000;
+
+    private final List<byte[]> kept = new ArrayList<>();
+
+    /** As much is garbage; large, so that what other tests leave behind in this JVM is little beside it. */
+    private void create() {
+        for (int i = 0; i < Retained.ACTORS; i++) {
+            kept.add(new byte[BYTES]);
+            kept.set(i, kept.get(i).clone());
+        }
+    }
+
+    @Test
+    void bytesPerActor_areThoseThatAreKept() throws Exception {
+        assertThat(Retained.bytesPerActor(this::create, kept::clear)).isBetween(0.9 * BYTES, 1.1 * BYTES);
+    }
+}
