@@ -230,7 +230,7 @@ public final class ActorCell {
     }
 
     private void refuse(Node call) {
-        String reason = space.isClosing() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
+        String reason = space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
         space.reports().turnAway(call, this, reason, new ActorStoppedException(call + " was not begun: " + reason));
     }
 

@@ -309,7 +309,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
                     "the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
         }
         if (closing.compareAndSet(false, true)) {
-            Runnable stop = () -> stopping = true;
+            Runnable stop = () -> {
+                stopping = true;
+                dispatcher.halt();
+            };
             enqueueMail(new Entry(stop, stop));
         }
     }
@@ -536,6 +539,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     boolean isClosing() {
         return closing.get();
+    }
+
+    /** Whether it has served what it will ever serve; on its thread. */
+    boolean isStopping() {
+        return stopping;
     }
 
     void checkOpen(String call) {

@@ -42,12 +42,18 @@ final class Dispatcher {
     private long served;
     private int passes;
     private boolean turnLeavesWork;
+    private int quota = QUOTA;
 
     Dispatcher(ActorSpace space, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
         this.space = space;
         this.callbacks = callbacks;
         this.mails = mails;
         this.timers = timers;
+    }
+
+    /** Serves nothing more after the present turn. */
+    void halt() {
+        quota = 0;
     }
 
     /** Runs an action when the entry that is being served has returned. */
@@ -158,7 +164,7 @@ final class Dispatcher {
         Node last = inbox.beginBatch();
         int count = 0;
         try {
-            for (; count < QUOTA; count++) {
+            for (; count < quota; count++) {
                 Node node = inbox.takeAfter(last);
                 if (node == null) {
                     break;
@@ -180,7 +186,7 @@ final class Dispatcher {
 
     private boolean drainRings() {
         boolean worked = false;
-        for (int count = 0; count < QUOTA; count++) {
+        for (int count = 0; count < quota; count++) {
             boolean called = !callbacks.isEmpty() && drainCallbacks();
             Node mail = mails.poll();
             if (mail != null) {
@@ -194,7 +200,7 @@ final class Dispatcher {
     }
 
     private boolean drainCallbacks() {
-        for (int count = 0; count < QUOTA; count++) {
+        for (int count = 0; count < quota; count++) {
             Node callback = callbacks.poll();
             if (callback == null) {
                 return count > 0;

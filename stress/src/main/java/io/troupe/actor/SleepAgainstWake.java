@@ -35,7 +35,7 @@ public class SleepAgainstWake {
     private static final ActorSpace SPACE =
             ActorSpace.create(SpaceSettings.named("law").withHandCrank());
 
-    private final Dispatcher dispatcher = new Dispatcher(SPACE, NO_TIMERS);
+    private final Dispatcher dispatcher = new Dispatcher(SPACE, new NodeRing(), new NodeRing(), NO_TIMERS);
     private final Lifeline lifeline = new Lifeline();
 
     @Actor

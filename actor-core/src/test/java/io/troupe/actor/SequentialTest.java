@@ -1,0 +1,184 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+class SequentialTest {
+    private final TestSpace test = new TestSpace();
+    private final List<String> log = new ArrayList<>();
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+    }
+
+    /** Asks somebody twice, in a row, and can do other things meanwhile. */
+    public static class Asker extends Actor {
+        private final List<String> log;
+        private final List<Deferred<String>> questions = new ArrayList<>();
+
+        Asker(List<String> log) {
+            this.log = log;
+        }
+
+        public Promise<String> askTwice() {
+            return space().sequential(() -> {
+                String first = question().await();
+                log.add("heard " + first);
+                String second = question().await();
+                after(Duration.ofSeconds(1), () -> log.add("timer of the actor"));
+                return first + " " + second;
+            });
+        }
+
+        public void answer(String text) {
+            log.add("answers " + text);
+            questions.removeFirst().resolve(text);
+        }
+
+        public void end() {
+            stop();
+        }
+
+        private Promise<String> question() {
+            var question = new Deferred<String>();
+            questions.add(question);
+            return question;
+        }
+    }
+
+    @Test
+    void body_waitsWhileOthersAreServed_andGoesOnOnBehalfOfItsActor() {
+        Asker asker = test.spawn(Asker.class, () -> new Asker(log));
+        Promise<String> both = asker.askTwice();
+        test.crank();
+        assertThat(both.isDone()).isFalse();
+        asker.answer("one");
+        test.crank();
+        asker.answer("two");
+        assertThat(test.get(both)).isEqualTo("one two");
+        test.advance(Duration.ofSeconds(1));
+        assertThat(log).containsExactly("answers one", "heard one", "answers two", "timer of the actor");
+    }
+
+    @Test
+    void await_throwsWhatThePromiseWasRejectedWith_unwrapped() {
+        var failing = new Deferred<String>(test.space());
+        Promise<String> answer = test.space().sequential(() -> {
+            try {
+                return failing.await();
+            } catch (Exception e) {
+                return "caught " + e.getMessage();
+            }
+        });
+        test.crank();
+        failing.reject(new IOException("no map"));
+        assertThat(test.get(answer)).isEqualTo("caught no map");
+    }
+
+    @Test
+    void body_thatThrows_rejectsItsPromise() {
+        Promise<Integer> answer = test.space().sequential(() -> {
+            Promise.done().await();
+            throw new IOException("out of paper");
+        });
+        assertThat(test.error(answer)).isInstanceOf(IOException.class).hasMessage("out of paper");
+    }
+
+    @Test
+    void await_onTheSpacesThreadOrOutside_throwsAndNamesTheAlternative() {
+        var never = new Deferred<String>(test.space());
+        test.run(() -> assertThatThrownBy(never::await)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContainingAll("would stop the whole space", "then(..)", "thenCompose(..)", "sequential(..)"));
+        assertThatThrownBy(never::await)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContainingAll("sequential(..)", "get(Duration)");
+    }
+
+    @Test
+    void body_ofAnActorThatStops_isCancelledWhereItWaits() {
+        Asker asker = test.spawn(Asker.class, () -> new Asker(log));
+        Promise<String> both = asker.askTwice();
+        test.crank();
+        asker.end();
+        assertThat(test.error(both))
+                .isInstanceOf(CancellationException.class)
+                .hasMessageContaining("Asker#1 has stopped");
+    }
+
+    @Test
+    void body_inASpaceThatIsClosed_isCancelledWhereItWaits_andCounted() {
+        var space = ActorSpace.create(SpaceSettings.named("short-lived").withHandCrank());
+        var never = new Deferred<String>(space);
+        var ending = new ArrayList<@Nullable Throwable>();
+        Promise<String> answer = space.sequential(() -> {
+            try {
+                return never.await();
+            } finally {
+                log.add("finally");
+            }
+        });
+        answer.whenComplete((value, error) -> ending.add(error));
+        space.crank();
+        Leftovers leftovers = space.close(Duration.ofSeconds(1));
+        assertThat(leftovers.sequences()).isEqualTo(1);
+        assertThat(log).containsExactly("finally");
+        assertThat(answer.error()).isInstanceOf(ActorStoppedException.class).hasMessageContaining("short-lived");
+    }
+
+    @Test
+    void bodies_takeTurns_eachFromOneWaitToTheNext() {
+        var gates = List.of(new Deferred<Integer>(test.space()), new Deferred<Integer>(test.space()));
+        for (int index = 0; index < 2; index++) {
+            int number = index;
+            test.space().sequential(() -> {
+                log.add("begin " + number);
+                log.add(number + " got " + gates.get(number).await());
+                return null;
+            });
+        }
+        test.crank();
+        gates.get(1).resolve(10);
+        gates.get(0).resolve(20);
+        test.crank();
+        assertThat(log).containsExactly("begin 0", "begin 1", "1 got 10", "0 got 20");
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void bodies_ofASpaceWithAThread_neverRunTwoAtATime() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("sequential"))) {
+            var counter = new int[1]; // no lock: that is the point
+            var ends = new ArrayList<Promise<Integer>>();
+            for (int body = 0; body < 50; body++) {
+                ends.add(space.sequential(() -> {
+                    for (int round = 0; round < 40; round++) {
+                        int before = counter[0];
+                        Thread.yield();
+                        counter[0] = before + 1;
+                        space.offload(() -> 1).await();
+                    }
+                    return 1;
+                }));
+            }
+            assertThat(Promise.all(ends).get(Duration.ofSeconds(50))).hasSize(50);
+            assertThat(counter[0]).isEqualTo(2000);
+        }
+    }
+}

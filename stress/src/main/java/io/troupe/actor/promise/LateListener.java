@@ -1,0 +1,94 @@
+package io.troupe.actor.promise;
+
+import java.util.ArrayDeque;
+import org.jspecify.annotations.Nullable;
+import org.openjdk.jcstress.annotations.Actor;
+import org.openjdk.jcstress.annotations.Arbiter;
+import org.openjdk.jcstress.annotations.Expect;
+import org.openjdk.jcstress.annotations.JCStressTest;
+import org.openjdk.jcstress.annotations.Outcome;
+import org.openjdk.jcstress.annotations.State;
+import org.openjdk.jcstress.infra.results.I_Result;
+
+/** A listener that a home registers while another thread settles the promise does not overtake the one it registered before. */
+@JCStressTest
+@Outcome(id = "12", expect = Expect.ACCEPTABLE, desc = "In the order of registration.")
+@Outcome(expect = Expect.FORBIDDEN, desc = "Overtaken, lost or run twice.")
+@State
+public class LateListener {
+    private final TinyHome home = new TinyHome();
+    private final Deferred<Integer> promise;
+    private int order;
+
+    public LateListener() {
+        home.thread = Thread.currentThread();
+        promise = new Deferred<>(home);
+        promise.then(value -> order = 10 * order + 1);
+        home.thread = null;
+    }
+
+    @Actor
+    public void settle() {
+        promise.resolve(1);
+    }
+
+    @Actor
+    public void register() {
+        home.thread = Thread.currentThread();
+        promise.then(value -> order = 10 * order + 2);
+    }
+
+    @Arbiter
+    public void look(I_Result result) throws Throwable {
+        home.thread = Thread.currentThread();
+        home.drain();
+        result.r1 = order;
+    }
+
+    /** What a space does with callbacks: those from inside wait in a ring, which comes before the inbox. */
+    private static final class TinyHome extends Home {
+        private final ArrayDeque<Node> ring = new ArrayDeque<>();
+        private final NodeQueue inbox = new NodeQueue();
+        private @Nullable Thread thread;
+
+        void drain() throws Throwable {
+            for (Node node = next(); node != null; node = next()) {
+                node.run();
+            }
+        }
+
+        private @Nullable Node next() {
+            Node node = ring.poll();
+            return node != null ? node : inbox.poll();
+        }
+
+        @Override
+        protected boolean isCurrent() {
+            return Thread.currentThread() == thread;
+        }
+
+        @Override
+        protected void enqueue(Node node) {
+            if (isCurrent()) {
+                ring.add(node);
+            } else {
+                inbox.offer(node);
+            }
+        }
+
+        @Override
+        protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
+            throw new UnsupportedOperationException("nobody sets timers here");
+        }
+
+        @Override
+        protected void rejected(Promise<?> rejected, Throwable error) {
+            throw new UnsupportedOperationException("nobody rejects anything here");
+        }
+
+        @Override
+        protected void await(Promise<?> awaited) {
+            throw new UnsupportedOperationException("nobody waits here");
+        }
+    }
+}
