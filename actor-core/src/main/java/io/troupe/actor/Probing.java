@@ -48,8 +48,9 @@ final class Probing implements SpaceMetrics {
         if (space.isCrankedByHand()) {
             return dispatcher.inside() + (long) dispatcher.inbox.size();
         }
+        Finding last = found; // before the next probe can arrive
         send();
-        return found.waiting;
+        return last.waiting;
     }
 
     @Override
@@ -57,9 +58,9 @@ final class Probing implements SpaceMetrics {
         if (space.isCrankedByHand()) {
             return Duration.ZERO;
         }
+        Duration last = found.latency; // before the next probe can arrive
         send();
         Probe probe = underWay.get();
-        Duration last = found.latency;
         if (probe == null) {
             return last;
         }

@@ -78,8 +78,7 @@ class EndOfThingsTest {
 
     @Test
     void restart_comesBeforeTheCallbacksThatWait() {
-        Worker worker =
-                spawn(ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofSeconds(1))));
+        Worker worker = spawn(ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofSeconds(1))));
         worker.failAfterAskingForACallback();
         test.crank();
         assertThat(log).containsExactly("started", "started");
@@ -116,7 +115,8 @@ class EndOfThingsTest {
         test.crank();
         source.reject(new IllegalStateException("nobody is left"));
         test.crank();
-        assertThat(test.takeProblems()).extracting(problem -> problem.error().getMessage())
+        assertThat(test.takeProblems())
+                .extracting(problem -> problem.error().getMessage())
                 .containsExactly("nobody is left");
     }
 
@@ -182,8 +182,10 @@ class EndOfThingsTest {
         Leftovers leftovers = space.close(Duration.ofSeconds(1));
         assertThat(leftovers.messages()).isEqualTo(1);
         assertThat(leftovers.requests()).isEqualTo(1);
-        assertThat(leftovers.examples().getFirst()).isEqualTo("end() to worker");
-        assertThat(leftovers.examples().get(1)).startsWith("streamAndAnswer(").endsWith(" of worker");
+        assertThat(leftovers.examples().getFirst()).isEqualTo("Worker.end() to worker");
+        assertThat(leftovers.examples().get(1))
+                .startsWith("Worker.streamAndAnswer(")
+                .endsWith(" of worker");
         assertThat(letters).hasSize(1);
         assertThat(request.getFirst().error()).isInstanceOf(ActorStoppedException.class);
     }

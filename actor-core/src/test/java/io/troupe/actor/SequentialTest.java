@@ -104,7 +104,8 @@ class SequentialTest {
         var never = new Deferred<String>(test.space());
         test.run(() -> assertThatThrownBy(never::await)
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessageContainingAll("would stop the whole space", "then(..)", "thenCompose(..)", "sequential(..)"));
+                .hasMessageContainingAll(
+                        "would stop the whole space", "then(..)", "thenCompose(..)", "sequential(..)"));
         assertThatThrownBy(never::await)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContainingAll("sequential(..)", "get(Duration)");

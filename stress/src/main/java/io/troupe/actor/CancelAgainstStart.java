@@ -28,7 +28,11 @@ public class CancelAgainstStart {
 
     @Actor
     public void start() {
-        request.run();
+        try {
+            request.run();
+        } catch (Throwable thrown) {
+            throw new IllegalStateException("an answer was thrown", thrown);
+        }
     }
 
     @Arbiter

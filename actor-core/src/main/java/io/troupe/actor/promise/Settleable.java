@@ -72,9 +72,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (value == null) {
             return NULL;
         }
-        return value instanceof Node || value instanceof Special
-                ? new Special.Boxed(value)
-                : value;
+        return value instanceof Node || value instanceof Special ? new Special.Boxed(value) : value;
     }
 
     @SuppressWarnings("unchecked") // only asOutcome puts values in

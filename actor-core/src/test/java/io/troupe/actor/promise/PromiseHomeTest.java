@@ -45,8 +45,10 @@ class PromiseHomeTest {
         var never = new Deferred<String>(test.space());
         test.run(() -> never.orTimeout(Duration.ofSeconds(1)));
         test.advance(Duration.ofSeconds(1));
-        assertThat(test.takeProblems()).hasSize(1).first().satisfies(problem -> assertThat(problem.error())
-                .isInstanceOf(TimeoutException.class));
+        assertThat(test.takeProblems())
+                .hasSize(1)
+                .first()
+                .satisfies(problem -> assertThat(problem.error()).isInstanceOf(TimeoutException.class));
     }
 
     @Test
@@ -68,10 +70,14 @@ class PromiseHomeTest {
         var pages = new Deferred<String>(test.space());
         Slow slow = test.spawn(Slow.class, () -> page -> pages);
         var first = new ArrayList<@Nullable Throwable>();
-        test.run(() -> slow.read(1).thenApply(text -> text).orTimeout(Duration.ofSeconds(1)).handle((text, error) -> first.add(error)));
+        test.run(() -> slow.read(1)
+                .thenApply(text -> text)
+                .orTimeout(Duration.ofSeconds(1))
+                .handle((text, error) -> first.add(error)));
         test.advance(Duration.ofSeconds(1));
         assertThat(first.getFirst())
-                .hasMessage("no answer to test-space within PT1S from promise after Slow.read(1) of Slow#1, which has begun it");
+                .hasMessage(
+                        "no answer to test-space within PT1S from promise after Slow.read(1) of Slow#1, which has begun it");
         pages.resolve("");
         test.crank();
     }

@@ -39,7 +39,7 @@ public class LateListener {
     }
 
     @Arbiter
-    public void look(I_Result result) throws Throwable {
+    public void look(I_Result result) {
         home.thread = Thread.currentThread();
         home.drain();
         result.r1 = order;
@@ -51,9 +51,17 @@ public class LateListener {
         private final NodeQueue inbox = new NodeQueue();
         private @Nullable Thread thread;
 
-        void drain() throws Throwable {
+        void drain() {
             for (Node node = next(); node != null; node = next()) {
+                runOne(node);
+            }
+        }
+
+        private static void runOne(Node node) {
+            try {
                 node.run();
+            } catch (Throwable thrown) {
+                throw new IllegalStateException("a listener threw", thrown);
             }
         }
 
