@@ -3,6 +3,7 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
+import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.promise.Owner;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
@@ -41,6 +42,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
+    private final NodeQueue inbox = new NodeQueue();
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
     private final Reports reports;
@@ -64,7 +66,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         this.settings = settings;
         this.closeable = closeable;
         this.reports = new Reports(settings);
-        this.dispatcher = new Dispatcher(this, callbacks, mails, new TimerWheel(settings.clock(), this::isCurrent));
+        this.dispatcher =
+                new Dispatcher(this, inbox, callbacks, mails, new TimerWheel(settings.clock(), this::isCurrent));
         this.metrics = new Probing(this, dispatcher, reports);
         this.offload = new Offload(settings.offloadLimit());
         this.clockRegistration = settings.clock().onMove(lifeline::wake);
@@ -356,7 +359,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     private void offer(Node node) {
-        dispatcher.inbox.offer(node);
+        inbox.offer(node);
         if (!lifeline.wake()) {
             refuseLeftovers();
         }
@@ -623,7 +626,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     /** After the end: whoever finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. */
     private void refuseLeftovers() {
-        while (!dispatcher.inbox.isEmpty() && refusing.compareAndSet(false, true)) {
+        while (!inbox.isEmpty() && refusing.compareAndSet(false, true)) {
             Home before = enter();
             try {
                 new Closing(this, dispatcher).refuseAll();

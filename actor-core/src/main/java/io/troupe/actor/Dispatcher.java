@@ -3,8 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.time.TimerWheel;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,30 +20,21 @@ final class Dispatcher {
     private static final int QUOTA = 256;
     private static final int RENEWAL = (1 << 10) - 1;
 
-    private static final VarHandle SERVED;
-
-    static {
-        try {
-            SERVED = MethodHandles.lookup().findVarHandle(Dispatcher.class, "served", long.class);
-        } catch (ReflectiveOperationException e) {
-            throw new ExceptionInInitializerError(e);
-        }
-    }
-
-    final NodeQueue inbox = new NodeQueue();
+    final NodeQueue inbox;
     final TimerWheel timers;
     private final ActorSpace space;
     private final NodeRing callbacks;
     private final NodeRing mails;
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
-    private long served;
+    private final Progress progress = new Progress();
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
 
-    Dispatcher(ActorSpace space, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
+    Dispatcher(ActorSpace space, NodeQueue inbox, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
         this.space = space;
+        this.inbox = inbox;
         this.callbacks = callbacks;
         this.mails = mails;
         this.timers = timers;
@@ -112,7 +101,7 @@ final class Dispatcher {
 
     /** How many entries have been served; from any thread, a little behind. */
     long served() {
-        return (long) SERVED.getOpaque(this);
+        return progress.served();
     }
 
     /** How many entries wait in the rings; those in the inbox are not counted. */
@@ -133,7 +122,7 @@ final class Dispatcher {
 
     /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
     void serve(Node node) {
-        SERVED.setOpaque(this, served + 1); // before, so that a message that never ends is one that was seen to begin
+        progress.step(); // before, so that a message that never ends is one that was seen to begin
         try {
             ActorSpace.runNode(node);
         } catch (Throwable thrown) {
@@ -146,7 +135,7 @@ final class Dispatcher {
 
     /** A task that is no entry: a timer's, or one that waited for quiet. */
     void runTask(Runnable task) {
-        SERVED.setOpaque(this, served + 1);
+        progress.step();
         space.runGuarded(task);
         if (turnLeavesWork) {
             endTurn();

@@ -1,16 +1,29 @@
 package io.troupe.actor;
 
 import io.troupe.actor.time.Clock;
-import java.util.concurrent.atomic.AtomicInteger;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
+
+/** Keeps what comes behind it off the cache lines of what comes before. */
+@SuppressWarnings("unused")
+abstract class LifelinePadding {
+    private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
+}
+
+/** What senders read at every message, and what is written when the space falls asleep or is woken. */
+abstract class LifelinePhase extends LifelinePadding {
+    volatile int phase;
+}
 
 /**
  * Whether a space is awake, asleep or closed, and how it is woken.
  *
  * <p><b>Threads.</b> {@link #wake} from any thread, after it has queued something; the rest on the space's.
  */
-final class Lifeline {
+@SuppressWarnings("unused")
+final class Lifeline extends LifelinePhase {
     /*
      * No wake-up is lost: the sleeper first says that it sleeps and then looks at its queues again; the waker first queues and then looks
      * whether the other sleeps. Both are sequentially consistent, so at least one of them sees the other. The waker resets the flag itself,
@@ -21,13 +34,24 @@ final class Lifeline {
     private static final int CLOSED = 2;
     private static final int SPINS = 100;
 
-    private final AtomicInteger phase = new AtomicInteger(AWAKE);
+    private static final VarHandle PHASE;
+
+    private long q00, q01, q02, q03, q04, q05, q06, q07, q08, q09, q10, q11, q12, q13, q14, q15;
+
+    static {
+        try {
+            PHASE = MethodHandles.lookup().findVarHandle(LifelinePhase.class, "phase", int.class);
+        } catch (ReflectiveOperationException e) {
+            throw new ExceptionInInitializerError(e);
+        }
+    }
+
     private volatile @Nullable Thread sleeper;
 
     /** Wakes the space if it sleeps; false if it is closed and will not look at its queues any more. */
     boolean wake() {
-        int now = phase.get();
-        if (now == ASLEEP && phase.compareAndSet(ASLEEP, AWAKE)) {
+        int now = phase;
+        if (now == ASLEEP && PHASE.compareAndSet(this, ASLEEP, AWAKE)) {
             LockSupport.unpark(sleeper);
         }
         return now != CLOSED;
@@ -36,7 +60,7 @@ final class Lifeline {
     /** Sleeps until it is woken or a timer is due; returns early without harm. */
     void sleep(Dispatcher dispatcher, Clock clock) {
         for (int spin = 0; spin < SPINS; spin++) {
-            if (!dispatcher.inbox.isEmpty()) {
+            if (dispatcher.inbox.isReady()) {
                 return;
             }
             Thread.onSpinWait();
@@ -49,27 +73,27 @@ final class Lifeline {
                 LockSupport.parkNanos(this, deadline - clock.nanos());
             }
         }
-        phase.compareAndSet(ASLEEP, AWAKE);
+        PHASE.compareAndSet(this, ASLEEP, AWAKE);
         Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping
     }
 
     /** Says that the space sleeps, and only then looks again; true if there is still nothing to do, so that it may park. */
     boolean fallAsleep(Dispatcher dispatcher) {
         sleeper = Thread.currentThread();
-        phase.set(ASLEEP);
+        phase = ASLEEP;
         return dispatcher.isQuiet();
     }
 
     /** Whether the space has said that it sleeps, and nobody has woken it since. */
     boolean isAsleep() {
-        return phase.get() == ASLEEP;
+        return phase == ASLEEP;
     }
 
     void close() {
-        phase.set(CLOSED);
+        phase = CLOSED;
     }
 
     boolean isClosed() {
-        return phase.get() == CLOSED;
+        return phase == CLOSED;
     }
 }

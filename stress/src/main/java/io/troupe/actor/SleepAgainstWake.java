@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
+import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.TimerWheel;
 import org.openjdk.jcstress.annotations.Actor;
@@ -35,7 +36,8 @@ public class SleepAgainstWake {
     private static final ActorSpace SPACE =
             ActorSpace.create(SpaceSettings.named("law").withHandCrank());
 
-    private final Dispatcher dispatcher = new Dispatcher(SPACE, new NodeRing(), new NodeRing(), NO_TIMERS);
+    private final Dispatcher dispatcher =
+            new Dispatcher(SPACE, new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS);
     private final Lifeline lifeline = new Lifeline();
 
     @Actor

@@ -70,7 +70,7 @@ public final class NodeQueue extends QueueTail {
         NEXT.setRelease(before, node);
     }
 
-    /** Takes the oldest node, or null if there is none. */
+    /** Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty} tells which. */
     public @Nullable Node poll() {
         Node first = takeAfter(head);
         if (first != null) {
@@ -82,6 +82,11 @@ public final class NodeQueue extends QueueTail {
     /** Whether nothing has been offered that was not taken. */
     public boolean isEmpty() {
         return head == tail;
+    }
+
+    /** Whether {@link #poll} would answer a node; unlike {@link #isEmpty} it does not look where producers write. */
+    public boolean isReady() {
+        return NEXT.getAcquire(head) != null;
     }
 
     /** How many nodes wait; takes time in their number, and counts only those that were there when it was called. */
@@ -114,14 +119,11 @@ public final class NodeQueue extends QueueTail {
         return head;
     }
 
-    /** Takes the node behind the one taken last, or null if there is none. */
+    /** Takes the node behind the one taken last, or null as {@link #poll}. */
     public @Nullable Node takeAfter(Node last) {
         var first = (Node) NEXT.getAcquire(last);
         if (first == null) {
-            if (last == tail) {
-                return null;
-            }
-            first = awaitLink(last);
+            return null;
         }
         last.next = null;
         return first;
@@ -130,17 +132,6 @@ public final class NodeQueue extends QueueTail {
     public void endBatch(Node last) {
         if (head != last) {
             head = last;
-        }
-    }
-
-    /** An offer has exchanged the tail and is about to set the link. */
-    private static Node awaitLink(Node stub) {
-        while (true) {
-            var next = (Node) NEXT.getAcquire(stub);
-            if (next != null) {
-                return next;
-            }
-            Thread.onSpinWait();
         }
     }
 }
