@@ -1,9 +1,9 @@
 package io.troupe.actor;
 
-/** One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the space's thread. */
+/** One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the space's thread, but for {@link #isOver}. */
 final class Life {
     private final ActorCell cell;
-    private boolean over;
+    private volatile boolean over; // written by the space's thread only
 
     Life(ActorCell cell) {
         this.cell = cell;
@@ -11,6 +11,11 @@ final class Life {
 
     void end() {
         over = true;
+    }
+
+    /** Whether it has ended; any thread. */
+    boolean isOver() {
+        return over;
     }
 
     /** Runs something on behalf of this instance; false if it has ended. */

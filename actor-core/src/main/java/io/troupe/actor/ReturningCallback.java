@@ -7,11 +7,11 @@ import org.jspecify.annotations.Nullable;
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private final Callback<T> reader;
     private final ActorSpace home;
-    private final @Nullable Object owner;
+    private final @Nullable Life owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
 
-    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Object owner) {
+    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Life owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
@@ -19,13 +19,45 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     /** The callback as the actor gets it; one that has come through a proxy before keeps its first reader. */
     static <T extends @Nullable Object> @Nullable Callback<T> wrap(@Nullable Callback<T> callback, ActorSpace callee) {
-        if (callback == null || callback instanceof ReturningCallback) {
-            return callback;
+        return callback == null ? null : to(callback, callee);
+    }
+
+    /** To a reader on the space that is calling, on behalf of the actor that is; from outside every space, on another one. */
+    static <T extends @Nullable Object> ReturningCallback<T> to(Callback<T> reader, ActorSpace ifOutside) {
+        if (reader instanceof ReturningCallback<T> before) {
+            return before;
         }
         ActorSpace caller = ActorSpace.current();
         return caller == null
-                ? new ReturningCallback<>(callback, callee, null)
-                : new ReturningCallback<>(callback, caller, caller.owner());
+                ? new ReturningCallback<>(reader, ifOutside, null)
+                : new ReturningCallback<>(reader, caller, (Life) caller.owner());
+    }
+
+    /** Whether nothing can come through any more. */
+    boolean isOver() {
+        return ended || isCancelled();
+    }
+
+    /** Sends one result; false, and nothing is done, if nothing can come through any more. */
+    boolean offer(T result) {
+        if (isOver()) {
+            return false;
+        }
+        home.enqueue(new Delivery(() -> reader.accept(result, null)));
+        return true;
+    }
+
+    /** Ends, unless it has ended; asks nobody whether it is cancelled. */
+    void end(@Nullable Throwable error) {
+        if (!ended) {
+            ended = true;
+            home.enqueue(new Delivery(error == null ? reader::finish : () -> reader.fail(error)));
+        }
+    }
+
+    /** What goes wrong on the sender's side though it is the reader's. */
+    void report(String where, Throwable error) {
+        home.report(where, error, null);
     }
 
     @Override
@@ -54,7 +86,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     @Override
     public boolean isCancelled() {
-        return readerGone || reader.isCancelled();
+        return readerGone || owner != null && owner.isOver() || reader.isCancelled();
     }
 
     private void checkNotEnded() {
@@ -78,7 +110,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
         @Override
         protected void run() {
-            if (owner == null) {
+            if (ActorSpace.current() != home) {
+                readerGone = true; // its space is closed, and the sender's thread turns away what is left there
+            } else if (owner == null) {
                 home.runGuarded(delivery);
             } else if (!home.runFor(owner, delivery)) {
                 readerGone = true; // the actor that listened has stopped
