@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An actor space for tests: no thread of its own, a clock that stands still, the same code as in production.
@@ -54,7 +55,7 @@ public final class TestSpace implements AutoCloseable {
     }
 
     /** A callback that records what it hears. */
-    public <T> CallbackProbe<T> callback() {
+    public <T extends @Nullable Object> CallbackProbe<T> callback() {
         return new CallbackProbe<>(this);
     }
 
