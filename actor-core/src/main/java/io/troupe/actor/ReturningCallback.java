@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
+import java.util.Queue;
 import org.jspecify.annotations.Nullable;
 
 /** A callback on its way through a proxy: what the actor sends becomes entries of the caller's callback queue. */
@@ -38,21 +39,22 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         return ended || isCancelled();
     }
 
-    /** Sends one result; false, and nothing is done, if nothing can come through any more. */
-    boolean offer(T result) {
-        if (isOver()) {
-            return false;
-        }
-        home.enqueue(new Delivery(() -> reader.accept(result, null)));
-        return true;
+    /** Sends one result, without asking whether anybody listens; its entry runs the first of those that wait in the queue. */
+    void sendInTurn(T result, Queue<Runnable> waiting) {
+        enqueueInTurn(() -> reader.accept(result, null), waiting);
     }
 
-    /** Ends, unless it has ended; asks nobody whether it is cancelled. */
-    void end(@Nullable Throwable error) {
+    /** Ends, unless it has ended, in the same manner. */
+    void endInTurn(@Nullable Throwable error, Queue<Runnable> waiting) {
         if (!ended) {
             ended = true;
-            home.enqueue(new Delivery(error == null ? reader::finish : () -> reader.fail(error)));
+            enqueueInTurn(error == null ? reader::finish : () -> reader.fail(error), waiting);
         }
+    }
+
+    private void enqueueInTurn(Runnable delivery, Queue<Runnable> waiting) {
+        waiting.add(delivery);
+        home.enqueue(new Delivery(() -> waiting.remove().run()));
     }
 
     /** What goes wrong on the sender's side though it is the reader's. */
@@ -110,7 +112,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
         @Override
         protected void run() {
-            if (ActorSpace.current() != home) {
+            if (!home.isCurrent()) {
                 readerGone = true; // its space is closed, and the sender's thread turns away what is left there
             } else if (owner == null) {
                 home.runGuarded(delivery);

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * subscribes late shall hear the last value. Ends with {@link #finish} or {@link #fail}; whoever subscribes then hears of the end only.
  * <p><b>Threads.</b> Every method from any thread. What a subscriber hears runs on the space that subscribed, as entries of its callback queue, on behalf
  * of the actor that subscribed; if that was no actor space, on the space of the topic. A callback that an actor was handed keeps its first reader.
- * Publishing never runs a subscriber's code, so a slow or broken one holds up nobody else.
+ * Publishing runs none of a subscriber's code but {@link Callback#isCancelled}, so a slow or broken one holds up nobody else.
  * <p><b>Order.</b> Values reach each subscriber in the order in which they were published; values of several publishers reach all subscribers in the same
  * order. After the end, after a cancellation, and after the subscribing actor has stopped or restarted, nothing arrives any more.
  * <p><b>Cost.</b> Publishing takes a lock for as long as it takes to queue one entry for each subscriber. Nothing bounds these entries: a subscriber that is
@@ -27,7 +27,7 @@ public final class Topic<T> {
     private final String name;
     private final boolean remembers;
     private final Object lock = new Object(); // guards all below
-    private final List<ReturningCallback<? super T>> readers = new ArrayList<>();
+    private final List<Subscription<? super T>> readers = new ArrayList<>();
     private @Nullable T last;
     private boolean ended;
     private @Nullable Throwable failure;
@@ -67,7 +67,7 @@ public final class Topic<T> {
             if (remembers) {
                 last = value;
             }
-            readers.removeIf(reader -> !send(reader, value));
+            readers.removeIf(reader -> !reader.send(value));
             return readers.size();
         }
     }
@@ -79,24 +79,25 @@ public final class Topic<T> {
      */
     public Callback.Stream<T> subscribe(Consumer<? super T> onValue) {
         var stream = new Callback.Stream<T>(onValue, this::refuseFailure);
-        add(ReturningCallback.to(stream, space));
+        addReader(ReturningCallback.to(stream, space));
         return stream;
     }
 
     /** Subscribes to the values and to the end. Who wants to cancel passes a {@link Callback.Stream}; one subscribed twice hears
      * every value twice. */
     public void subscribe(Callback<? super T> callback) {
-        add(ReturningCallback.to(Objects.requireNonNull(callback, "callback"), space));
+        addReader(ReturningCallback.to(Objects.requireNonNull(callback, "callback"), space));
     }
 
-    private void add(ReturningCallback<? super T> reader) {
+    private void addReader(ReturningCallback<? super T> callback) {
+        var reader = new Subscription<>(this, callback);
         synchronized (lock) {
             if (ended) {
                 reader.end(failure);
                 return;
             }
-            readers.removeIf(this::isGone);
-            if (last == null ? !isGone(reader) : send(reader, last)) {
+            readers.removeIf(Subscription::isGone);
+            if (last == null ? !reader.isGone() : reader.send(last)) {
                 readers.add(reader);
             }
         }
@@ -105,7 +106,7 @@ public final class Topic<T> {
     /** How many subscribers there are, so that a publisher may save itself the work for nobody. */
     public int subscribers() {
         synchronized (lock) {
-            readers.removeIf(this::isGone);
+            readers.removeIf(Subscription::isGone);
             return readers.size();
         }
     }
@@ -140,28 +141,9 @@ public final class Topic<T> {
             ended = true;
             failure = error;
             last = null;
-            readers.removeIf(this::isGone);
+            readers.removeIf(Subscription::isGone);
             readers.forEach(reader -> reader.end(error));
             readers.clear();
-            return true;
-        }
-    }
-
-    /** A callback of somebody's own making may throw when asked whether it is cancelled: its fault, and its end. */
-    private <V> boolean send(ReturningCallback<V> reader, V value) {
-        try {
-            return reader.offer(value);
-        } catch (RuntimeException broken) {
-            reader.report("isCancelled() of a subscriber of " + this, broken);
-            return false;
-        }
-    }
-
-    private boolean isGone(ReturningCallback<?> reader) {
-        try {
-            return reader.isOver();
-        } catch (RuntimeException broken) {
-            reader.report("isCancelled() of a subscriber of " + this, broken);
             return true;
         }
     }

@@ -356,6 +356,38 @@ class TopicTest {
         assertThat(topic.subscribers()).isOne();
     }
 
+    /** A space serves what its own thread has queued before what others have queued a moment earlier: a topic keeps its order nevertheless. */
+    @Test
+    void valuesAndEnd_fromTheSubscribersOwnThread_doNotOvertakeThoseFromAnother() {
+        topic.subscribe((value, error) -> log.add(error == null ? "heard " + value : error.getMessage()));
+        test.run(() -> {
+            onAnotherThread(() -> topic.publish(1));
+            topic.publish(2);
+            onAnotherThread(() -> topic.publish(3));
+            topic.fail(new IllegalStateException("the end"));
+        });
+        assertThat(log).containsExactly("heard 1", "heard 2", "heard 3", "the end");
+    }
+
+    @Test
+    void lastValue_forASubscriberFromAnotherThread_isNotOvertakenByANewerOne() {
+        latest.publish(1);
+        test.run(() -> {
+            onAnotherThread(() -> latest.subscribe(value -> log.add("heard " + value)));
+            latest.publish(2);
+        });
+        assertThat(log).containsExactly("heard 1", "heard 2");
+    }
+
+    private static void onAnotherThread(Runnable task) {
+        Thread thread = Thread.ofPlatform().start(task);
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            throw new AssertionError("interrupted while another thread worked", e);
+        }
+    }
+
     @Test
     void null_isRefused() {
         assertThatThrownBy(() -> topic.publish(null))

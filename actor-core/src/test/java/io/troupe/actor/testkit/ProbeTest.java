@@ -95,7 +95,8 @@ class ProbeTest {
             CallbackProbe<Integer> numbers = test.callback();
             greeter.actor().listen(numbers);
             @SuppressWarnings("unchecked")
-            var given = (Callback<Integer>) greeter.expectCall("listen(callback)").getFirst();
+            var given =
+                    (Callback<Integer>) greeter.expectCall("listen(callback)").getFirst();
             given.next(5);
             given.finish();
             assertThat(numbers.results()).containsExactly(5);
