@@ -16,11 +16,13 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, Figures 17 and 20.
  */
 public abstract class Actor {
+    private final KeyedTimers keyed = new KeyedTimers();
     private @Nullable ActorCell cell;
 
     protected Actor() {}
 
     final void join(ActorCell mine) {
+        keyed.cancelAll(); // of a life before, if the factory answers the same object again
         cell = mine;
     }
 
@@ -50,6 +52,10 @@ public abstract class Actor {
         mine.space().afterTurn(mine::stop);
     }
 
+    final KeyedTimers keyedTimers() {
+        return keyed;
+    }
+
     /** Runs a task once, later, unless this actor has stopped. */
     protected final Timer after(Duration delay, Runnable task) {
         return cell("after(..)").space().timer(cell, delay, Duration.ZERO, task);
@@ -57,10 +63,30 @@ public abstract class Actor {
 
     /** Runs a task again and again, the first time after one period, until this actor has stopped. */
     protected final Timer every(Duration period, Runnable task) {
-        if (period.isZero() || period.isNegative()) {
-            throw new IllegalArgumentException("the period is " + period + ", expected more than zero");
-        }
+        checkPeriod(period);
         return cell("every(..)").space().timer(cell, period, period, task);
+    }
+
+    /**
+     * Runs a task once, later, in place of the timer with that key: the one before, if it has not run yet, does not run any more, even if it is
+     * due already. The timer is gone when it has run, and when this actor stops or restarts.
+     *
+     * @param key any object, compared by {@code equals}; belongs to this actor alone
+     */
+    protected final Timer after(Object key, Duration delay, Runnable task) {
+        return keyed.set(cell("after(..)"), key, delay, Duration.ZERO, task);
+    }
+
+    /** Runs a task again and again, in place of the timer with that key; see {@link #after(Object, Duration, Runnable)}. */
+    protected final Timer every(Object key, Duration period, Runnable task) {
+        checkPeriod(period);
+        return keyed.set(cell("every(..)"), key, period, period, task);
+    }
+
+    /** Takes the timer with that key back; false if there is none that is still going to run. */
+    protected final boolean cancelTimer(Object key) {
+        cell("cancelTimer(..)");
+        return keyed.cancel(key);
     }
 
     /** The paper's {@code while}, one turn of the space for each round: see {@link ActorSpace#repeatWhile(BooleanSupplier, Runnable)}. */
@@ -72,6 +98,12 @@ public abstract class Actor {
     protected final Promise<@Nullable Void> repeatWhile(
             BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
         return space().repeatWhile(condition, body);
+    }
+
+    private static void checkPeriod(Duration period) {
+        if (period.isZero() || period.isNegative()) {
+            throw new IllegalArgumentException("the period is " + period + ", expected more than zero");
+        }
     }
 
     private ActorCell cell(String call) {

@@ -463,10 +463,6 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return owner();
     }
 
-    Owner ownself() {
-        return itself();
-    }
-
     /** Runs an action when the entry that is being served has returned, before anything else. */
     void afterTurn(Runnable action) {
         dispatcher.afterTurn(action);
@@ -542,6 +538,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     boolean isClosing() {
         return closing.get();
+    }
+
+    /** Whether it is closed, so that whoever still queues something turns that away himself. */
+    boolean hasEnded() {
+        return lifeline.isClosed();
     }
 
     /** Whether it has served what it will ever serve; on its thread. */

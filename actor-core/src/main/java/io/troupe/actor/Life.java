@@ -2,17 +2,13 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Owner;
 
-/** One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the space's thread. */
+/** One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the space's thread, but for {@link #isOver}. */
 final class Life extends Owner {
     private final ActorCell cell;
 
     Life(ActorCell cell) {
         super(cell.space());
         this.cell = cell;
-    }
-
-    ActorCell cell() {
-        return cell;
     }
 
     @Override
@@ -28,10 +24,6 @@ final class Life extends Owner {
         }
         cell.guard(what, action);
         return true;
-    }
-
-    boolean hasEnded() {
-        return isOver();
     }
 
     @Override

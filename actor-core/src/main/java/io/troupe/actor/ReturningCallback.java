@@ -1,18 +1,18 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
-import io.troupe.actor.promise.Owner;
+import java.util.Queue;
 import org.jspecify.annotations.Nullable;
 
 /** A callback on its way through a proxy: what the actor sends becomes entries of the caller's callback queue. */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private final Callback<T> reader;
     private final ActorSpace home;
-    private final Owner owner;
+    private final @Nullable Life owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
 
-    private ReturningCallback(Callback<T> reader, ActorSpace home, Owner owner) {
+    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Life owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
@@ -20,13 +20,46 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     /** The callback as the actor gets it; one that has come through a proxy before keeps its first reader. */
     static <T extends @Nullable Object> @Nullable Callback<T> wrap(@Nullable Callback<T> callback, ActorSpace callee) {
-        if (callback == null || callback instanceof ReturningCallback) {
-            return callback;
+        return callback == null ? null : to(callback, callee);
+    }
+
+    /** To a reader on the space that is calling, on behalf of the actor that is; from outside every space, on another one. */
+    static <T extends @Nullable Object> ReturningCallback<T> to(Callback<T> reader, ActorSpace ifOutside) {
+        if (reader instanceof ReturningCallback<T> before) {
+            return before;
         }
         ActorSpace caller = ActorSpace.current();
         return caller == null
-                ? new ReturningCallback<>(callback, callee, callee.ownself())
-                : new ReturningCallback<>(callback, caller, caller.currentOwner());
+                ? new ReturningCallback<>(reader, ifOutside, null)
+                : new ReturningCallback<>(reader, caller, caller.currentOwner() instanceof Life life ? life : null);
+    }
+
+    /** Whether nothing can come through any more. */
+    boolean isOver() {
+        return ended || isCancelled();
+    }
+
+    /** Sends one result, without asking whether anybody listens; its entry runs the first of those that wait in the queue. */
+    void sendInTurn(T result, Queue<Runnable> waiting) {
+        enqueueInTurn(() -> reader.accept(result, null), waiting);
+    }
+
+    /** Ends, unless it has ended, in the same manner. */
+    void endInTurn(@Nullable Throwable error, Queue<Runnable> waiting) {
+        if (!ended) {
+            ended = true;
+            enqueueInTurn(error == null ? reader::finish : () -> reader.fail(error), waiting);
+        }
+    }
+
+    private void enqueueInTurn(Runnable delivery, Queue<Runnable> waiting) {
+        waiting.add(delivery);
+        home.enqueueCallback(new Delivery(() -> waiting.remove().run()));
+    }
+
+    /** What goes wrong on the sender's side though it is the reader's. */
+    void report(String where, Throwable error) {
+        home.reports().error(where, error, null);
     }
 
     @Override
@@ -62,7 +95,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     @Override
     public boolean isCancelled() {
-        return readerGone || reader.isCancelled();
+        return readerGone || owner != null && owner.isOver() || reader.isCancelled();
     }
 
     private void checkNotEnded() {
@@ -86,9 +119,11 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
         @Override
         protected void run() {
-            if (!(owner instanceof Life life)) {
+            if (home.hasEnded()) {
+                readerGone = true; // and the sender's thread turns away what is left there
+            } else if (owner == null) {
                 home.runGuarded(delivery);
-            } else if (!life.run("a listener", delivery)) {
+            } else if (!owner.run("a listener", delivery)) {
                 readerGone = true; // the actor that listened has stopped
             }
         }

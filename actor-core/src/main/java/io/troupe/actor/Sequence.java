@@ -62,7 +62,7 @@ final class Sequence<T extends @Nullable Object> {
         if (cancelled != null) {
             throw cancelled;
         }
-        if (owner instanceof Life life && life.hasEnded()) {
+        if (owner instanceof Life life && life.isOver()) {
             throw new CancellationException("the actor " + life + " has stopped while a body of it waited");
         }
     }

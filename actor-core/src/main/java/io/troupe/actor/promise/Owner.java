@@ -3,12 +3,12 @@ package io.troupe.actor.promise;
 /**
  * On whose behalf something runs in a home: one life of an actor, or the home itself.
  *
- * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} and what it changes belong to the home's thread.
+ * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on any.
  */
 public class Owner {
     private final Home home;
     private final boolean outside;
-    private boolean over;
+    private volatile boolean over;
 
     protected Owner(Home home) {
         this(home, false);
@@ -33,7 +33,7 @@ public class Owner {
         over = true;
     }
 
-    protected final boolean isOver() {
+    public final boolean isOver() {
         return over;
     }
 

@@ -9,6 +9,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * An actor space for tests: no thread of its own, a clock that stands still, the same code as in production.
@@ -24,6 +25,7 @@ public final class TestSpace implements AutoCloseable {
     private final ManualClock clock = new ManualClock();
     private final List<Problem> problems = new ArrayList<>();
     private final List<DeadLetter> deadLetters = new ArrayList<>();
+    private final List<Probe<?>> probes = new ArrayList<>();
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("test-space")
             .withClock(clock)
             .withOnError((where, error) -> problems.add(new Problem(where, error)))
@@ -43,6 +45,18 @@ public final class TestSpace implements AutoCloseable {
         A proxy = space.spawn(type, factory);
         crank();
         return proxy;
+    }
+
+    /** A stand-in for an actor, that records its calls; a request it has not answered at the end fails the test. */
+    public <A> Probe<A> probe(Class<A> type) {
+        var probe = new Probe<>(this, type);
+        probes.add(probe);
+        return probe;
+    }
+
+    /** A callback that records what it hears. */
+    public <T extends @Nullable Object> CallbackProbe<T> callback() {
+        return new CallbackProbe<>(this);
     }
 
     /** Serves what waits, and what comes of it, until nothing waits. */
@@ -108,7 +122,7 @@ public final class TestSpace implements AutoCloseable {
     /**
      * Closes the space.
      *
-     * @throws AssertionError if something was left: messages nobody served, problems or dead letters nobody took
+     * @throws AssertionError if something was left: messages nobody served, problems or dead letters nobody took, requests no probe answered
      */
     @Override
     public void close() {
@@ -122,6 +136,13 @@ public final class TestSpace implements AutoCloseable {
         }
         if (!deadLetters.isEmpty()) {
             throw new AssertionError("messages reached nobody: " + deadLetters);
+        }
+        for (var probe : probes) {
+            var unanswered = probe.removeUnanswered();
+            if (!unanswered.isEmpty()) {
+                throw new AssertionError(probe + ": requests were never answered: " + unanswered
+                        + "; answer(..) them, or takeUnanswered()");
+            }
         }
         if (!quiet) {
             throw new AssertionError("the test ended while messages waited in the space: crank() it, or say why not");

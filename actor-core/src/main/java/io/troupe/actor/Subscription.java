@@ -1,0 +1,50 @@
+package io.troupe.actor;
+
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One reader of a topic.
+ *
+ * <p><b>Threads.</b> The topic's lock guards all methods; entries run on the reader's space.
+ * <p><b>Order.</b> As sent, whichever threads they were sent from.
+ */
+final class Subscription<T> {
+    private final Object topic;
+    private final ReturningCallback<T> reader;
+
+    /*
+     * A space serves what its own thread has queued before what others have queued a moment earlier. So an entry does not hold what it brings: it
+     * takes the first that waits here, and there are as many of the ones as of the others.
+     */
+    private final Queue<Runnable> waiting = new ConcurrentLinkedQueue<>();
+
+    Subscription(Object topic, ReturningCallback<T> reader) {
+        this.topic = topic;
+        this.reader = reader;
+    }
+
+    /** Sends a value; false, and nothing is done, if nobody listens any more. */
+    boolean send(T value) {
+        if (isGone()) {
+            return false;
+        }
+        reader.sendInTurn(value, waiting);
+        return true;
+    }
+
+    void end(@Nullable Throwable error) {
+        reader.endInTurn(error, waiting);
+    }
+
+    /** Whether nobody listens any more. A callback of somebody's own making may throw when asked: its fault, and its end. */
+    boolean isGone() {
+        try {
+            return reader.isOver();
+        } catch (RuntimeException broken) {
+            reader.report("isCancelled() of a subscriber of " + topic, broken);
+            return true;
+        }
+    }
+}

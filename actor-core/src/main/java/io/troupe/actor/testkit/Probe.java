@@ -1,0 +1,190 @@
+package io.troupe.actor.testkit;
+
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.lang.reflect.Method;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Proxy;
+import java.lang.reflect.Type;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Stands in for an actor in a test: records the calls it gets, and answers requests when the test says so.
+ *
+ * <p><b>Role.</b> Made by {@link TestSpace#probe}; {@link #actor} is what the code under test gets. It is an actor of that space as any other.
+ * A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a {@link Callback}.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first serves what waits in the space.
+ * <p><b>Order.</b> Calls are in the order in which they were handled; requests are answered in that order too.
+ * <p><b>Errors.</b> What the test got wrong, or did not get, is an {@link AssertionError} that lists the calls so far.
+ */
+public final class Probe<A> {
+    private record Call(String text, List<@Nullable Object> arguments) {}
+
+    private record Question(String text, Method method, Deferred<@Nullable Object> answer) {}
+
+    private final TestSpace test;
+    private final Class<A> type;
+    private final A actor;
+    private final List<Call> calls = new ArrayList<>();
+    private final Deque<Question> unanswered = new ArrayDeque<>();
+    private int expected;
+
+    Probe(TestSpace test, Class<A> type) {
+        if (!type.isInterface()) {
+            throw new IllegalArgumentException("a probe stands in for an interface, and " + type.getName()
+                    + " is a class: spawn a subclass of it");
+        }
+        this.test = test;
+        this.type = type;
+        this.actor = test.spawn(type, this::standIn);
+    }
+
+    /** The proxy to hand to the code under test. */
+    public A actor() {
+        return actor;
+    }
+
+    /** All calls so far. */
+    public List<String> calls() {
+        test.crank();
+        return texts();
+    }
+
+    /**
+     * Expects the first call that was not expected before.
+     *
+     * @param call as it is written in {@link #calls}
+     * @return its arguments, as they came
+     */
+    public List<@Nullable Object> expectCall(String call) {
+        test.crank();
+        if (expected == calls.size()) {
+            throw failure("expected the call " + call + ", but no further one came");
+        }
+        var next = calls.get(expected);
+        if (!next.text.equals(call)) {
+            throw failure("expected the call " + call + ", but the next one was " + next.text);
+        }
+        expected++;
+        return next.arguments;
+    }
+
+    /** Expects that there was no call but those expected before. */
+    public void expectNoCall() {
+        test.crank();
+        if (expected < calls.size()) {
+            throw failure("expected no further call, but " + calls.get(expected).text + " came");
+        }
+    }
+
+    /** Fulfils the oldest request that waits for its answer, even if its asker has given it up, and serves what comes of it. */
+    public void answer(@Nullable Object value) {
+        Question question = oldest("answer(" + value + ")");
+        Class<?> wanted = answerType(question.method);
+        if (value != null && !wanted.isInstance(value)) {
+            throw failure("answer(" + value + ") is a " + value.getClass().getName() + ", and " + question.text
+                    + " answers a " + wanted.getName());
+        }
+        unanswered.remove();
+        question.answer.resolve(value);
+        test.crank();
+    }
+
+    /** Rejects the oldest request that waits for its answer; see {@link #answer}. */
+    public void reject(Throwable error) {
+        Objects.requireNonNull(error, "error");
+        Question question = oldest("reject(" + error + ")");
+        unanswered.remove();
+        question.answer.reject(error);
+        test.crank();
+    }
+
+    /** The requests that wait for their answers; taking them says that the test expected it, and they are never answered. */
+    public List<String> takeUnanswered() {
+        test.crank();
+        return removeUnanswered();
+    }
+
+    @Override
+    public String toString() {
+        return "probe of " + type.getSimpleName();
+    }
+
+    List<String> removeUnanswered() {
+        var taken = unanswered.stream().map(Question::text).toList();
+        unanswered.clear();
+        return taken;
+    }
+
+    private Question oldest(String what) {
+        test.crank();
+        Question question = unanswered.peek();
+        if (question == null) {
+            throw failure(what + " came when no request waited for an answer");
+        }
+        return question;
+    }
+
+    private List<String> texts() {
+        return calls.stream().map(Call::text).toList();
+    }
+
+    private AssertionError failure(String what) {
+        return new AssertionError(this + ": " + what + "; calls so far: " + texts());
+    }
+
+    private A standIn() {
+        return type.cast(Proxy.newProxyInstance(
+                type.getClassLoader(),
+                new Class<?>[] {type},
+                (self, method, arguments) -> method.getDeclaringClass() == Object.class
+                        ? switch (method.getName()) {
+                            case "equals" -> self == arguments[0];
+                            case "hashCode" -> System.identityHashCode(self);
+                            default -> toString();
+                        }
+                        : handle(method, arguments)));
+    }
+
+    private @Nullable Object handle(Method method, @Nullable Object @Nullable [] given) {
+        List<@Nullable Object> arguments =
+                given == null ? List.of() : Collections.unmodifiableList(Arrays.asList(given.clone()));
+        String text =
+                method.getName() + arguments.stream().map(Probe::show).collect(Collectors.joining(", ", "(", ")"));
+        calls.add(new Call(text, arguments));
+        if (method.getReturnType() != Promise.class) {
+            return null;
+        }
+        var answer = new Deferred<@Nullable Object>();
+        unanswered.add(new Question(text, method, answer));
+        return answer;
+    }
+
+    private static String show(@Nullable Object argument) {
+        if (argument instanceof Callback) {
+            return "callback";
+        }
+        String inBrackets = Arrays.deepToString(new @Nullable Object[] {argument});
+        return inBrackets.substring(1, inBrackets.length() - 1);
+    }
+
+    /** What the promise holds, as far as it can be known at run time. */
+    private static Class<?> answerType(Method method) {
+        Type answer = method.getGenericReturnType() instanceof ParameterizedType promise
+                ? promise.getActualTypeArguments()[0]
+                : Object.class;
+        if (answer instanceof ParameterizedType generic) {
+            answer = generic.getRawType();
+        }
+        return answer instanceof Class<?> known ? known : Object.class;
+    }
+}
