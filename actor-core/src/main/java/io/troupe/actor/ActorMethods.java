@@ -36,8 +36,11 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
             Method chosen = choose(same, rules.arguments());
             boolean isMessage = !type.isInterface() || Modifier.isAbstract(chosen.getModifiers());
             if (isMessage) {
-                same.forEach(found -> rules.checkArguments(found.written()));
                 rules.checkMessage(chosen);
+                same.stream()
+                        .map(Found::written)
+                        .filter(written -> descriptor(written).equals(descriptor(chosen)))
+                        .forEach(rules::checkArguments);
                 messages.add(chosen);
             }
             same.stream()
