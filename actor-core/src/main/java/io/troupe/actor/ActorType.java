@@ -4,7 +4,6 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.invoke.VarHandle;
-import java.lang.reflect.Modifier;
 import org.jspecify.annotations.Nullable;
 import org.objenesis.ObjenesisStd;
 import org.objenesis.instantiator.ObjectInstantiator;
@@ -47,75 +46,12 @@ abstract class ActorType {
     abstract <A> A newProxy(ActorCell cell);
 
     private static ActorType generate(Class<?> type) {
-        checkShape(type);
-        MethodHandles.Lookup lookup = lookupIn(type);
-        checkSeesActors(type);
+        MethodHandles.Lookup lookup = TypeRules.check(type);
         try {
             Class<?> proxyClass = new ProxyGenerator(type, ActorMethods.of(type), lookup).generate();
             return type.isInterface() ? new OfInterface(lookup, proxyClass) : new OfClass(lookup, proxyClass);
-        } catch (ReflectiveOperationException | LinkageError e) {
+        } catch (ReflectiveOperationException | LinkageError | TypeNotPresentException e) {
             throw new ActorTypeException("the proxy of " + type.getName() + " cannot be made: " + e, e);
-        }
-    }
-
-    private static void checkShape(Class<?> type) {
-        String problem = null;
-        if (type.isHidden()) {
-            problem = "it is hidden, so that its proxy cannot name it";
-        } else if (type.isInterface()) {
-            if (type.isAnnotation()) {
-                problem = "it is an annotation";
-            } else if (type.isSealed()) {
-                problem = "it is sealed, so that no proxy can implement it";
-            }
-        } else if (!Actor.class.isAssignableFrom(type)) {
-            problem = "it is a class that does not extend " + Actor.class.getName()
-                    + "; use an interface, or extend Actor";
-        } else if (Modifier.isFinal(type.getModifiers()) || type.isSealed()) {
-            problem = "it is final or sealed, so that its proxy cannot be a subclass (in Kotlin, make it open)";
-        } else if (type.isAnonymousClass()) {
-            problem = "it is anonymous";
-        }
-        if (problem != null) {
-            throw new ActorTypeException(type.getName() + " cannot be an actor type: " + problem);
-        }
-    }
-
-    /** The proxy is linked by the type's loader and module, which might not know this library, or know another copy of it. */
-    private static void checkSeesActors(Class<?> type) {
-        Module home = Message.class.getModule();
-        String problem = null;
-        try {
-            if (Class.forName(Message.class.getName(), false, type.getClassLoader()) != Message.class) {
-                problem = "sees another copy of it: load it once, in a parent of all loaders that use it";
-            }
-        } catch (ClassNotFoundException e) {
-            problem = "does not see it: use an interface of your own";
-        }
-        if (problem != null) {
-            throw new ActorTypeException(type.getName()
-                    + " cannot be an actor type: its proxy needs package " + Message.class.getPackageName()
-                    + ", and its class loader " + type.getClassLoader() + " " + problem);
-        }
-        if (!type.getModule().canRead(home)) {
-            throw new ActorTypeException(type.getName() + " cannot be an actor type: module "
-                    + type.getModule().getName() + " does not read " + home
-                    + "; write \"requires io.troupe.actor;\" in its module-info");
-        }
-    }
-
-    private static MethodHandles.Lookup lookupIn(Class<?> type) {
-        try {
-            return MethodHandles.privateLookupIn(type, MethodHandles.lookup());
-        } catch (IllegalAccessException e) {
-            String module = type.getModule().getName();
-            throw new ActorTypeException(
-                    type.getName() + " cannot be an actor type: its proxy belongs into its package, and module "
-                            + module
-                            + " does not let it in; write \"opens " + type.getPackageName()
-                            + ";\" in the module-info of " + module
-                            + ", or use an interface of your own",
-                    e);
         }
     }
 

@@ -43,7 +43,8 @@ final class MethodRules {
         }
         if (method.getName().equals("finalize") && method.getParameterCount() == 0) {
             throw wrong(
-                    method, "would be called on the proxy by the garbage collector: give it another name, or use stopped()");
+                    method,
+                    "would be called on the proxy by the garbage collector: give it another name, or use stopped()");
         }
         int slots = Arrays.stream(method.getParameterTypes())
                 .mapToInt(each -> each == long.class || each == double.class ? 2 : 1)

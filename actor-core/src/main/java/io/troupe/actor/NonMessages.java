@@ -61,15 +61,15 @@ final class NonMessages {
                             + (isPublic ? "" : ", or make it private"));
         }
         if (method.getName().equals("finalize") && method.getParameterCount() == 0) {
-            throw MethodRules.wrong(type, method, "would be called on the proxy by the garbage collector: use stopped()");
+            throw MethodRules.wrong(
+                    type, method, "would be called on the proxy by the garbage collector: use stopped()");
         }
     }
 
     private static boolean overrides(Method below, Method above) {
         return below.getName().equals(above.getName())
                 && ActorMethods.descriptor(below).equals(ActorMethods.descriptor(above))
-                && (!isPackagePrivate(above)
-                        || inOnePackage(below.getDeclaringClass(), above.getDeclaringClass()));
+                && (!isPackagePrivate(above) || inOnePackage(below.getDeclaringClass(), above.getDeclaringClass()));
     }
 
     private static boolean isPackagePrivate(Method method) {

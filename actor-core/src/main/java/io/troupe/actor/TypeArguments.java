@@ -50,16 +50,15 @@ final class TypeArguments {
 
     /** The classes of a method's parameters as the type sees them. */
     List<? extends Class<?>> parameters(Method method) {
-        return Arrays.stream(method.getGenericParameterTypes())
-                .map(this::erase)
-                .toList();
+        return Arrays.stream(method.getGenericParameterTypes()).map(this::erase).toList();
     }
 
     private Class<?> erase(Type type) {
         return switch (type) {
             case Class<?> plain -> plain;
             case ParameterizedType generic -> (Class<?>) generic.getRawType();
-            case GenericArrayType array -> erase(array.getGenericComponentType()).arrayType();
+            case GenericArrayType array ->
+                erase(array.getGenericComponentType()).arrayType();
             case WildcardType wildcard -> erase(wildcard.getUpperBounds()[0]);
             case TypeVariable<?> variable -> {
                 Type argument = arguments.get(variable);
@@ -88,9 +87,7 @@ final class TypeArguments {
                 any(wildcard.getUpperBounds(), wanted, seen) || any(wildcard.getLowerBounds(), wanted, seen);
             case TypeVariable<?> variable -> {
                 Type argument = arguments.get(variable);
-                yield argument == null
-                        ? any(variable.getBounds(), wanted, seen)
-                        : mentions(argument, wanted, seen);
+                yield argument == null ? any(variable.getBounds(), wanted, seen) : mentions(argument, wanted, seen);
             }
             default -> throw new AssertionError("reflection knows no such type: " + type);
         };

@@ -64,7 +64,8 @@ class CallbackParameterTest {
     public abstract static class OfAClass extends Actor implements Follower<Callback<Integer>[]> {}
 
     interface Harmless<T extends Comparable<T>> {
-        <U extends Comparable<U>> void sort(List<U> values, T most, Map<String, ? super T[]> least, List<String>[] names);
+        <U extends Comparable<U>> void sort(
+                List<U> values, T most, Map<String, ? super T[]> least, List<String>[] names);
 
         void both(Callback<? super List<Integer>> first, @SuppressWarnings("rawtypes") Callback second);
     }

@@ -30,13 +30,14 @@ final class Compiled {
     }
 
     Compiled add(String className, String source) {
-        sources.add(new SimpleJavaFileObject(
-                URI.create("string:///" + className.replace('.', '/') + ".java"), JavaFileObject.Kind.SOURCE) {
-            @Override
-            public CharSequence getCharContent(boolean ignoreEncodingErrors) {
-                return source;
-            }
-        });
+        sources.add(
+                new SimpleJavaFileObject(
+                        URI.create("string:///" + className.replace('.', '/') + ".java"), JavaFileObject.Kind.SOURCE) {
+                    @Override
+                    public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+                        return source;
+                    }
+                });
         return this;
     }
 
@@ -47,7 +48,8 @@ final class Compiled {
         var arguments = new ArrayList<>(List.of("-d", classes.toString(), "-parameters", "-proc:none"));
         arguments.addAll(options.length > 0 ? List.of(options) : List.of("-cp", System.getProperty("java.class.path")));
         var output = new StringWriter();
-        boolean done = compiler.getTask(output, null, null, arguments, null, sources).call();
+        boolean done =
+                compiler.getTask(output, null, null, arguments, null, sources).call();
         assertThat(done).as("the compiler says: %s", output).isTrue();
     }
 

@@ -59,8 +59,13 @@ class ForeignTypeTest {
         sources.add("two.Bad", "package two; public class Bad extends one.Base { void help() {} }");
         sources.add("two.Good", "package two; public class Good extends one.Open {}");
         try (var loader = sources.load()) {
-            refused(loader.loadClass("two.Bad"), "Base.help()", "package-private in another package", "protected or private");
-            assertThat(test.space().spawn(loader.loadClass("two.Good"), () -> null)).isNotNull();
+            refused(
+                    loader.loadClass("two.Bad"),
+                    "Base.help()",
+                    "package-private in another package",
+                    "protected or private");
+            assertThat(test.space().spawn(loader.loadClass("two.Good"), () -> null))
+                    .isNotNull();
             test.crank();
             assertThat(test.takeProblems()).hasSize(1); // the factory
         }
@@ -69,9 +74,7 @@ class ForeignTypeTest {
     @Test
     void typesOfAnotherLoader_workWithTheirLoadersClasses() throws Exception {
         var sources = new Compiled(folder);
-        sources.add(
-                "far.Greeter",
-                """
+        sources.add("far.Greeter", """
                 package far;
                 interface Parent { io.troupe.actor.promise.Promise<String> greet(String name); }
                 public interface Greeter extends Parent {
@@ -114,9 +117,11 @@ class ForeignTypeTest {
     void typeThatSeesAnotherCopyOfThisLibrary_isRefusedAtSpawn() throws Exception {
         URL own = ActorSpace.class.getProtectionDomain().getCodeSource().getLocation();
         var sources = new Compiled(folder);
-        sources.add("far.Plain", "package far; public interface Plain { io.troupe.actor.promise.Promise<String> go(); }");
+        sources.add(
+                "far.Plain", "package far; public interface Plain { io.troupe.actor.promise.Promise<String> go(); }");
         sources.load().close();
-        try (var copies = new URLClassLoader(new URL[] {sources.classes().toUri().toURL(), own}, null)) {
+        try (var copies =
+                new URLClassLoader(new URL[] {sources.classes().toUri().toURL(), own}, null)) {
             refused(copies.loadClass("far.Plain"), "far.Plain", "another copy");
         }
     }
@@ -127,7 +132,9 @@ class ForeignTypeTest {
 
     @Test
     void hiddenInterface_isRefusedAtSpawn() throws Exception {
-        Class<?> hidden = MethodHandles.lookup().defineHiddenClass(bytes(ToHide.class), false).lookupClass();
+        Class<?> hidden = MethodHandles.lookup()
+                .defineHiddenClass(bytes(ToHide.class), false)
+                .lookupClass();
         refused(hidden, "it is hidden");
     }
 

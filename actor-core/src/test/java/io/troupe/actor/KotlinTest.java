@@ -28,7 +28,8 @@ class KotlinTest {
     void kotlinInterface_isAnActorType_withLambdasAsCallbacksAndListeners() throws Exception {
         Class<?> type = type("Greeter");
         Object companion = type.getField("Companion").get(null);
-        Object greeter = companion.getClass().getMethod("spawnIn", ActorSpace.class).invoke(companion, test.space());
+        Object greeter =
+                companion.getClass().getMethod("spawnIn", ActorSpace.class).invoke(companion, test.space());
         var log = new ArrayList<String>();
         test.run(() -> call("callAll", greeter, log));
         assertThat(log)
@@ -57,7 +58,8 @@ class KotlinTest {
 
     @Test
     void openKotlinClass_isAClassActor() throws Exception {
-        Object counter = type("Callers").getMethod("spawnCounter", ActorSpace.class).invoke(null, test.space());
+        Object counter =
+                type("Callers").getMethod("spawnCounter", ActorSpace.class).invoke(null, test.space());
         Class<?> type = type("Counter");
         type.getMethod("increment").invoke(counter);
         type.getMethod("increment").invoke(counter);
@@ -83,7 +85,8 @@ class KotlinTest {
     @Test
     void compiledClasses_areThoseOfTheSource() throws Exception {
         byte[] source = Files.readAllBytes(Path.of("src", "test", "kotlin", "greeter", "Greeter.kt"));
-        String digest = HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(source));
+        String digest =
+                HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(source));
         try (var recorded = KotlinTest.class.getResourceAsStream("/greeter/source.sha256")) {
             assertThat(recorded).isNotNull();
             assertThat(new String(recorded.readAllBytes(), StandardCharsets.US_ASCII))

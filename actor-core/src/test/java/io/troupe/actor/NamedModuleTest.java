@@ -28,8 +28,7 @@ class NamedModuleTest {
     /** Modules that nobody requires, because an automatic module requires none by name: on a command line they are --add-modules. */
     private static final Set<String> LIBRARIES = Set.of("org.objectweb.asm", "org.objenesis");
 
-    private static final String HOME =
-            """
+    private static final String HOME = """
             package %s;
             import io.troupe.actor.Actor;
             import io.troupe.actor.ActorTypeException;
@@ -62,10 +61,16 @@ class NamedModuleTest {
     @Test
     void namedModule_hasToOpenThePackageOfItsActorTypes() throws Exception {
         Path library = library();
-        List<Path> path = Stream.of(library, location(ClassWriter.class), location(Objenesis.class), location(NullMarked.class))
+        List<Path> path = Stream.of(
+                        library, location(ClassWriter.class), location(Objenesis.class), location(NullMarked.class))
                 .toList();
         module(path, "closed", "requires io.troupe.actor; exports closed;", "closed.Home", HOME.formatted("closed"));
-        module(path, "free", "requires io.troupe.actor; exports free; opens free;", "free.Home", HOME.formatted("free"));
+        module(
+                path,
+                "free",
+                "requires io.troupe.actor; exports free; opens free;",
+                "free.Home",
+                HOME.formatted("free"));
         module(
                 path,
                 "friend",
@@ -100,7 +105,8 @@ class NamedModuleTest {
     }
 
     private ModuleLayer layer(List<Path> path, Set<String> names) {
-        Path[] all = Stream.concat(path.stream(), names.stream().map(folder::resolve)).toArray(Path[]::new);
+        Path[] all = Stream.concat(path.stream(), names.stream().map(folder::resolve))
+                .toArray(Path[]::new);
         ModuleLayer boot = ModuleLayer.boot();
         var roots = new HashSet<>(names);
         roots.addAll(LIBRARIES);
@@ -134,8 +140,10 @@ class NamedModuleTest {
         Path jar = folder.resolve("actor-core.jar");
         try (var out = new JarOutputStream(Files.newOutputStream(jar), manifest);
                 Stream<Path> files = Files.walk(classes)) {
-            for (Path file : files.filter(each -> each.toString().endsWith(".class")).toList()) {
-                out.putNextEntry(new JarEntry(classes.relativize(file).toString().replace(File.separatorChar, '/')));
+            for (Path file :
+                    files.filter(each -> each.toString().endsWith(".class")).toList()) {
+                out.putNextEntry(
+                        new JarEntry(classes.relativize(file).toString().replace(File.separatorChar, '/')));
                 Files.copy(file, out);
                 out.closeEntry();
             }
