@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.util.ArrayList;
@@ -10,32 +9,129 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
+import java.util.stream.Stream;
 
 /**
- * Which methods of an actor type are messages, and whether all of them can be.
+ * Which methods of an actor type are messages.
+ *
+ * <p>An interface's are its abstract ones; its default methods run where they are called. A class actor's are all its public ones, inherited
+ * default methods too, because nothing but a message may run on its proxy, whose fields are unset.
  *
  * @param messages those a proxy sends, one per name and parameter types
- * @param refused those of a class actor that are not public: calling one on a proxy would run it on the wrong object, so it throws
+ * @param bridges what else a proxy has to answer to, because a supertype calls a message by another descriptor
+ * @param refused those of a class actor that are not public: calling one on a proxy throws
  */
-record ActorMethods(List<Method> messages, List<Method> refused) {
+record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> refused) {
+    /** A call by the descriptor of {@code from} is one of {@code to}. */
+    record Bridge(Method from, Method to) {}
+
+    /** A method that calls find, and the one the user wrote: they differ where the compiler put a bridge between them. */
+    private record Found(Method called, Method written) {}
+
     static ActorMethods of(Class<?> type) {
-        checkShape(type);
-        List<Method> messages = distinct(type.isInterface() ? abstractMethods(type) : declaredUpToActor(type, true));
-        for (Method method : messages) {
-            checkMessage(type, method);
+        var rules = new MethodRules(type);
+        var messages = new ArrayList<Method>();
+        var bridges = new ArrayList<Bridge>();
+        for (List<Found> same : groups(type, rules.arguments())) {
+            Method chosen = choose(same, rules.arguments());
+            boolean isMessage = !type.isInterface() || Modifier.isAbstract(chosen.getModifiers());
+            if (isMessage) {
+                rules.checkMessage(chosen);
+                same.stream()
+                        .map(Found::written)
+                        .filter(written -> descriptor(written).equals(descriptor(chosen)))
+                        .forEach(rules::checkArguments);
+                messages.add(chosen);
+            }
+            same.stream()
+                    .filter(found -> Modifier.isAbstract(found.called().getModifiers()))
+                    .filter(found -> !descriptor(found.called()).equals(descriptor(chosen)))
+                    .forEach(found -> bridges.add(new Bridge(found.called(), chosen)));
         }
-        List<Method> refused = type.isInterface()
-                ? List.of()
-                : distinct(declaredUpToActor(type, false)).stream()
-                        .filter(method -> messages.stream().noneMatch(message -> sameSignature(method, message)))
-                        .toList();
-        return new ActorMethods(messages, refused);
+        bridges.forEach(bridge -> rules.checkBridge(bridge.from(), bridge.to()));
+        return new ActorMethods(messages, distinct(bridges), type.isInterface() ? List.of() : NonMessages.of(type));
     }
 
-    private static boolean sameSignature(Method first, Method second) {
-        return first.getName().equals(second.getName())
-                && Arrays.equals(first.getParameterTypes(), second.getParameterTypes());
+    /** The public methods that could be messages; together those that are one method to the compiler. */
+    private static Iterable<List<Found>> groups(Class<?> type, TypeArguments arguments) {
+        return Arrays.stream(type.getMethods())
+                .filter(method -> !Modifier.isStatic(method.getModifiers())
+                        && method.getDeclaringClass() != Object.class
+                        && !isLocal(method)
+                        && (type.isInterface() || !isLifecycle(method)))
+                .sorted(Comparator.comparing(Method::getName) // an order that does not depend on reflection's
+                        .thenComparing(ActorMethods::descriptor)
+                        .thenComparing(method -> method.getDeclaringClass().getName()))
+                .map(method -> new Found(method, method.isBridge() ? written(method) : method))
+                .collect(Collectors.groupingBy(
+                        found -> List.of(found.written().getName(), arguments.parameters(found.written())),
+                        LinkedHashMap::new,
+                        Collectors.toList()))
+                .values();
+    }
+
+    /** The most special: with the parameters that the type sees, and the narrowest result. */
+    private static Method choose(List<Found> same, TypeArguments arguments) {
+        Method chosen = same.getFirst().written();
+        for (Found found : same) {
+            Method next = found.written();
+            boolean exact = isExact(next, arguments);
+            Class<?> before = chosen.getReturnType();
+            boolean narrower = next.getReturnType() != before && before.isAssignableFrom(next.getReturnType());
+            if (exact == isExact(chosen, arguments) ? narrower : exact) {
+                chosen = next;
+            }
+        }
+        return chosen;
+    }
+
+    private static boolean isExact(Method method, TypeArguments arguments) {
+        return arguments.parameters(method).equals(List.of(method.getParameterTypes()));
+    }
+
+    /** The method of a supertype that a bridge overrides. */
+    private static Method written(Method bridge) {
+        return supertypes(bridge.getDeclaringClass())
+                .flatMap(type -> Arrays.stream(type.getDeclaredMethods()))
+                .filter(method -> !method.isBridge()
+                        && method.getName().equals(bridge.getName())
+                        && descriptor(method).equals(descriptor(bridge)))
+                .findFirst()
+                .orElse(bridge);
+    }
+
+    private static Stream<Class<?>> supertypes(Class<?> type) {
+        Class<?> parent = type.getSuperclass();
+        return Stream.concat(
+                parent == null ? Stream.empty() : Stream.concat(Stream.of(parent), supertypes(parent)),
+                Arrays.stream(type.getInterfaces()).flatMap(each -> Stream.concat(Stream.of(each), supertypes(each))));
+    }
+
+    private static List<Bridge> distinct(List<Bridge> bridges) {
+        Map<String, Bridge> byDescriptor = new LinkedHashMap<>();
+        for (Bridge bridge : bridges) {
+            byDescriptor.putIfAbsent(bridge.from().getName() + descriptor(bridge.from()), bridge);
+        }
+        return List.copyOf(byDescriptor.values());
+    }
+
+    static String descriptor(Method method) {
+        return org.objectweb.asm.Type.getMethodDescriptor(method);
+    }
+
+    /** Called by the actor's own cell only. */
+    static boolean isLifecycle(Method method) {
+        return method.getParameterCount() == 0
+                && (method.getName().equals("started") || method.getName().equals("stopped"));
+    }
+
+    /** What every proxy answers itself. */
+    static boolean isLocal(Method method) {
+        return switch (method.getName()) {
+            case "hashCode", "toString" -> method.getParameterCount() == 0;
+            case "equals" -> Arrays.equals(method.getParameterTypes(), new Class<?>[] {Object.class});
+            default -> false;
+        };
     }
 
     /** As a caller writes it: {@code Greeter.greet(String)}. */
@@ -48,111 +144,5 @@ record ActorMethods(List<Method> messages, List<Method> refused) {
                 + Arrays.stream(method.getParameterTypes())
                         .map(Class::getSimpleName)
                         .collect(Collectors.joining(", ", "(", ")"));
-    }
-
-    private static void checkShape(Class<?> type) {
-        String problem = null;
-        if (type.isInterface()) {
-            if (type.isAnnotation()) {
-                problem = "it is an annotation";
-            } else if (type.isSealed()) {
-                problem = "it is sealed, so that no proxy can implement it";
-            }
-        } else if (!Actor.class.isAssignableFrom(type)) {
-            problem = "it is a class that does not extend " + Actor.class.getName()
-                    + "; use an interface, or extend Actor";
-        } else if (Modifier.isFinal(type.getModifiers()) || type.isSealed()) {
-            problem = "it is final or sealed, so that its proxy cannot be a subclass";
-        } else if (type.isAnonymousClass()) {
-            problem = "it is anonymous";
-        }
-        if (problem != null) {
-            throw new ActorTypeException(type.getName() + " cannot be an actor type: " + problem);
-        }
-    }
-
-    private static void checkMessage(Class<?> type, Method method) {
-        Class<?> result = method.getReturnType();
-        if (result != void.class && result != Promise.class) {
-            String boxed = result.isPrimitive()
-                    ? java.lang.invoke.MethodType.methodType(result)
-                            .wrap()
-                            .returnType()
-                            .getSimpleName()
-                    : result.getSimpleName();
-            throw new ActorTypeException(
-                    show(method) + " of actor type " + type.getName() + " returns " + result.getSimpleName()
-                            + ", expected void (a one-way message) or Promise (a request): make it Promise<" + boxed
-                            + "> and answer Promise.of(..)"
-                            + (type.isInterface()
-                                    ? ", or make it a default or static method"
-                                    : ", or make it less visible than public"));
-        }
-        if (Modifier.isFinal(method.getModifiers())) {
-            throw new ActorTypeException(
-                    show(method) + " of actor type " + type.getName()
-                            + " is final, so that a proxy cannot send it as a message: remove final, or make it less visible than public");
-        }
-    }
-
-    private static List<Method> abstractMethods(Class<?> type) {
-        return Arrays.stream(type.getMethods())
-                .filter(method -> Modifier.isAbstract(method.getModifiers()) && !isObjectMethod(method))
-                .toList();
-    }
-
-    /** Public (or all other overridable) instance methods of the class and its superclasses below {@link Actor}. */
-    private static List<Method> declaredUpToActor(Class<?> type, boolean isPublic) {
-        var methods = new ArrayList<Method>();
-        for (Class<?> each = type; each != Actor.class; each = java.util.Objects.requireNonNull(each.getSuperclass())) {
-            for (Method method : each.getDeclaredMethods()) {
-                int modifiers = method.getModifiers();
-                if (Modifier.isStatic(modifiers)
-                        || Modifier.isPrivate(modifiers)
-                        || method.isSynthetic()
-                        || isObjectMethod(method)
-                        || isLifecycle(method)
-                        || Modifier.isPublic(modifiers) != isPublic) {
-                    continue;
-                }
-                boolean packagePrivate = !Modifier.isPublic(modifiers) && !Modifier.isProtected(modifiers);
-                if (!isPublic
-                        && (Modifier.isFinal(modifiers) || packagePrivate && each.getPackage() != type.getPackage())) {
-                    continue; // cannot be overridden
-                }
-                methods.add(method);
-            }
-        }
-        return methods;
-    }
-
-    private static boolean isLifecycle(Method method) {
-        return method.getParameterCount() == 0
-                && (method.getName().equals("started") || method.getName().equals("stopped"));
-    }
-
-    private static boolean isObjectMethod(Method method) {
-        return Arrays.stream(Object.class.getDeclaredMethods())
-                .anyMatch(each -> each.getName().equals(method.getName())
-                        && Arrays.equals(each.getParameterTypes(), method.getParameterTypes()));
-    }
-
-    /** The first of each name and parameter types (the most derived one), in an order that does not depend on reflection's. */
-    private static List<Method> distinct(List<Method> methods) {
-        Map<String, @Nullable Method> bySignature = new LinkedHashMap<>();
-        for (Method method : methods) {
-            String key = method.getName() + Arrays.toString(method.getParameterTypes());
-            bySignature.merge(
-                    key,
-                    method,
-                    (first, second) -> first.getReturnType() != second.getReturnType()
-                                    && first.getReturnType().isAssignableFrom(second.getReturnType())
-                            ? second
-                            : first);
-        }
-        return bySignature.values().stream()
-                .sorted(Comparator.<Method, String>comparing(Method::getName)
-                        .thenComparing(method -> Arrays.toString(method.getParameterTypes())))
-                .toList();
     }
 }

@@ -46,28 +46,12 @@ abstract class ActorType {
     abstract <A> A newProxy(ActorCell cell);
 
     private static ActorType generate(Class<?> type) {
-        var methods = ActorMethods.of(type);
-        MethodHandles.Lookup lookup = lookupIn(type);
-        Class<?> proxyClass = new ProxyGenerator(type, methods.messages(), methods.refused(), lookup).generate();
+        MethodHandles.Lookup lookup = TypeRules.check(type);
         try {
+            Class<?> proxyClass = new ProxyGenerator(type, ActorMethods.of(type), lookup).generate();
             return type.isInterface() ? new OfInterface(lookup, proxyClass) : new OfClass(lookup, proxyClass);
-        } catch (ReflectiveOperationException e) {
-            throw new ActorTypeException("the proxy of " + type.getName() + " cannot be made", e);
-        }
-    }
-
-    private static MethodHandles.Lookup lookupIn(Class<?> type) {
-        try {
-            return MethodHandles.privateLookupIn(type, MethodHandles.lookup());
-        } catch (IllegalAccessException e) {
-            String module = type.getModule().getName();
-            throw new ActorTypeException(
-                    type.getName() + " cannot be an actor type: its proxy belongs into its package, and module "
-                            + module
-                            + " does not let it in; write \"opens " + type.getPackageName()
-                            + ";\" in the module-info of " + module
-                            + ", or use an interface of your own",
-                    e);
+        } catch (ReflectiveOperationException | LinkageError | TypeNotPresentException e) {
+            throw new ActorTypeException("the proxy of " + type.getName() + " cannot be made: " + e, e);
         }
     }
 

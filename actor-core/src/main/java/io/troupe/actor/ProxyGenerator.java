@@ -39,14 +39,14 @@ final class ProxyGenerator {
     private final Class<?> type;
     private final String typeName;
     private final List<Method> messages;
-    private final List<Method> refused;
+    private final LocalMethods locals;
     private final MethodHandles.Lookup lookup;
 
-    ProxyGenerator(Class<?> type, List<Method> messages, List<Method> refused, MethodHandles.Lookup lookup) {
+    ProxyGenerator(Class<?> type, ActorMethods methods, MethodHandles.Lookup lookup) {
         this.type = type;
         this.typeName = Type.getInternalName(type);
-        this.messages = messages;
-        this.refused = refused;
+        this.messages = methods.messages();
+        this.locals = new LocalMethods(type, typeName + "$$Proxy", methods);
         this.lookup = lookup;
     }
 
@@ -91,10 +91,7 @@ final class ProxyGenerator {
         for (int index = 0; index < messages.size(); index++) {
             send(writer, messages.get(index), messageName(index));
         }
-        for (Method method : refused) {
-            refuse(writer, method);
-        }
-        nameAsText(writer);
+        locals.write(writer);
         writer.visitEnd();
         return writer.toByteArray();
     }
@@ -156,55 +153,6 @@ final class ProxyGenerator {
         code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "send", "(" + Type.getDescriptor(parent) + ")V", false);
         code.visitInsn(oneWay ? RETURN : ARETURN);
         finish(code);
-    }
-
-    private void refuse(ClassWriter writer, Method method) {
-        int access = method.getModifiers() & (ACC_PUBLIC | ACC_PROTECTED);
-        MethodVisitor code = writer.visitMethod(access, method.getName(), Type.getMethodDescriptor(method), null, null);
-        code.visitCode();
-        code.visitTypeInsn(NEW, "java/lang/IllegalStateException");
-        code.visitInsn(DUP);
-        code.visitLdcInsn(
-                ActorMethods.show(method)
-                        + " was called on a proxy, and is no message because it is not public: make it public, or call it inside the actor");
-        code.visitMethodInsn(
-                INVOKESPECIAL, "java/lang/IllegalStateException", "<init>", "(Ljava/lang/String;)V", false);
-        code.visitInsn(ATHROW);
-        finish(code);
-    }
-
-    private void nameAsText(ClassWriter writer) {
-        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "toString", "()Ljava/lang/String;", null, null);
-        code.visitCode();
-        loadCell(code);
-        code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "toString", "()Ljava/lang/String;", false);
-        code.visitInsn(ARETURN);
-        finish(code);
-        if (!type.isInterface()) {
-            identity(writer);
-        }
-    }
-
-    /** A class actor's own equals and hashCode would look at fields that a proxy does not have. */
-    private static void identity(ClassWriter writer) {
-        MethodVisitor hash = writer.visitMethod(ACC_PUBLIC, "hashCode", "()I", null, null);
-        hash.visitCode();
-        hash.visitVarInsn(ALOAD, 0);
-        hash.visitMethodInsn(INVOKESTATIC, "java/lang/System", "identityHashCode", "(Ljava/lang/Object;)I", false);
-        hash.visitInsn(IRETURN);
-        finish(hash);
-        MethodVisitor equals = writer.visitMethod(ACC_PUBLIC, "equals", "(Ljava/lang/Object;)Z", null, null);
-        equals.visitCode();
-        equals.visitVarInsn(ALOAD, 0);
-        equals.visitVarInsn(ALOAD, 1);
-        equals.visitMethodInsn(
-                INVOKESTATIC,
-                Type.getInternalName(ActorCell.class),
-                "same",
-                "(Ljava/lang/Object;Ljava/lang/Object;)Z",
-                false);
-        equals.visitInsn(IRETURN);
-        finish(equals);
     }
 
     private void loadCell(MethodVisitor code) {

@@ -1,0 +1,78 @@
+package io.troupe.actor;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.reflect.Modifier;
+
+/** What a type must be like to be an actor type, apart from its methods; whoever breaks a rule is told what to do instead. */
+final class TypeRules {
+    private TypeRules() {}
+
+    /** Access to the type's package, if it can be an actor type. */
+    static MethodHandles.Lookup check(Class<?> type) {
+        checkShape(type);
+        MethodHandles.Lookup lookup = lookupIn(type);
+        checkSeesActors(type);
+        return lookup;
+    }
+
+    private static void checkShape(Class<?> type) {
+        String problem = null;
+        if (type.isHidden()) {
+            problem = "it is hidden, so that its proxy cannot name it";
+        } else if (type.isInterface()) {
+            if (type.isAnnotation()) {
+                problem = "it is an annotation";
+            } else if (type.isSealed()) {
+                problem = "it is sealed, so that no proxy can implement it";
+            }
+        } else if (!Actor.class.isAssignableFrom(type)) {
+            problem = "it is a class that does not extend " + Actor.class.getName()
+                    + "; use an interface, or extend Actor";
+        } else if (Modifier.isFinal(type.getModifiers()) || type.isSealed()) {
+            problem = "it is final or sealed, so that its proxy cannot be a subclass (in Kotlin, make it open)";
+        } else if (type.isAnonymousClass()) {
+            problem = "it is anonymous";
+        }
+        if (problem != null) {
+            throw new ActorTypeException(type.getName() + " cannot be an actor type: " + problem);
+        }
+    }
+
+    /** The proxy is linked by the type's loader and module, which might not know this library, or know another copy of it. */
+    private static void checkSeesActors(Class<?> type) {
+        Module home = Message.class.getModule();
+        String problem = null;
+        try {
+            if (Class.forName(Message.class.getName(), false, type.getClassLoader()) != Message.class) {
+                problem = "sees another copy of it: load it once, in a parent of all loaders that use it";
+            }
+        } catch (ClassNotFoundException e) {
+            problem = "does not see it: use an interface of your own";
+        }
+        if (problem != null) {
+            throw new ActorTypeException(type.getName()
+                    + " cannot be an actor type: its proxy needs package " + Message.class.getPackageName()
+                    + ", and its class loader " + type.getClassLoader() + " " + problem);
+        }
+        if (!type.getModule().canRead(home)) {
+            throw new ActorTypeException(type.getName() + " cannot be an actor type: module "
+                    + type.getModule().getName() + " does not read " + home
+                    + "; write \"requires io.troupe.actor;\" in its module-info");
+        }
+    }
+
+    private static MethodHandles.Lookup lookupIn(Class<?> type) {
+        try {
+            return MethodHandles.privateLookupIn(type, MethodHandles.lookup());
+        } catch (IllegalAccessException e) {
+            String module = type.getModule().getName();
+            throw new ActorTypeException(
+                    type.getName() + " cannot be an actor type: its proxy belongs into its package, and module "
+                            + module
+                            + " does not let it in; write \"opens " + type.getPackageName()
+                            + ";\" in the module-info of " + module
+                            + ", or use an interface of your own",
+                    e);
+        }
+    }
+}
