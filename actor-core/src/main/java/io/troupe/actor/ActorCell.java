@@ -177,56 +177,54 @@ public final class ActorCell {
         space.reports().turnAway(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
-    /** Serves a one-way call. */
-    void deliver(Message message) throws Throwable {
+    /** Begins the turn of a one-way call: the implementation that is to handle it, or null if nobody is, or has done so. */
+    @Nullable
+    Object target(Message message) {
         Object target = implementation;
         if (target == null || mailbox != null) {
             deliverNext(message);
-        } else {
-            handle(message, target);
+            return null;
         }
+        space.beginTurnOf(life);
+        return target;
     }
 
-    /** Serves a request. */
-    void deliver(Request<?> request) throws Throwable {
+    /** Begins the turn of a request: the implementation that is to handle it, or null if nobody is, or has done so. */
+    @Nullable
+    Object target(Request<?> request) {
         Object target = implementation;
-        if (target == null || mailbox != null) {
+        if (target == null || mailbox != null || request.isDone()) {
             deliverNext(request);
-        } else {
-            handle(request, target);
+            return null;
         }
+        space.beginTurnOf(life);
+        return target;
     }
 
+    /** The slower way: of a call that may be another's ticket, may have been cancelled, or may find nobody. */
     private void deliverNext(Node ticket) {
         Node call = mailbox == null ? ticket : mailbox.next(ticket);
         Object target = implementation;
-        if (target == null) {
-            refuse(call);
-            return;
-        }
-        try {
-            if (call instanceof Message message) {
-                handle(message, target);
-            } else {
-                handle((Request<?>) call, target);
-            }
-        } catch (Throwable thrown) {
-            space.fail(call, thrown); // the call's own failure, though another was its ticket
-        }
-    }
-
-    private void handle(Message message, Object target) throws Throwable {
-        space.beginTurnOf(life);
-        message.invoke(target);
-    }
-
-    private void handle(Request<?> request, Object target) throws Throwable {
-        if (request.isDone()) {
+        if (call instanceof Request<?> request && request.isDone()) {
             space.reports().skip(request); // cancelled while it waited
-            return;
+        } else if (target == null) {
+            refuse(call);
+        } else {
+            space.beginTurnOf(life);
+            try {
+                if (call instanceof Message message) {
+                    message.invoke(target);
+                } else {
+                    ask((Request<?>) call, target);
+                }
+            } catch (Throwable thrown) {
+                space.fail(call, thrown); // the call's own failure, though another was its ticket
+            }
         }
-        space.beginTurnOf(life);
-        request.answer(target);
+    }
+
+    private static <T extends @Nullable Object> void ask(Request<T> request, Object target) throws Throwable {
+        request.answer(request.invoke(target));
     }
 
     private void refuse(Node call) {

@@ -3,6 +3,7 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Node;
 import java.util.Arrays;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A one-way call on its way. For generated code: each {@code void} method of an actor type has its subclass, whose fields are the
@@ -28,9 +29,18 @@ public abstract class Message extends Node {
         return cell;
     }
 
+    /** Generated classes have the same again, so that each has a call of its own that the compiler can bind. */
     @Override
-    protected final void run() throws Throwable {
-        cell.deliver(this);
+    protected void run() throws Throwable {
+        Object target = target();
+        if (target != null) {
+            invoke(target);
+        }
+    }
+
+    /** Who is to handle it now; null if that has been done another way. */
+    protected final @Nullable Object target() {
+        return cell.target(this);
     }
 
     @Override

@@ -5,6 +5,7 @@ import static org.objectweb.asm.Opcodes.*;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Type;
 
@@ -17,6 +18,7 @@ final class MessageGenerator {
     private final String name;
     private final Type[] arguments;
     private final boolean oneWay;
+    private final String result;
 
     MessageGenerator(Class<?> type, Method method, String name) {
         this.type = type;
@@ -24,6 +26,7 @@ final class MessageGenerator {
         this.name = name;
         this.arguments = Type.getArgumentTypes(method);
         this.oneWay = method.getReturnType() == void.class;
+        this.result = oneWay ? "V" : Type.getDescriptor(Promise.class);
     }
 
     byte[] generate() {
@@ -35,6 +38,7 @@ final class MessageGenerator {
                     .visitEnd();
         }
         constructor(writer, parent);
+        run(writer, parent);
         invoke(writer);
         methodName(writer);
         argumentArray(writer);
@@ -64,8 +68,33 @@ final class MessageGenerator {
         finish(code);
     }
 
+    /** What the parent does, with an {@code invoke} that can only be this class's. */
+    private void run(ClassWriter writer, String parent) {
+        MethodVisitor code =
+                writer.visitMethod(ACC_PROTECTED, "run", "()V", null, new String[] {"java/lang/Throwable"});
+        var nobody = new Label();
+        code.visitCode();
+        code.visitVarInsn(ALOAD, 0);
+        code.visitMethodInsn(INVOKEVIRTUAL, parent, "target", "()Ljava/lang/Object;", false);
+        code.visitVarInsn(ASTORE, 1);
+        code.visitVarInsn(ALOAD, 1);
+        code.visitJumpInsn(IFNULL, nobody);
+        code.visitVarInsn(ALOAD, 0);
+        if (!oneWay) {
+            code.visitInsn(DUP);
+        }
+        code.visitVarInsn(ALOAD, 1);
+        code.visitMethodInsn(INVOKEVIRTUAL, name, "invoke", "(Ljava/lang/Object;)" + result, false);
+        if (!oneWay) {
+            code.visitMethodInsn(INVOKEVIRTUAL, parent, "answer", "(" + result + ")V", false);
+        }
+        code.visitLabel(nobody);
+        code.visitFrame(F_APPEND, 1, new Object[] {"java/lang/Object"}, 0, null);
+        code.visitInsn(RETURN);
+        finish(code);
+    }
+
     private void invoke(ClassWriter writer) {
-        String result = oneWay ? "V" : Type.getDescriptor(Promise.class);
         MethodVisitor code = writer.visitMethod(
                 ACC_PROTECTED, "invoke", "(Ljava/lang/Object;)" + result, null, new String[] {"java/lang/Throwable"});
         code.visitCode();

@@ -25,9 +25,18 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     /** The arguments, for messages about this request. */
     protected abstract Object[] arguments();
 
+    /** Generated classes have the same again, so that each has a call of its own that the compiler can bind. */
     @Override
-    protected final void run() throws Throwable {
-        cell.deliver(this);
+    protected void run() throws Throwable {
+        Object target = target();
+        if (target != null) {
+            answer(invoke(target));
+        }
+    }
+
+    /** Who is to handle it now; null if that has been done another way. */
+    protected final @Nullable Object target() {
+        return cell.target(this);
     }
 
     /** What an actor throws is its answer. */
@@ -66,9 +75,8 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return isDone() ? "" : cell.space().progressOf(this);
     }
 
-    /** Calls the method and passes its outcome on. */
-    final void answer(Object implementation) throws Throwable {
-        Promise<? extends T> answer = invoke(implementation);
+    /** Passes the outcome of the method on. */
+    protected final void answer(@Nullable Promise<? extends T> answer) {
         if (answer == null) {
             reject(new ActorException(method() + " of " + cell + " answered null, expected a promise"));
         } else {
