@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 /**
  * Random programs on the library and on a simple model of it: what can be seen of them must be the same, in the same order.
  *
- * <p>{@code -Dmodel.seed=17} runs the program of that seed, {@code -Dmodel.programs=100000} so many, and {@code -Dmodel.expect=full} or
- * {@code today} compares more: see {@link Expectation}.
+ * <p>{@code -Dmodel.seed=17} runs the program of that seed, {@code -Dmodel.programs=100000} so many, and {@code -Dmodel.expect=full} compares
+ * more: see {@link Expectation}.
  */
 class ActorModelTest {
     private static final int PROGRAMS = 5_000;

@@ -7,7 +7,9 @@ import org.jspecify.annotations.Nullable;
 enum Expectation {
     /** As documented, to the end: actors that fail or stop themselves end with the turn in which they did. */
     FULL,
-    /** Actors end behind the callbacks that wait, and known errors are passed over. */
+    /** As {@link #FULL}, up to the first known error. */
+    CHANGED,
+    /** Actors end behind the callbacks that wait; up to the first known error. */
     TODAY,
     /** As far as both agree, and neither comes to a drop of the oldest, a listener of a stopped actor or a delay that a close cuts short. */
     AGREED;
@@ -42,6 +44,7 @@ enum Expectation {
         }
         return switch (this) {
             case FULL -> first(withTurn, withTurn.events().size());
+            case CHANGED -> first(withTurn, withTurn.right());
             case TODAY -> first(behind, behind.right());
             case AGREED -> {
                 int agreed = firstDifference(withTurn.events(), behind.events());
