@@ -5,22 +5,18 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.actor.time.Timer;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
 /** Runs a program on the library. */
 final class LibraryRun {
     final History history = new History();
-    final Map<Integer, Promise<@Nullable Object>> promises = new TreeMap<>();
-    final Map<Integer, Callback<Integer>> handles = new HashMap<>();
-    private final Map<Integer, Callback.Stream<Integer>> readers = new HashMap<>();
+    final LibraryPromises promises = new LibraryPromises(this);
+    final LibraryStreams streams = new LibraryStreams(this);
     private final Map<Integer, Timer> timers = new HashMap<>();
     private final Map<Integer, Peer> actors = new HashMap<>();
     private final Map<Integer, Integer> instances = new HashMap<>();
@@ -35,7 +31,7 @@ final class LibraryRun {
         var run = new LibraryRun();
         run.play(program, null);
         run.space.crank();
-        run.promises.forEach((id, promise) -> run.history.add("promise " + id + " " + History.outcome(promise)));
+        run.promises.tell();
         run.history.add("close");
         run.space.close();
         return run.history;
@@ -70,23 +66,18 @@ final class LibraryRun {
             case THROW -> throw new History.Boom(act.id());
             case EXECUTE -> space.execute(() -> task("executes " + act.id(), act));
             case ON_IDLE -> space.onIdle(() -> task("is idle for " + act.id(), act));
-            case DELAY -> promises.put(act.id(), open(space.delay(Cast.ticks(act.number()))));
+            case DELAY -> promises.put(act.id(), LibraryPromises.open(space.delay(Cast.ticks(act.number()))));
             case SPAWN -> spawn(act);
             case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> send(act, self);
             case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> playAsActor(act, self);
-            case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> stream(act);
-            default -> promise(act, self);
+            case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> streams.play(act);
+            default -> promises.play(act, self);
         }
     }
 
     private void task(String what, Act act) {
         history.add("space " + what);
         play(act.script(), null);
-    }
-
-    @SuppressWarnings({"unchecked", "rawtypes"}) // a promise of nothing, looked at as one of anything
-    private static Promise<@Nullable Object> open(Promise<?> promise) {
-        return (Promise) promise;
     }
 
     private void spawn(Act act) {
@@ -117,65 +108,16 @@ final class LibraryRun {
         var letter = new Peer.Letter(act.id(), act);
         switch (act.kind()) {
             case STOP -> space.stop(actor);
-            case WATCH -> promises.put(act.id(), open(space.whenStopped(actor)));
+            case WATCH -> promises.put(act.id(), LibraryPromises.open(space.whenStopped(actor)));
             case TELL -> actor.tell(letter);
             case ASK -> promises.put(act.id(), actor.ask(letter));
-            case OPEN -> actor.stream(letter, reader(act, self));
+            case OPEN -> actor.stream(letter, streams.reader(act, self));
             default -> {
-                Callback<Integer> handle = handles.get(act.id());
+                Callback<Integer> handle = streams.handle(act.id());
                 if (handle != null) {
                     actor.stream(letter, handle);
                 }
             }
-        }
-    }
-
-    private Callback<Integer> reader(Act act, @Nullable Peer self) {
-        String who = "stream " + act.id() + " of " + name(self);
-        var script = act.reader().script();
-        if (act.number() == 0) {
-            return (value, error) -> {
-                history.add(who + " hears " + History.outcome(value, error));
-                if (error == null) {
-                    play(script, self);
-                }
-            };
-        }
-        var stream = new Callback.Stream<Integer>(
-                value -> {
-                    history.add(who + " hears =" + value);
-                    play(script, self);
-                },
-                end -> history.add(who + " ends " + (end == null ? "well" : History.name(end))));
-        readers.put(act.id(), stream);
-        return stream;
-    }
-
-    private void stream(Act act) {
-        Callback<Integer> handle = handles.get(act.target());
-        Callback.Stream<Integer> reader = readers.get(act.target());
-        if (act.kind() == Act.Kind.CANCEL_STREAM) {
-            if (reader != null) {
-                reader.cancel();
-            }
-            return;
-        }
-        if (handle == null) {
-            return;
-        }
-        try {
-            switch (act.kind()) {
-                case NEXT -> {
-                    for (int i = 0; i < act.number(); i++) {
-                        handle.next(i);
-                    }
-                }
-                case FINISH -> handle.finish();
-                case FAIL -> handle.fail(new History.Boom(act.id()));
-                default -> history.add("stream " + act.target() + " cancelled: " + handle.isCancelled());
-            }
-        } catch (IllegalStateException afterTheEnd) {
-            history.add("stream " + act.target() + " refuses " + act.id());
         }
     }
 
@@ -201,54 +143,7 @@ final class LibraryRun {
         play(act.script(), self);
     }
 
-    private void promise(Act act, @Nullable Peer self) {
-        if (act.kind() == Act.Kind.DEFER) {
-            promises.put(act.id(), new Deferred<>());
-            return;
-        }
-        Promise<@Nullable Object> promise = promises.get(act.target());
-        if (promise == null) {
-            return;
-        }
-        String told = act.kind() + " " + act.id() + ": ";
-        switch (act.kind()) {
-            case RESOLVE -> {
-                if (promise instanceof Deferred<@Nullable Object> deferred) {
-                    history.add(told + deferred.resolve(act.id()));
-                }
-            }
-            case REJECT -> {
-                if (promise instanceof Deferred<@Nullable Object> deferred) {
-                    history.add(told + deferred.reject(new History.Boom(act.id())));
-                }
-            }
-            case CANCEL -> history.add(told + promise.cancel());
-            default -> promises.put(act.id(), listen(promise, act, self));
-        }
-    }
-
-    private Promise<@Nullable Object> listen(Promise<@Nullable Object> promise, Act act, @Nullable Peer self) {
-        return switch (act.kind()) {
-            case THEN -> promise.thenApply(value -> heard(act, self, value, null));
-            case HANDLE -> promise.handle((value, error) -> heard(act, self, value, error));
-            case WHEN -> promise.whenComplete((value, error) -> heard(act, self, value, error));
-            case RESCUE -> promise.exceptionally(error -> heard(act, self, null, error));
-            case COMPOSE ->
-                promise.thenCompose(value -> {
-                    heard(act, self, value, null);
-                    return promises.getOrDefault(act.number(), Promise.of(act.id()));
-                });
-            default -> throw new IllegalArgumentException("no listener: " + act);
-        };
-    }
-
-    private @Nullable Object heard(Act act, @Nullable Peer self, @Nullable Object value, @Nullable Throwable error) {
-        history.add("listener " + act.id() + " of " + name(self) + " hears " + History.outcome(value, error));
-        play(act.script(), self);
-        return act.id();
-    }
-
-    private static String name(@Nullable Peer self) {
+    static String name(@Nullable Peer self) {
         return self == null ? "nobody" : self.name();
     }
 }

@@ -64,10 +64,7 @@ final class ModelListener {
         }
         switch (act.kind()) {
             case WHEN -> result.settle(outcome);
-            case COMPOSE -> {
-                ModelPromise other = run.promise(act.number());
-                result.follow(other != null ? other : ModelPromise.settled(space, "=" + act.id()));
-            }
+            case COMPOSE -> result.follow(run.promises.getOrDefault(act.number(), act.id()));
             default -> result.settle("=" + act.id());
         }
     }

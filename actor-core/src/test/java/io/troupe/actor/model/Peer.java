@@ -67,7 +67,7 @@ public class Peer extends Actor {
     /** A one-way message with a callback. */
     public void stream(Letter letter, Callback<Integer> results) {
         run.history.add(name + " streams " + letter);
-        run.handles.put(letter.id, results);
+        run.streams.arrive(letter.id, results);
         run.play(letter.act.script(), this);
     }
 

@@ -104,7 +104,7 @@ final class Programs {
                 yield new Act(kind, made(promises, false), target, other, script(depth + 1, below));
             }
             case OPEN -> open(depth, below);
-            case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(150) == 0 ? 300 : 1 + random.nextInt(3));
+            case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(30) == 0 ? 300 : 1 + random.nextInt(3));
             case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
             case AFTER, EVERY -> {
                 int delay = kind == Kind.AFTER ? oneOf(DELAYS) : oneOf(List.of(20, 100, 1_000));

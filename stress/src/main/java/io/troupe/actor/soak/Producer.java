@@ -28,13 +28,7 @@ final class Producer implements Runnable {
     private final ArrayDeque<Question> open = new ArrayDeque<>();
 
     /** @param paced those sinks that have no other means of slowing it down */
-    Producer(
-            int number,
-            long messagesPerSink,
-            int window,
-            List<Sink> sinks,
-            List<Sink> paced,
-            Consumer<String> fault) {
+    Producer(int number, long messagesPerSink, int window, List<Sink> sinks, List<Sink> paced, Consumer<String> fault) {
         this.number = number;
         this.messagesPerSink = messagesPerSink;
         this.window = window;

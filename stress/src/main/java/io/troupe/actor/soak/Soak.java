@@ -22,7 +22,7 @@ import java.util.stream.IntStream;
  */
 final class Soak {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
-    private static final long SAMPLE_MILLIS = 1_000;
+    private static final long SAMPLE_MILLIS = 250;
 
     private final SoakOptions options;
     private final Consumer<String> out;
@@ -55,7 +55,8 @@ final class Soak {
             var sinks = List.of(receiver, forwarder);
             var paced = bounded ? List.of(forwarder) : sinks;
             long perSink = options.messages() / 2 / options.producers() / sinks.size();
-            watch(mailbox, start(perSink, sinks, paced), sinks, perSink * options.producers() * sinks.size());
+            var heap = new HeapWatch(options.heapBoundMib());
+            watch(mailbox, start(perSink, sinks, paced), sinks, perSink * options.producers() * sinks.size(), heap);
         }
     }
 
@@ -66,9 +67,8 @@ final class Soak {
                 .toList();
     }
 
-    private void watch(String mailbox, List<Thread> producers, List<Sink> sinks, long expected)
+    private void watch(String mailbox, List<Thread> producers, List<Sink> sinks, long expected, HeapWatch heap)
             throws InterruptedException {
-        var heap = new HeapWatch(options.heapBoundMib());
         long begin = System.nanoTime();
         try {
             for (Thread producer : producers) {

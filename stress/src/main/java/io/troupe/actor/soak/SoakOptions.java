@@ -50,17 +50,13 @@ record SoakOptions(long messages, int producers, int window, int capacity, int h
         }
         return switch (name) {
             case "--messages" -> new SoakOptions(number, producers, window, capacity, heapBoundMib);
-            case "--producers" ->
-                new SoakOptions(messages, Math.toIntExact(number), window, capacity, heapBoundMib);
+            case "--producers" -> new SoakOptions(messages, Math.toIntExact(number), window, capacity, heapBoundMib);
             case "--window" -> new SoakOptions(messages, producers, Math.toIntExact(number), capacity, heapBoundMib);
-            case "--capacity" ->
-                new SoakOptions(messages, producers, window, Math.toIntExact(number), heapBoundMib);
-            case "--heap-bound-mib" ->
-                new SoakOptions(messages, producers, window, capacity, Math.toIntExact(number));
+            case "--capacity" -> new SoakOptions(messages, producers, window, Math.toIntExact(number), heapBoundMib);
+            case "--heap-bound-mib" -> new SoakOptions(messages, producers, window, capacity, Math.toIntExact(number));
             default ->
-                throw new IllegalArgumentException(
-                        "unknown option " + name
-                                + ", expected --messages, --producers, --window, --capacity or --heap-bound-mib");
+                throw new IllegalArgumentException("unknown option " + name
+                        + ", expected --messages, --producers, --window, --capacity or --heap-bound-mib");
         };
     }
 }

@@ -16,7 +16,9 @@ class SoakTest {
         var lines = new ArrayList<String>();
         var options = SoakOptions.parse(List.of("--messages", "200_000", "--window", "1_000", "--capacity", "100"));
         assertThat(new Soak(options, lines::add).run()).isEmpty();
-        assertThat(lines).filteredOn(line -> line.contains("100,000 of 100,000")).hasSize(2);
+        assertThat(lines)
+                .filteredOn(line -> line.contains("100,000 of 100,000"))
+                .hasSize(2);
     }
 
     @Test
@@ -40,7 +42,9 @@ class SoakTest {
         var heap = new HeapWatch(4);
         var kept = new byte[16 << 20];
         assertThat(heap.sampleMib()).isPositive();
-        assertThat(heap.isExceeded()).as(heap + " with " + kept.length + " bytes kept").isTrue();
+        assertThat(heap.isExceeded())
+                .as(heap + " with " + kept.length + " bytes kept")
+                .isTrue();
     }
 
     @Test
