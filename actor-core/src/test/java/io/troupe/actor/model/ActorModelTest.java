@@ -1,8 +1,10 @@
 package io.troupe.actor.model;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import io.troupe.actor.model.Act.Kind;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Random;
@@ -20,23 +22,31 @@ class ActorModelTest {
     private final Expectation expectation =
             Expectation.valueOf(System.getProperty("model.expect", "agreed").toUpperCase(Locale.ROOT));
 
+    private volatile long seed;
+
     @Test
     void randomPrograms_showWhatTheModelSays() {
         Long given = Long.getLong("model.seed");
         long first = given != null ? given : new Random().nextInt(Integer.MAX_VALUE);
         int programs = given != null ? 1 : Integer.getInteger("model.programs", PROGRAMS);
-        for (long seed = first; seed < first + programs; seed++) {
-            check(seed);
-        }
+        var patience = Duration.ofSeconds(120 + programs / 100);
+        assertTimeoutPreemptively(
+                patience,
+                () -> {
+                    for (seed = first; seed < first + programs; seed++) {
+                        check(seed);
+                    }
+                },
+                () -> "the program of seed " + seed + " does not end");
     }
 
-    private void check(long seed) {
-        var program = Programs.random(seed);
+    private void check(long number) {
+        var program = Programs.random(number);
         if (expectation.difference(program) != null) {
             var smallest = Shrinker.shrink(program, candidate -> expectation.difference(candidate) != null);
             throw new AssertionError("seed %d, %d acts, shrunken to %d:%n%s%s"
                     .formatted(
-                            seed,
+                            number,
                             Act.count(program),
                             Act.count(smallest),
                             Act.print(smallest, "  "),

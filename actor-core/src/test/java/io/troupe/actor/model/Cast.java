@@ -35,7 +35,7 @@ record Cast(
                     default -> Directive.RESUME;
                 },
                 supervision < 2 ? -1 : supervision - 2,
-                40,
+                10,
                 mailbox < 3 ? 0 : 2,
                 Overflow.values()[mailbox % 3],
                 variant / 30 % 2 == 1,

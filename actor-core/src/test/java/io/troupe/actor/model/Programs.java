@@ -88,7 +88,7 @@ final class Programs {
         int id = ++lastId;
         return switch (kind) {
             case CRANK, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
-            case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 40, 200, 2_100)));
+            case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 40, 200, 2_100)));
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);
             case WATCH, DEFER -> Act.of(kind, made(promises, kind == Kind.DEFER), actor(), 0);
@@ -104,7 +104,7 @@ final class Programs {
                 yield new Act(kind, made(promises, false), target, other, script(depth + 1, below));
             }
             case OPEN -> open(depth, below);
-            case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(30) == 0 ? 300 : 1 + random.nextInt(3));
+            case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(60) == 0 ? 300 : 1 + random.nextInt(3));
             case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
             case AFTER, EVERY -> {
                 int delay = kind == Kind.AFTER ? oneOf(DELAYS) : oneOf(List.of(20, 100, 1_000));
