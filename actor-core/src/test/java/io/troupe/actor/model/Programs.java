@@ -55,7 +55,12 @@ final class Programs {
     private void shuffleDeck() {
         for (Kind kind : Kind.values()) {
             if (kind != Kind.READER) {
-                int often = kind == Kind.TELL || kind == Kind.ASK ? 6 : Math.max(0, random.nextInt(7) - 2);
+                int often = Math.max(0, random.nextInt(7) - 2);
+                if (kind == Kind.TELL || kind == Kind.ASK) {
+                    often = 6;
+                } else if (kind == Kind.STOP || kind == Kind.STOP_SELF) {
+                    often /= 3; // what happens to the dead is soon told
+                }
                 for (int i = 0; i < often; i++) {
                     deck.add(kind);
                 }
