@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
  * more: see {@link Expectation}.
  */
 class ActorModelTest {
-    private static final int PROGRAMS = 5_000;
+    private static final int PROGRAMS = 10_000;
 
     private final Expectation expectation =
             Expectation.valueOf(System.getProperty("model.expect", "agreed").toUpperCase(Locale.ROOT));

@@ -34,7 +34,7 @@ record Cast(
                     case 2, 3 -> Directive.RESTART;
                     default -> Directive.RESUME;
                 },
-                supervision < 2 ? -1 : supervision - 2,
+                supervision < 2 ? -1 : Math.min(1, supervision - 2),
                 10,
                 mailbox < 3 ? 0 : 2,
                 Overflow.values()[mailbox % 3],

@@ -56,7 +56,9 @@ final class Programs {
         for (Kind kind : Kind.values()) {
             if (kind != Kind.READER) {
                 int often = Math.max(0, random.nextInt(7) - 2);
-                if (kind == Kind.TELL || kind == Kind.ASK) {
+                if (kind == Kind.ADVANCE || kind == Kind.THROW) {
+                    often = 2 + random.nextInt(3);
+                } else if (kind == Kind.TELL || kind == Kind.ASK) {
                     often = 6;
                 } else if (kind == Kind.STOP || kind == Kind.STOP_SELF) {
                     often /= 3; // what happens to the dead is soon told
@@ -93,7 +95,7 @@ final class Programs {
         int id = ++lastId;
         return switch (kind) {
             case CRANK, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
-            case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 40, 200, 2_100)));
+            case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 10, 200, 2_100)));
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);
             case WATCH, DEFER -> Act.of(kind, made(promises, kind == Kind.DEFER), actor(), 0);
