@@ -1,0 +1,118 @@
+package io.troupe.actor.model;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * One step of a random program, made by the test thread or, as part of a script, inside a handler, a listener or a timer.
+ *
+ * @param id a number of its own: of the letter, promise, stream, timer or error it makes
+ * @param target the actor, promise, stream or timer it is about
+ * @param number a quantity or a variant, by kind
+ * @param script what is done where the step arrives
+ */
+record Act(Kind kind, int id, int target, int number, List<Act> script) {
+    enum Kind {
+        CRANK,
+        /** Moves the clock by {@code number} half milliseconds. */
+        ADVANCE,
+        /** Makes actor {@code target} with the {@link Cast} {@code number}; the script is what it does when it starts. */
+        SPAWN,
+        STOP,
+        STOP_SELF,
+        WATCH,
+        TELL,
+        /** {@code number}: see {@link Answer}. */
+        ASK,
+        /** Makes a promise that is settled by hand. */
+        DEFER,
+        RESOLVE,
+        REJECT,
+        CANCEL,
+        THEN,
+        HANDLE,
+        WHEN,
+        RESCUE,
+        /** Goes on with promise {@code number} if there is one. */
+        COMPOSE,
+        /** A call with a callback; {@code number} 1 = one that can be cancelled. The script is the actor's, but for its {@link #READER}. */
+        OPEN,
+        /** In the script of an {@link #OPEN}: what the reader does with each result. */
+        READER,
+        /** Passes the callback on to another actor. */
+        FORWARD,
+        /** Sends {@code number} results. */
+        NEXT,
+        FINISH,
+        FAIL,
+        CANCEL_STREAM,
+        LOOK_AT_STREAM,
+        AFTER,
+        EVERY,
+        CANCEL_TIMER,
+        DELAY,
+        EXECUTE,
+        ON_IDLE,
+        THROW
+    }
+
+    /** How a request is answered. */
+    enum Answer {
+        VALUE,
+        /** By a promise under the next id, settled by hand. */
+        LATER,
+        FAILED,
+        NULL,
+        /** By promise {@code number} less the number of answers, if there is one. */
+        OTHER;
+
+        static Answer of(int number) {
+            return values()[Math.min(number, OTHER.ordinal())];
+        }
+    }
+
+    static Act of(Kind kind, int id, int target, int number) {
+        return new Act(kind, id, target, number, List.of());
+    }
+
+    int promised() {
+        return number - Answer.values().length;
+    }
+
+    Act reader() {
+        return script.stream()
+                .filter(each -> each.kind == Kind.READER)
+                .findFirst()
+                .orElse(of(Kind.READER, 0, 0, 0));
+    }
+
+    /** How many acts these are, with their scripts. */
+    static int count(List<Act> acts) {
+        return acts.stream().mapToInt(each -> 1 + count(each.script)).sum();
+    }
+
+    /** The acts without some, counted in the order in which they are written. */
+    static List<Act> without(List<Act> acts, int from, int to) {
+        var kept = new ArrayList<Act>();
+        int at = 0;
+        for (Act act : acts) {
+            int size = 1 + count(act.script);
+            if (at < from || at >= to) {
+                var script = without(act.script, from - at - 1, to - at - 1);
+                kept.add(new Act(act.kind, act.id, act.target, act.number, script));
+            }
+            at += size;
+        }
+        return List.copyOf(kept);
+    }
+
+    static String print(List<Act> acts, String indent) {
+        return acts.stream().map(each -> each.print(indent)).collect(Collectors.joining());
+    }
+
+    private String print(String indent) {
+        String line = "%s%s id=%d target=%d number=%d%n".formatted(indent, kind, id, target, number);
+        return line + print(script, indent + "    ");
+    }
+}

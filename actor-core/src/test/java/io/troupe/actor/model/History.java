@@ -1,0 +1,73 @@
+package io.troupe.actor.model;
+
+import io.troupe.actor.promise.Promise;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What could be seen of one run, in order. */
+final class History {
+    /** What scripts throw. */
+    static final class Boom extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        Boom(int id) {
+            super("Boom" + id, null, false, false);
+        }
+    }
+
+    private static final int LIMIT = 4_000;
+
+    private final List<String> events = new ArrayList<>();
+    private int settled = Integer.MAX_VALUE;
+    private int right = Integer.MAX_VALUE;
+
+    void add(String event) {
+        if (!isFull()) {
+            events.add(event);
+        }
+    }
+
+    /** A program may grow beyond all bounds; such a one ends here, and is of no use. */
+    boolean isFull() {
+        return events.size() >= LIMIT;
+    }
+
+    /** From here on what happens is about to change. */
+    void unsettled() {
+        settled = Math.min(settled, events.size());
+    }
+
+    /** From here on the library is known not to do what it says. */
+    void knownError() {
+        right = Math.min(right, events.size());
+    }
+
+    /** How many events are the same before and after the changes that are under way. */
+    int settled() {
+        return Math.min(settled, right());
+    }
+
+    /** How many events come before a known error. */
+    int right() {
+        return Math.min(right, events.size());
+    }
+
+    List<String> events() {
+        return events;
+    }
+
+    static String outcome(Promise<?> promise) {
+        return !promise.isDone() ? "pending" : outcome(promise.getNow(), promise.error());
+    }
+
+    static String outcome(@Nullable Object value, @Nullable Throwable error) {
+        return error == null ? "=" + value : "!" + name(error);
+    }
+
+    static String name(Throwable error) {
+        return error instanceof Boom
+                ? String.valueOf(error.getMessage())
+                : error.getClass().getSimpleName();
+    }
+}

@@ -1,0 +1,71 @@
+package io.troupe.actor.model;
+
+import io.troupe.actor.model.Act.Kind;
+import io.troupe.actor.model.ModelActor.Instance;
+import org.jspecify.annotations.Nullable;
+
+/** A listener of the model and the promise of what it makes. */
+final class ModelListener {
+    private final ModelRun run;
+    private final ModelSpace space;
+    private final ModelPromise source;
+    private final Act act;
+    private final @Nullable Instance self;
+    private final @Nullable Instance owner;
+    final ModelPromise result;
+
+    ModelListener(ModelRun run, ModelPromise source, Act act, @Nullable Instance self) {
+        this.run = run;
+        this.space = run.space;
+        this.source = source;
+        this.act = act;
+        this.self = self;
+        this.owner = space.inside ? space.current : null;
+        this.result = new ModelPromise(space, space.inside || source.atHome, false);
+    }
+
+    /** The source is settled: from now on the listener waits in its callback queue, if it has a space. */
+    void arrive() {
+        if (!result.atHome) {
+            hear();
+        } else {
+            space.enqueue(ModelSpace.Task.callback(this::takeTurn));
+        }
+    }
+
+    private void takeTurn() {
+        if (owner == null) {
+            hear();
+        } else if (owner.over) {
+            space.history.unsettled();
+            result.settle("!CancellationException");
+        } else {
+            space.as(owner, this::hear);
+        }
+    }
+
+    private void hear() {
+        if (result.isDone()) {
+            return;
+        }
+        String outcome = String.valueOf(source.outcome());
+        boolean error = ModelPromise.isError(outcome);
+        boolean passesBy = error ? act.kind() == Kind.THEN || act.kind() == Kind.COMPOSE : act.kind() == Kind.RESCUE;
+        if (passesBy) {
+            result.settle(outcome);
+            return;
+        }
+        try {
+            space.history.add("listener " + act.id() + " of " + ModelRun.name(self) + " hears " + outcome);
+            run.play(act.script(), self);
+        } catch (History.Boom boom) {
+            result.settle("!" + boom.getMessage());
+            return;
+        }
+        switch (act.kind()) {
+            case WHEN -> result.settle(outcome);
+            case COMPOSE -> result.follow(run.promises.getOrDefault(act.number(), act.id()));
+            default -> result.settle("=" + act.id());
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package io.troupe.actor.model;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Rejections that nobody has heard yet. One whose asker is outside is given a second before it counts as unheard. */
+final class ModelRejections {
+    private static final int GRACE_TICKS = 2_000;
+
+    private final ModelSpace space;
+    private final List<ModelPromise> lost = new ArrayList<>();
+    private final List<ModelPromise> held = new ArrayList<>();
+
+    ModelRejections(ModelSpace space) {
+        this.space = space;
+    }
+
+    void rejected(ModelPromise promise) {
+        if (space.closed) {
+            return;
+        }
+        if (!space.inside) {
+            space.enqueue(ModelSpace.Task.entry(() -> rejected(promise)));
+        } else if (promise.madeOutside) {
+            held.add(promise);
+            space.timers.set(GRACE_TICKS, 0, () -> {
+                held.remove(promise);
+                lost.add(promise);
+            });
+        } else {
+            lost.add(promise);
+        }
+    }
+
+    void report() {
+        var now = List.copyOf(lost);
+        lost.clear();
+        for (var promise : now) {
+            if (!promise.isHeard()) {
+                space.history.add("unheard " + String.valueOf(promise.outcome()).substring(1));
+            }
+        }
+    }
+
+    void reportAll() {
+        lost.addAll(held);
+        held.clear();
+        report();
+    }
+}

@@ -1,0 +1,154 @@
+package io.troupe.actor.model;
+
+import io.troupe.actor.model.Act.Kind;
+import io.troupe.actor.model.ModelActor.Instance;
+import io.troupe.actor.model.ModelSpace.Task;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** Runs a program on the model. */
+final class ModelRun {
+    final ModelSpace space;
+    final ModelPromises promises = new ModelPromises(this);
+    private final ModelStreams streams = new ModelStreams(this);
+    private final Map<Integer, ModelTimers.Timer> timers = new HashMap<>();
+    private final Map<Integer, ModelActor> actors = new HashMap<>();
+    private final Map<Integer, Integer> instances = new HashMap<>();
+
+    private ModelRun(ModelSpace.End end) {
+        space = new ModelSpace(end);
+    }
+
+    static History of(List<Act> program, ModelSpace.End end) {
+        var run = new ModelRun(end);
+        run.play(program, null);
+        run.space.crank();
+        run.promises.tell();
+        run.space.history.add("close");
+        run.space.close();
+        return run.space.history;
+    }
+
+    int nextInstance(int actor) {
+        return instances.merge(actor, 1, Integer::sum);
+    }
+
+    void play(List<Act> acts, @Nullable Instance self) {
+        for (Act act : acts) {
+            if (!space.history.isFull()) {
+                play(act, self);
+            }
+        }
+    }
+
+    private void play(Act act, @Nullable Instance self) {
+        switch (act.kind()) {
+            case CRANK -> space.crank();
+            case ADVANCE -> space.timers.now += act.number();
+            case READER -> {}
+            case THROW -> throw new History.Boom(act.id());
+            case EXECUTE -> space.enqueue(Task.entry(() -> space.guarded(() -> task("executes " + act.id(), act))));
+            case ON_IDLE -> space.enqueue(Task.entry(() -> space.whenIdle(() -> task("is idle for " + act.id(), act))));
+            case DELAY -> promises.delay(act);
+            case SPAWN, STOP, WATCH, TELL, ASK, OPEN, FORWARD -> actor(act, self);
+            case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> playAsActor(act, self);
+            case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> streams.play(act);
+            default -> promises.play(act, self);
+        }
+    }
+
+    private void task(String what, Act act) {
+        space.history.add("space " + what);
+        play(act.script(), null);
+    }
+
+    private void actor(Act act, @Nullable Instance self) {
+        if (act.kind() == Kind.SPAWN) {
+            var fresh = new ModelActor(this, act);
+            actors.put(act.target(), fresh);
+            space.enqueue(Task.entry(fresh::begin));
+            return;
+        }
+        ModelActor actor = actors.get(act.target());
+        if (actor == null) {
+            return;
+        }
+        switch (act.kind()) {
+            case STOP -> space.enqueue(Task.entry(actor::stop));
+            case WATCH -> promises.put(act.id(), actor.ended);
+            case TELL ->
+                actor.send(act.id(), null, instance -> {
+                    space.history.add(instance.name + " is told " + act.id());
+                    play(act.script(), instance);
+                });
+            case ASK -> ask(act, actor);
+            case OPEN -> sendStream(act, actor, streams.reader(act, self));
+            default -> {
+                ModelStream handle = streams.handle(act.id());
+                if (handle != null) {
+                    sendStream(act, actor, handle);
+                }
+            }
+        }
+    }
+
+    private void sendStream(Act act, ModelActor actor, ModelStream stream) {
+        actor.send(act.id(), null, instance -> {
+            space.history.add(instance.name + " streams " + act.id());
+            streams.arrive(act.id(), stream);
+            play(act.script(), instance);
+        });
+    }
+
+    private void ask(Act act, ModelActor actor) {
+        var request = new ModelPromise(space, true, false);
+        actor.send(act.id(), request, instance -> {
+            space.history.add(instance.name + " is asked " + act.id());
+            try {
+                play(act.script(), instance);
+                promises.answer(act, request);
+            } catch (History.Boom boom) {
+                request.settle("!" + boom.getMessage());
+            }
+        });
+        promises.put(act.id(), request);
+    }
+
+    private void playAsActor(Act act, @Nullable Instance self) {
+        if (self == null) {
+            return;
+        }
+        switch (act.kind()) {
+            case STOP_SELF -> space.atTheEnd(self.actor::stop);
+            case AFTER -> setTimer(act, self, 0);
+            case EVERY -> setTimer(act, self, act.number());
+            default -> {
+                var timer = timers.get(act.target());
+                if (timer != null) {
+                    space.history.add("timer " + act.target() + " cancelled: " + timer.cancel());
+                }
+            }
+        }
+    }
+
+    private void setTimer(Act act, Instance self, int period) {
+        var timer = new ModelTimers.Timer[1];
+        timer[0] = space.timers.set(act.number(), period, () -> {
+            if (self.over) {
+                timer[0].cancel();
+                return;
+            }
+            self.actor.guarded(self, () -> {
+                space.history.add("timer " + act.id() + " of " + self.name);
+                play(act.script(), self);
+            });
+        });
+        timers.put(act.id(), timer[0]);
+    }
+
+    static String name(@Nullable Instance self) {
+        return self == null ? "nobody" : self.name;
+    }
+}

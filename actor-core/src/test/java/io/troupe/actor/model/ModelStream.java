@@ -1,0 +1,83 @@
+package io.troupe.actor.model;
+
+import org.jspecify.annotations.Nullable;
+
+/** A callback of the model, both sides of it. */
+final class ModelStream {
+    private final ModelSpace space;
+    private final boolean cancellable;
+    private final String who;
+    private final ModelActor.@Nullable Instance owner;
+    private final Runnable onNext;
+    private boolean ended;
+    private boolean over;
+    private boolean readerGone;
+
+    ModelStream(ModelSpace space, boolean cancellable, String who, Runnable onNext) {
+        this.space = space;
+        this.cancellable = cancellable;
+        this.who = who;
+        this.owner = space.current;
+        this.onNext = onNext;
+    }
+
+    boolean hasEnded() {
+        return ended;
+    }
+
+    boolean isCancelled() {
+        return over || readerGone;
+    }
+
+    void cancel() {
+        end("CancellationException");
+    }
+
+    void next(int value) {
+        send(() -> {
+            if (!over) {
+                space.history.add(who + " hears =" + value);
+                onNext.run();
+            }
+        });
+    }
+
+    void finish() {
+        ended = true;
+        send(() -> end("well"));
+    }
+
+    void fail(String error) {
+        ended = true;
+        send(() -> {
+            if (cancellable) {
+                end(error);
+            } else {
+                space.history.add(who + " hears !" + error);
+            }
+        });
+    }
+
+    private void end(String how) {
+        if (cancellable && !over) {
+            over = true;
+            space.history.add(who + " ends " + how);
+        }
+    }
+
+    private void send(Runnable delivery) {
+        if (!isCancelled()) {
+            space.enqueue(ModelSpace.Task.callback(() -> deliver(delivery)));
+        }
+    }
+
+    private void deliver(Runnable delivery) {
+        if (owner == null) {
+            space.guarded(delivery);
+        } else if (owner.over) {
+            readerGone = true;
+        } else {
+            owner.actor.guarded(owner, delivery);
+        }
+    }
+}

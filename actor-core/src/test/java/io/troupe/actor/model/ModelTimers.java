@@ -1,0 +1,58 @@
+package io.troupe.actor.model;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Timers in a list; time is counted in half milliseconds. */
+final class ModelTimers {
+    static final class Timer {
+        private final Runnable task;
+        private final int period;
+        private final int number;
+        private long deadline;
+        private boolean waiting = true;
+
+        Timer(Runnable task, long deadline, int period, int number) {
+            this.task = task;
+            this.deadline = deadline;
+            this.period = period;
+            this.number = number;
+        }
+
+        boolean cancel() {
+            boolean inTime = waiting;
+            waiting = false;
+            return inTime;
+        }
+    }
+
+    private final List<Timer> timers = new ArrayList<>();
+    long now;
+
+    Timer set(long delay, int period, Runnable task) {
+        var timer = new Timer(task, now + Math.max(0, delay), period, timers.size());
+        timers.add(timer);
+        return timer;
+    }
+
+    boolean isDue() {
+        return timers.stream().anyMatch(each -> each.waiting && each.deadline <= now);
+    }
+
+    /** Each once, by deadline and then as they were set. */
+    boolean runDue(java.util.function.Consumer<Runnable> turn) {
+        var due = timers.stream()
+                .filter(each -> each.waiting && each.deadline <= now)
+                .sorted(Comparator.<Timer>comparingLong(each -> each.deadline).thenComparingInt(each -> each.number))
+                .toList();
+        for (var timer : due) {
+            if (timer.waiting) {
+                timer.waiting = timer.period > 0;
+                timer.deadline += timer.period;
+                turn.accept(timer.task);
+            }
+        }
+        return !due.isEmpty();
+    }
+}

@@ -1,0 +1,175 @@
+package io.troupe.actor.model;
+
+import io.troupe.actor.model.Act.Answer;
+import io.troupe.actor.model.Act.Kind;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+
+/** Makes random programs; the same seed makes the same program. */
+final class Programs {
+    private static final int ACTORS = 3;
+    private static final int DEPTH = 4;
+    private static final List<Integer> DELAYS = List.of(0, 1, 2, 3, 20, 20, 100, 1_100);
+    private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.CRANK, Kind.ADVANCE);
+    private static final Set<Kind> INSIDE_ONLY =
+            EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
+    private static final Set<Kind> STREAMING = EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.SPAWN);
+    private static final Set<Kind> MULTIPLYING = EnumSet.of(Kind.EVERY, Kind.SPAWN);
+
+    private final Random random;
+    private final List<Kind> deck = new ArrayList<>();
+    private final List<Integer> promises = new ArrayList<>(List.of(0));
+    private final List<Integer> deferreds = new ArrayList<>(List.of(0));
+    private final List<Integer> streams = new ArrayList<>(List.of(0));
+    private final List<Integer> timers = new ArrayList<>(List.of(0));
+    private int lastId;
+
+    private Programs(long seed) {
+        random = new Random(seed);
+    }
+
+    static List<Act> random(long seed) {
+        return new Programs(seed).program();
+    }
+
+    private List<Act> program() {
+        shuffleDeck();
+        var acts = new ArrayList<Act>();
+        for (int actor = 0; actor < ACTORS; actor++) {
+            acts.add(spawn(actor, 0));
+        }
+        if (random.nextInt(3) > 0) {
+            acts.add(Act.of(Kind.CRANK, 0, 0, 0));
+        }
+        int length = 4 + random.nextInt(36);
+        for (int i = 0; i < length; i++) {
+            acts.add(random.nextInt(5) == 0 ? Act.of(Kind.CRANK, 0, 0, 0) : act(0, INSIDE_ONLY));
+        }
+        return List.copyOf(acts);
+    }
+
+    /** Each program has kinds it uses much and kinds it does not use at all, so that rare ones meet. */
+    private void shuffleDeck() {
+        for (Kind kind : Kind.values()) {
+            if (kind != Kind.READER) {
+                int often = Math.max(0, random.nextInt(7) - 2);
+                if (kind == Kind.ADVANCE || kind == Kind.THROW) {
+                    often = 2 + random.nextInt(3);
+                } else if (kind == Kind.TELL || kind == Kind.ASK) {
+                    often = 6;
+                } else if (kind == Kind.STOP || kind == Kind.STOP_SELF) {
+                    often /= 3; // what happens to the dead is soon told
+                }
+                for (int i = 0; i < often; i++) {
+                    deck.add(kind);
+                }
+            }
+        }
+    }
+
+    private List<Act> script(int depth, Set<Kind> banned) {
+        var acts = new ArrayList<Act>();
+        int length = depth >= DEPTH ? 0 : Math.max(0, random.nextInt(6) - 1 - depth / 2);
+        for (int i = 0; i < length; i++) {
+            acts.add(act(depth, banned));
+        }
+        return List.copyOf(acts);
+    }
+
+    private static Set<Kind> union(Set<Kind> first, Set<Kind> second) {
+        var both = EnumSet.copyOf(first);
+        both.addAll(second);
+        return both;
+    }
+
+    private Act act(int depth, Set<Kind> banned) {
+        Kind kind = deck.get(random.nextInt(deck.size()));
+        while (banned.contains(kind)) {
+            kind = random.nextBoolean() ? Kind.TELL : deck.get(random.nextInt(deck.size()));
+        }
+        var below = union(OUTSIDE_ONLY, banned);
+        below.removeAll(INSIDE_ONLY);
+        int id = ++lastId;
+        return switch (kind) {
+            case CRANK, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
+            case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 10, 200, 2_100)));
+            case SPAWN -> spawn(actor(), depth);
+            case STOP -> Act.of(kind, id, actor(), 0);
+            case WATCH, DEFER -> Act.of(kind, made(promises, kind == Kind.DEFER), actor(), 0);
+            case DELAY -> Act.of(kind, made(promises, false), 0, oneOf(DELAYS));
+            case TELL, FORWARD ->
+                new Act(kind, kind == Kind.TELL ? id : oneOf(streams), actor(), 0, script(depth + 1, below));
+            case ASK -> ask(depth, below);
+            case RESOLVE, REJECT -> Act.of(kind, id, oneOf(deferreds), 0);
+            case CANCEL -> Act.of(kind, id, oneOf(promises), 0);
+            case THEN, HANDLE, WHEN, RESCUE, COMPOSE -> {
+                int target = oneOf(promises);
+                int other = oneOf(promises);
+                yield new Act(kind, made(promises, false), target, other, script(depth + 1, below));
+            }
+            case OPEN -> open(depth, below);
+            case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(60) == 0 ? 300 : 1 + random.nextInt(3));
+            case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
+            case AFTER, EVERY -> {
+                int delay = kind == Kind.AFTER ? oneOf(DELAYS) : oneOf(List.of(20, 100, 1_000));
+                var inTimer = kind == Kind.EVERY ? union(below, MULTIPLYING) : below;
+                yield new Act(kind, made(timers, false), 0, delay, script(depth + 1, inTimer));
+            }
+            case CANCEL_TIMER -> Act.of(kind, id, oneOf(timers), 0);
+            case EXECUTE, ON_IDLE -> {
+                below.addAll(union(INSIDE_ONLY, OUTSIDE_ONLY));
+                below.remove(Kind.THROW);
+                yield new Act(kind, id, 0, 0, script(depth + 1, below));
+            }
+            case READER -> throw new IllegalStateException("a reader is no act of its own");
+        };
+    }
+
+    private Act spawn(int actor, int depth) {
+        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Cast.VARIANTS);
+        var banned = union(EnumSet.of(Kind.SPAWN, Kind.THROW), OUTSIDE_ONLY);
+        return new Act(Kind.SPAWN, ++lastId, actor, variant, script(depth + 2, banned));
+    }
+
+    private Act ask(int depth, Set<Kind> below) {
+        int id = made(promises, false);
+        int answer = random.nextInt(Answer.values().length);
+        if (answer == Answer.LATER.ordinal()) {
+            made(promises, true); // the id after the request's
+        } else if (answer == Answer.OTHER.ordinal()) {
+            answer += 1 + oneOf(promises);
+        }
+        return new Act(Kind.ASK, id, actor(), answer, script(depth + 1, below));
+    }
+
+    /** A reader sends nothing, or it could go on for ever. */
+    private Act open(int depth, Set<Kind> below) {
+        int id = made(streams, false);
+        var reader = new Act(Kind.READER, 0, 0, 0, script(depth + 2, union(below, STREAMING)));
+        var script = new ArrayList<>(script(depth + 1, below));
+        script.addFirst(reader);
+        return new Act(Kind.OPEN, id, actor(), random.nextInt(2), List.copyOf(script));
+    }
+
+    private int actor() {
+        return random.nextInt(ACTORS);
+    }
+
+    private int made(List<Integer> kind, boolean byHand) {
+        int id = ++lastId;
+        kind.add(id);
+        if (byHand) {
+            deferreds.add(id);
+        }
+        return id;
+    }
+
+    /** One of the youngest. */
+    private int oneOf(List<Integer> choices) {
+        int last = choices.size();
+        return choices.get(last - 1 - random.nextInt(Math.min(last, 8)));
+    }
+}

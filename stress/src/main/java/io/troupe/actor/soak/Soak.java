@@ -1,0 +1,110 @@
+package io.troupe.actor.soak;
+
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.SpaceSettings;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+
+/**
+ * Producers that send to an actor, and through another one to an actor in a second space.
+ *
+ * <p>With a mailbox without bounds the producers are slowed down by the answers to their questions ({@link Producer}), for both actors. With a bounded one
+ * the room in it slows them down; only the receiver in the second space, to which an actor forwards, which must not wait, still
+ * needs the questions.
+ */
+final class Soak {
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final long SAMPLE_MILLIS = 250;
+
+    private final SoakOptions options;
+    private final Consumer<String> out;
+    private final Queue<String> faults = new ConcurrentLinkedQueue<>();
+
+    Soak(SoakOptions options, Consumer<String> out) {
+        this.options = options;
+        this.out = out;
+    }
+
+    /** Runs both mailboxes, each with half of the messages. @return what went wrong; empty if nothing did */
+    List<String> run() throws InterruptedException {
+        var heap = new HeapWatch(
+                options.heapBoundMib()); // before both, so that neither counts what it keeps as its beginning
+        run("unbounded", ActorSettings.DEFAULT, false, heap);
+        run("bounded", ActorSettings.DEFAULT.withMailbox(options.capacity(), Overflow.BLOCK), true, heap);
+        if (heap.isExceeded()) {
+            faults.add(heap.toString());
+        }
+        return List.copyOf(faults);
+    }
+
+    private SpaceSettings settings(String name) {
+        return SpaceSettings.named(name)
+                .withOnError((where, error) -> faults.add(where + " threw " + error))
+                .withOnDeadLetter(letter -> faults.add("dead letter: " + letter));
+    }
+
+    private void run(String mailbox, ActorSettings actor, boolean bounded, HeapWatch heap) throws InterruptedException {
+        try (var first = ActorSpace.create(settings("first"));
+                var second = ActorSpace.create(settings("second"))) {
+            Sink receiver = first.spawn(Sink.class, () -> new Receiver("direct", options.producers()), actor);
+            Sink far = second.spawn(Sink.class, () -> new Receiver("forwarded", options.producers()));
+            Sink forwarder = first.spawn(Sink.class, () -> new Forwarder(far), actor);
+            var sinks = List.of(receiver, forwarder);
+            var paced = bounded ? List.of(forwarder) : sinks;
+            long perSink = options.messages() / 2 / options.producers() / sinks.size();
+            watch(mailbox, start(perSink, sinks, paced), sinks, perSink * options.producers() * sinks.size(), heap);
+        }
+    }
+
+    private List<Thread> start(long perSink, List<Sink> sinks, List<Sink> paced) {
+        return IntStream.range(0, options.producers())
+                .mapToObj(number -> new Producer(number, perSink, options.window(), sinks, paced, faults::add))
+                .map(producer -> Thread.ofPlatform().daemon().start(producer))
+                .toList();
+    }
+
+    private void watch(String mailbox, List<Thread> producers, List<Sink> sinks, long expected, HeapWatch heap)
+            throws InterruptedException {
+        long begin = System.nanoTime();
+        try {
+            for (Thread producer : producers) {
+                while (!producer.join(Duration.ofMillis(SAMPLE_MILLIS))) {
+                    progress(mailbox, takenInAll(sinks), expected, heap, begin);
+                }
+            }
+            long taken = takenInAll(sinks);
+            progress(mailbox, taken, expected, heap, begin);
+            if (taken != expected) {
+                faults.add("%s: %,d messages arrived, of %,d sent".formatted(mailbox, taken, expected));
+            }
+            for (Sink sink : sinks) {
+                faults.addAll(sink.faults().get(PATIENCE));
+            }
+        } catch (TimeoutException late) {
+            faults.add(mailbox + ": " + late.getMessage());
+        }
+        out.accept("%-9s done, %s".formatted(mailbox, heap));
+    }
+
+    private static long takenInAll(List<Sink> sinks) throws TimeoutException, InterruptedException {
+        var asked = new ArrayList<Long>();
+        for (Sink sink : sinks) {
+            asked.add(sink.takenInAll().get(PATIENCE));
+        }
+        return asked.stream().mapToLong(Long::longValue).sum();
+    }
+
+    private void progress(String mailbox, long taken, long expected, HeapWatch heap, long beginNanos) {
+        double seconds = (System.nanoTime() - beginNanos) / 1e9;
+        out.accept("%-9s %,11d of %,d messages, %5.1f s, %.2f million/s, heap %.1f MiB"
+                .formatted(mailbox, taken, expected, seconds, taken / seconds / 1e6, heap.sampleMib()));
+    }
+}
