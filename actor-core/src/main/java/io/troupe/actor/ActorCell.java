@@ -23,6 +23,7 @@ public final class ActorCell {
     private @Nullable FailureCount failures;
     private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as is stopped for other threads
     private Life life;
+    private boolean begun;
     private boolean stopped;
 
     @Nullable
@@ -114,8 +115,15 @@ public final class ActorCell {
         return ended;
     }
 
-    /** Makes the implementation; before the first message, on the space's thread. */
+    /** The entry that spawning has queued: starts the actor, unless a call that came another way has done so, or it was stopped before. */
     void start() {
+        if (!begun && !stopped) {
+            startInstance();
+        }
+    }
+
+    private void startInstance() {
+        begun = true;
         space.actors().add(this);
         guard("the start", this::begin);
         if (implementation == null) {
@@ -169,7 +177,7 @@ public final class ActorCell {
         }
         endLife();
         life = new Life(this);
-        start();
+        startInstance();
     }
 
     /** Turns a call away that found no room, or had to make room. Any thread. */
@@ -203,6 +211,7 @@ public final class ActorCell {
 
     /** The slower way: of a call that may be another's ticket, may have been cancelled, or may find nobody. */
     private void deliverNext(Node ticket) {
+        start();
         Node call = mailbox == null ? ticket : mailbox.next(ticket);
         Object target = implementation;
         if (call instanceof Request<?> request && request.isDone()) {

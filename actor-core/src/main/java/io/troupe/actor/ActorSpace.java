@@ -12,6 +12,7 @@ import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -132,7 +133,9 @@ public final class ActorSpace extends Home implements AutoCloseable {
      * @return fulfilled when the actor has stopped, for whatever reason; at once if it has
      */
     public Promise<@Nullable Void> whenStopped(Object proxy) {
-        return cellOf(proxy).ended();
+        var own = new Deferred<@Nullable Void>(this); // each watcher may cancel its own
+        own.resolveFrom(cellOf(proxy).ended());
+        return own;
     }
 
     private ActorCell cellOf(Object proxy) {
@@ -174,13 +177,13 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return sequences.start(body, isCurrent() ? owner() : itself());
     }
 
-    /** Fulfilled after a while, by this space's clock; rejected with {@link ActorStoppedException} if the space is closed before. */
+    /** Fulfilled after a while, by this space's clock; rejected with {@link CancellationException} if the space is closed before. */
     public Promise<@Nullable Void> delay(Duration duration) {
         var over = new Deferred<@Nullable Void>(this);
         schedule(
                 duration.toNanos(),
                 () -> over.resolve(null),
-                () -> over.reject(new ActorStoppedException(
+                () -> over.reject(new CancellationException(
                         "space " + this + " was closed before the delay of " + duration + " was over")));
         return over;
     }

@@ -7,6 +7,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
+import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -82,7 +83,7 @@ final class Sequences {
         }
     }
 
-    private ActorStoppedException closed() {
-        return new ActorStoppedException("space " + space + " was closed before this body had ended");
+    private CancellationException closed() {
+        return new CancellationException("space " + space + " was closed before this body had ended");
     }
 }

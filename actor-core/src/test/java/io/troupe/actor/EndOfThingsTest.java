@@ -158,9 +158,9 @@ class EndOfThingsTest {
         Leftovers leftovers = space.close(Duration.ofSeconds(1));
         assertThat(leftovers.timers()).isEqualTo(2);
         assertThat(leftovers.isEmpty()).isTrue();
-        assertThat(delay.error()).isInstanceOf(ActorStoppedException.class).hasMessageContaining("PT1H");
+        assertThat(delay.error()).isInstanceOf(CancellationException.class).hasMessageContaining("PT1H");
         assertThat(limited.error()).isInstanceOf(CancellationException.class).hasMessageContaining("was closed before");
-        assertThat(space.delay(Duration.ofSeconds(1)).error()).isInstanceOf(ActorStoppedException.class);
+        assertThat(space.delay(Duration.ofSeconds(1)).error()).isInstanceOf(CancellationException.class);
     }
 
     @Test

@@ -139,7 +139,7 @@ class SequentialTest {
         Leftovers leftovers = space.close(Duration.ofSeconds(1));
         assertThat(leftovers.sequences()).isEqualTo(1);
         assertThat(log).containsExactly("finally");
-        assertThat(answer.error()).isInstanceOf(ActorStoppedException.class).hasMessageContaining("short-lived");
+        assertThat(answer.error()).isInstanceOf(CancellationException.class).hasMessageContaining("short-lived");
     }
 
     @Test

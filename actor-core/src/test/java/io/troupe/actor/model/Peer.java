@@ -83,7 +83,7 @@ public class Peer extends Actor {
         return every(period, task);
     }
 
-    final String name() {
+    String name() {
         return name;
     }
 }
