@@ -51,21 +51,32 @@ public final class ActorCell {
 
     /** Puts a call into the actor's mailbox. */
     public void send(Message message) {
-        if (mailbox == null) {
-            space.enqueueMail(message);
-        } else {
+        if (mailbox != null) {
             sendBounded(message, mailbox);
+        } else if (Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
+            thread.mails().add(message);
+        } else {
+            space.enqueueMail(message);
         }
     }
 
     /** Puts a call into the actor's mailbox. */
     public void send(Request<?> request) {
-        boolean inside = space.isCurrent();
-        request.noteAsker(inside);
-        if (mailbox == null) {
-            space.enqueueMail(request, inside);
+        if (mailbox == null && Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
+            request.noteAsker(true);
+            thread.mails().add(request);
         } else {
+            sendSlowly(request);
+        }
+    }
+
+    /** From another thread, from one that cranks or has borrowed the space, or to a mailbox that may be full. */
+    private void sendSlowly(Request<?> request) {
+        request.noteAsker(space.isCurrent());
+        if (mailbox != null) {
             sendBounded(request, mailbox);
+        } else {
+            space.enqueueMail(request);
         }
     }
 

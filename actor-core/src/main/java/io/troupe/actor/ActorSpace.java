@@ -86,7 +86,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     private static ActorSpace open(ActorSpace space) {
         if (!space.settings.handCranked()) {
-            Thread.ofPlatform().name(space.settings.name()).daemon().start(space::live);
+            new SpaceThread(space, space.callbacks, space.mails).start();
         }
         return space;
     }
@@ -348,13 +348,17 @@ public final class ActorSpace extends Home implements AutoCloseable {
         }
     }
 
-    void enqueueMail(Node node) {
-        enqueueMail(node, isCurrent());
+    @Override
+    protected void enqueueAtHome(Node node) {
+        if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
+            own.callbacks().add(node);
+        } else {
+            callbacks.add(node);
+        }
     }
 
-    /** As {@link #enqueueMail(Node)}, for who knows whether the calling thread is this space's. */
-    void enqueueMail(Node node, boolean inside) {
-        if (inside) {
+    void enqueueMail(Node node) {
+        if (isCurrent()) {
             mails.add(node);
         } else {
             offer(node);
@@ -568,7 +572,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     // ---- the thread
 
-    private void live() {
+    /** What the thread does until the space is closed. */
+    void live() {
         Home before = enter();
         Watchdog.watch(this, settings, lifeline, dispatcher);
         try {

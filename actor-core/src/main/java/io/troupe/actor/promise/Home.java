@@ -53,6 +53,9 @@ public abstract class Home {
     /** Queues a node; first in, first out per sender. */
     protected abstract void enqueue(Node node);
 
+    /** As {@link #enqueue}, on this home's thread. */
+    protected abstract void enqueueAtHome(Node node);
+
     /**
      * Runs a task on this home's thread after a delay, or, if the home is closed before, the other one.
      *

@@ -36,7 +36,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     // ---- made at once
 
-    /** A promise that is already fulfilled. */
+    /** A promise that is already fulfilled; it belongs to no space, so a listener registered outside every space runs at once. */
     public static <T extends @Nullable Object> Promise<T> of(T value) {
         return new Settled<>(value);
     }
@@ -203,6 +203,10 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /**
      * Rejects this promise with a {@link CancellationException}, unless it is settled. A request that still waits in a mailbox is then
      * skipped; one that has begun goes on, and its answer is ignored.
+     *
+     * <p><b>Threads.</b> Any thread. A promise that was made in a space, by asking or listening there, is rejected when that space gets to it.
+     *
+     * @return whether it was pending
      */
     public final boolean cancel() {
         boolean done = settleError(new CancellationException(this + " was cancelled"));

@@ -124,7 +124,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     final boolean settleAtHome(Object outcome) {
-        return finish(isLocal() ? claimAtHome(outcome) : claimShared(outcome), outcome);
+        Node listeners = isLocal() ? claimAtHome(outcome) : claimShared(outcome);
+        if (listeners != null && listeners.next == null && listeners instanceof Stage<?, ?> only) {
+            Home here = home();
+            if (here != null) {
+                only.dispatch(here); // what nearly always happens, by the shortest way
+                return true;
+            }
+        }
+        return finish(listeners, outcome);
     }
 
     /** Fulfils this promise; false if it was settled before. */

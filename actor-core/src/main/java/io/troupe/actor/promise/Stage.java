@@ -44,6 +44,15 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
+    /** As {@link #dispatch()}, on the thread of that home, which need not be the one where it is to run. */
+    final void dispatch(Home here) {
+        if (owner != null && owner.home() == here) {
+            here.enqueueAtHome(this);
+        } else {
+            dispatch();
+        }
+    }
+
     /** Whether it runs on another thread than the calling one. */
     final boolean isElsewhere() {
         return owner != null && !owner.home().isCurrent();

@@ -85,6 +85,11 @@ public class LateListener {
         }
 
         @Override
+        protected void enqueueAtHome(Node node) {
+            ring.add(node);
+        }
+
+        @Override
         protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
             throw new UnsupportedOperationException("nobody sets timers here");
         }
