@@ -349,6 +349,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     @Override
+    protected void enqueueFromAfar(Node node) {
+        offer(node);
+    }
+
+    @Override
     protected void enqueueAtHome(Node node) {
         if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
             own.callbacks().add(node);

@@ -11,6 +11,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private final @Nullable Life owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
+    private volatile boolean sentFromAfar;
 
     private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Life owner) {
         this.reader = reader;
@@ -106,7 +107,17 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            home.enqueueCallback(new Delivery(delivery));
+            enqueue(new Delivery(delivery));
+        }
+    }
+
+    /** What another thread has sent waits in the inbox: from then on everything goes there, or it would be overtaken. */
+    private void enqueue(Delivery next) {
+        if (sentFromAfar || !home.isCurrent()) {
+            sentFromAfar = true;
+            home.enqueueFromAfar(next);
+        } else {
+            home.enqueueCallback(next);
         }
     }
 

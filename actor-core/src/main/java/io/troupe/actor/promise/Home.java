@@ -53,6 +53,9 @@ public abstract class Home {
     /** Queues a node; first in, first out per sender. */
     protected abstract void enqueue(Node node);
 
+    /** As {@link #enqueue} from another thread, whoever calls: behind what other threads have queued. */
+    protected abstract void enqueueFromAfar(Node node);
+
     /** As {@link #enqueue}, on this home's thread. */
     protected abstract void enqueueAtHome(Node node);
 

@@ -17,7 +17,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * One field says everything, so that one compare-and-set decides between "settle" and "register":
      *   null           pending, nobody listens
      *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones
-     *   a Settling     settled, but earlier listeners are still being told
+     *   a Settling     settled by another thread than some listener's, which may still be told
      *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for something else)
      */
     private static final Object NULL = new Object();
@@ -222,7 +222,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             Object next = outcome;
             if (listeners != null && Settling.isNeeded(listeners)) {
                 var settling = new Settling(outcome);
-                listeners = new Settling.End(settling, this, listeners);
+                listeners = new Settling.End(settling, listeners);
                 next = settling;
             }
             if (STATE.compareAndSet(this, now, next)) {
@@ -232,11 +232,6 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 return listeners;
             }
         }
-    }
-
-    /** Every listener has been told. */
-    final void endSettling(Settling settling) {
-        STATE.setRelease(this, settling.outcome());
     }
 
     @SuppressWarnings("ReferenceEquality")
@@ -329,7 +324,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 if (settling.join(listener)) {
                     return;
                 }
-                tellLate(listener, settling.outcome());
+                tellFromAfar(listener, settling.outcome());
                 return;
             }
             if (isSettled(now)) {
@@ -358,6 +353,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
         listener.next = null;
         tell(listener, outcome);
+    }
+
+    private static void tellFromAfar(Node listener, Object outcome) {
+        if (listener instanceof Stage<?, ?> stage) {
+            if (outcome instanceof Rejection rejection) {
+                rejection.hear();
+            }
+            stage.next = null;
+            stage.dispatchFromAfar();
+        } else {
+            tellLate(listener, outcome);
+        }
     }
 
     private static void dispatch(Node listener) {

@@ -53,6 +53,15 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
+    /** Queues it behind listeners that another thread has queued there. */
+    final void dispatchFromAfar() {
+        if (owner == null) {
+            dispatch();
+        } else {
+            owner.home().enqueueFromAfar(this);
+        }
+    }
+
     /** Whether it runs on another thread than the calling one. */
     final boolean isElsewhere() {
         return owner != null && !owner.home().isCurrent();

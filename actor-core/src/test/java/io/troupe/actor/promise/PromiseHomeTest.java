@@ -121,6 +121,28 @@ class PromiseHomeTest {
     }
 
     @Test
+    void listeners_ofAPromiseThatAnotherThreadSettlesBetweenThem_keepTheirOrder() {
+        var source = new Deferred<Integer>(test.space());
+        test.run(() -> {
+            source.thenAccept(value -> log.add("first"));
+            settleElsewhere(source);
+            source.thenAccept(value -> log.add("second"));
+        });
+        source.thenAccept(value -> log.add("third"));
+        test.crank();
+        assertThat(log).containsExactly("first", "second", "third");
+    }
+
+    private static void settleElsewhere(Deferred<Integer> promise) {
+        var other = Thread.ofPlatform().start(() -> promise.resolve(1));
+        try {
+            other.join();
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    @Test
     void promiseThatFollowsItself_isRejected() {
         var promise = new Deferred<Integer>();
         promise.resolveFrom(promise);

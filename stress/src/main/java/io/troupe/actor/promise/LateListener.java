@@ -85,6 +85,11 @@ public class LateListener {
         }
 
         @Override
+        protected void enqueueFromAfar(Node node) {
+            inbox.offer(node);
+        }
+
+        @Override
         protected void enqueueAtHome(Node node) {
             ring.add(node);
         }
