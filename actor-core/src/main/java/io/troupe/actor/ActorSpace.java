@@ -511,17 +511,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
-        var self = new Timer[1];
         Life life = cell.life();
-        self[0] = dispatcher.timers.set(
-                () -> {
-                    if (!life.run("a timer", task)) {
-                        self[0].cancel();
-                    }
-                },
-                delay.toNanos(),
-                period.toNanos());
-        return self[0];
+        Timer timer = dispatcher.timers.set(() -> life.run("a timer", task), delay.toNanos(), period.toNanos());
+        life.own(timer);
+        return timer;
     }
 
     /** On the space's own behalf. */

@@ -64,6 +64,13 @@ class EndOfThingsTest {
             stop();
         }
 
+        public void setTimers(int number) {
+            every(Duration.ofSeconds(1), () -> {});
+            for (int timer = 0; timer < number; timer++) {
+                after(Duration.ofHours(1), () -> {});
+            }
+        }
+
         @Override
         protected void started() {
             outer.log.add("started");
@@ -211,6 +218,17 @@ class EndOfThingsTest {
                 .hasMessageContainingAll("space busy did not end within PT0.001S", "busy at ");
         goOn.countDown();
         assertThat(space.close(Duration.ofSeconds(30)).isEmpty()).isTrue();
+    }
+
+    @Test
+    void timers_ofAnActorThatStops_leaveTheWheelAtOnce() {
+        Worker worker = spawn(ActorSettings.DEFAULT);
+        worker.setTimers(20);
+        test.crank();
+        assertThat(test.space().metrics().timers()).isEqualTo(21);
+        worker.end();
+        test.crank();
+        assertThat(test.space().metrics().timers()).isZero();
     }
 
     @Test
