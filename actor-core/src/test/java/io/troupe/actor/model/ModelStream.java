@@ -26,7 +26,7 @@ final class ModelStream {
     }
 
     boolean isCancelled() {
-        return over || readerGone;
+        return over || readerGone || owner != null && owner.over;
     }
 
     void cancel() {
@@ -56,6 +56,13 @@ final class ModelStream {
                 space.history.add(who + " hears !" + error);
             }
         });
+    }
+
+    /** Nobody will ever send anything. */
+    void abandon(String error) {
+        if (!ended) {
+            fail(error);
+        }
     }
 
     private void end(String how) {

@@ -29,8 +29,8 @@ final class ModelStreams {
     ModelStream reader(Act act, @Nullable Instance self) {
         String who = "stream " + act.id() + " of " + ModelRun.name(self);
         var stream = new ModelStream(
-                run.space, act.number() == 1, who, () -> run.play(act.reader().script(), self));
-        if (act.number() == 1) {
+                run.space, act.isCancellable(), who, () -> run.play(act.reader().script(), self));
+        if (act.isCancellable()) {
             readers.put(act.id(), stream);
         }
         return stream;

@@ -60,6 +60,8 @@ final class Programs {
                     often = 2 + random.nextInt(3);
                 } else if (kind == Kind.TELL || kind == Kind.ASK) {
                     often = 6;
+                } else if (kind == Kind.CLOSE) {
+                    often /= 4; // nothing follows it
                 } else if (kind == Kind.STOP || kind == Kind.STOP_SELF) {
                     often /= 3; // what happens to the dead is soon told
                 }
@@ -94,7 +96,7 @@ final class Programs {
         below.removeAll(INSIDE_ONLY);
         int id = ++lastId;
         return switch (kind) {
-            case CRANK, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
+            case CRANK, CLOSE, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
             case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 10, 200, 2_100)));
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);
@@ -148,10 +150,11 @@ final class Programs {
     /** A reader sends nothing, or it could go on for ever. */
     private Act open(int depth, Set<Kind> below) {
         int id = made(streams, false);
+        promises.add(id); // of its answer, if it is a request
         var reader = new Act(Kind.READER, 0, 0, 0, script(depth + 2, union(below, STREAMING)));
         var script = new ArrayList<>(script(depth + 1, below));
         script.addFirst(reader);
-        return new Act(Kind.OPEN, id, actor(), random.nextInt(2), List.copyOf(script));
+        return new Act(Kind.OPEN, id, actor(), random.nextInt(4), List.copyOf(script));
     }
 
     private int actor() {
