@@ -33,9 +33,6 @@ final class LibraryRun {
         run.play(program, null);
         run.space.crank();
         run.promises.tell();
-        run.history.add("close");
-        run.space.close();
-        run.promises.tell();
         return run.history;
     }
 

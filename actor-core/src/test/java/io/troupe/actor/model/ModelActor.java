@@ -45,7 +45,7 @@ final class ModelActor {
     void send(Call call) {
         mailbox.add(
                 call,
-                () -> space.enqueue(ModelSpace.Task.call(() -> deliver(call))),
+                () -> space.enqueue(ModelTask.call(() -> deliver(call))),
                 dropped -> dropped.turnAway(space, name, "MailboxFullException", "full"));
     }
 

@@ -28,7 +28,7 @@ final class ModelListener implements ModelPromise.Listener {
     @Override
     public void tell() {
         if (result.atHome || space.inside) {
-            space.enqueue(ModelSpace.Task.callback(this::takeTurn));
+            space.enqueue(ModelTask.callback(this::takeTurn));
         } else {
             space.runDetached(this::takeTurn);
         }

@@ -83,7 +83,7 @@ final class ModelPromise {
             return false;
         }
         if (local && !space.inside) {
-            space.enqueue(ModelSpace.Task.callback(() -> settle(end)));
+            space.enqueue(ModelTask.callback(() -> settle(end)));
             return true;
         }
         outcome = end;
@@ -109,7 +109,7 @@ final class ModelPromise {
 
     void register(Listener listener) {
         if (local && !space.inside) {
-            space.enqueue(ModelSpace.Task.callback(() -> registerHere(listener)));
+            space.enqueue(ModelTask.callback(() -> registerHere(listener)));
         } else {
             registerHere(listener);
         }

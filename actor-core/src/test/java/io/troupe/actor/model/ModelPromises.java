@@ -51,10 +51,10 @@ final class ModelPromises {
         promises.put(act.id(), promise);
         long deadline = run.space.timers.now + act.number();
         Runnable ifClosed = () -> promise.settle("!CancellationException");
-        Runnable set = () ->
-                run.space.timers.set(deadline - run.space.timers.now, 0, () -> promise.settle("=null"), ifClosed);
+        Runnable set =
+                () -> run.space.timers.set(deadline - run.space.timers.now, 0, () -> promise.settle("=null"), ifClosed);
         if (!run.space.inside) {
-            run.space.enqueue(ModelSpace.Task.entry(set, ifClosed));
+            run.space.enqueue(ModelTask.entry(set, ifClosed));
         } else if (run.space.closed) {
             ifClosed.run();
         } else {

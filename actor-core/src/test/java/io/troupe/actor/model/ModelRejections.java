@@ -20,7 +20,7 @@ final class ModelRejections {
             return;
         }
         if (!space.inside) {
-            space.enqueue(ModelSpace.Task.entry(() -> rejected(promise), () -> {}));
+            space.enqueue(ModelTask.entry(() -> rejected(promise), () -> {}));
         } else if (promise.madeOutside) {
             held.add(promise);
             space.timers.set(

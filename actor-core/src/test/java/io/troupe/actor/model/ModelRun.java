@@ -2,7 +2,6 @@ package io.troupe.actor.model;
 
 import io.troupe.actor.model.ModelActor.Instance;
 import io.troupe.actor.model.ModelMailbox.Call;
-import io.troupe.actor.model.ModelSpace.Task;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,9 +22,6 @@ final class ModelRun {
         var run = new ModelRun();
         run.play(program, null);
         run.space.crank();
-        run.promises.tell();
-        run.space.history.add("close");
-        run.space.close();
         run.promises.tell();
         return run.space.history;
     }
@@ -70,7 +66,7 @@ final class ModelRun {
             default -> {
                 var fresh = new ModelActor(this, act);
                 actors.put(act.target(), fresh);
-                space.enqueue(Task.entry(fresh::begin, fresh::stop));
+                space.enqueue(ModelTask.entry(fresh::begin, fresh::stop));
             }
         }
     }
@@ -86,7 +82,7 @@ final class ModelRun {
             return;
         }
         switch (act.kind()) {
-            case STOP -> space.enqueue(Task.entry(actor::stop, actor::stop));
+            case STOP -> space.enqueue(ModelTask.entry(actor::stop, actor::stop));
             case WATCH -> promises.put(act.id(), actor.watch());
             case TELL ->
                 actor.send(new Call(act.id(), null, null, instance -> {
@@ -155,16 +151,20 @@ final class ModelRun {
 
     private void setTimer(Act act, Instance self, int period) {
         var timer = new ModelTimers.Timer[1];
-        timer[0] = space.timers.set(act.number(), period, () -> {
-            if (self.over) {
-                timer[0].cancel();
-                return;
-            }
-            self.actor.guarded(self, () -> {
-                space.history.add("timer " + act.id() + " of " + self.name);
-                play(act.script(), self);
-            });
-        }, () -> {});
+        timer[0] = space.timers.set(
+                act.number(),
+                period,
+                () -> {
+                    if (self.over) {
+                        timer[0].cancel();
+                        return;
+                    }
+                    self.actor.guarded(self, () -> {
+                        space.history.add("timer " + act.id() + " of " + self.name);
+                        play(act.script(), self);
+                    });
+                },
+                () -> {});
         timers.put(act.id(), timer[0]);
     }
 

@@ -10,34 +10,13 @@ import org.jspecify.annotations.Nullable;
 final class ModelSpace {
     private static final int QUOTA = 256;
 
-    /**
-     * Something that waits.
-     *
-     * @param mail whether it waits in a mailbox or in a callback queue
-     * @param ifClosed what happens instead when serving has ended; null = the same
-     */
-    record Task(boolean mail, Runnable action, @Nullable Runnable ifClosed) {
-        static Task callback(Runnable action) {
-            return new Task(false, action, null);
-        }
-
-        static Task call(Runnable action) {
-            return new Task(true, action, null);
-        }
-
-        /** The space's own business, no call of an actor. */
-        static Task entry(Runnable action, Runnable ifClosed) {
-            return new Task(true, action, ifClosed);
-        }
-    }
-
     final History history = new History();
     final ModelTimers timers = new ModelTimers();
     final ModelRejections rejections = new ModelRejections(this);
     final Set<ModelActor> living = new LinkedHashSet<>();
-    private final List<Task> inbox = new ArrayList<>();
-    private final List<Task> callbacks = new ArrayList<>();
-    private final List<Task> mails = new ArrayList<>();
+    private final List<ModelTask> inbox = new ArrayList<>();
+    private final List<ModelTask> callbacks = new ArrayList<>();
+    private final List<ModelTask> mails = new ArrayList<>();
     private final List<Runnable> ends = new ArrayList<>();
     private final List<Runnable> idle = new ArrayList<>();
     private final List<Runnable> detached = new ArrayList<>();
@@ -47,9 +26,9 @@ final class ModelSpace {
     boolean closed;
     ModelActor.@Nullable Instance current;
 
-    void enqueue(Task task) {
+    void enqueue(ModelTask task) {
         if (inside) {
-            (task.mail ? mails : callbacks).add(task);
+            (task.mail() ? mails : callbacks).add(task);
             return;
         }
         inbox.add(task);
@@ -62,7 +41,7 @@ final class ModelSpace {
 
     /** A task of the user's; nobody has thought of what becomes of it if the space is closed. */
     void execute(Runnable action) {
-        enqueue(Task.entry(action, this::refuseTask));
+        enqueue(ModelTask.entry(action, this::refuseTask));
     }
 
     private void refuseTask() {
@@ -134,21 +113,21 @@ final class ModelSpace {
     private boolean pass() {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
-            Task task = inbox.removeFirst();
+            ModelTask task = inbox.removeFirst();
             worked = true;
             if (callbacks.isEmpty() && mails.isEmpty()) {
-                turn(task.action);
+                turn(task.action());
             } else {
-                (task.mail ? mails : callbacks).add(task);
+                (task.mail() ? mails : callbacks).add(task);
             }
         }
         for (int i = 0; i < QUOTA && !stopping && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
             worked = true;
             for (int k = 0; k < QUOTA && !callbacks.isEmpty(); k++) {
-                turn(callbacks.removeFirst().action);
+                turn(callbacks.removeFirst().action());
             }
             if (!mails.isEmpty()) {
-                turn(mails.removeFirst().action);
+                turn(mails.removeFirst().action());
             }
         }
         return !stopping && timers.runDue(this::turn) || worked;
@@ -166,7 +145,7 @@ final class ModelSpace {
         if (!closing) {
             closing = true;
             Runnable stop = () -> stopping = true;
-            enqueue(Task.entry(stop, stop));
+            enqueue(ModelTask.entry(stop, stop));
         }
         if (!inside) {
             crank();
@@ -186,8 +165,8 @@ final class ModelSpace {
     private void refuseAll() {
         while (!(callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty())) {
             var first = !callbacks.isEmpty() ? callbacks : !mails.isEmpty() ? mails : inbox;
-            Task task = first.removeFirst();
-            turn(task.ifClosed == null ? task.action : task.ifClosed);
+            ModelTask task = first.removeFirst();
+            turn(task.ifClosed() == null ? task.action() : task.ifClosed());
         }
     }
 }

@@ -74,7 +74,7 @@ final class ModelStream {
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            space.enqueue(ModelSpace.Task.callback(() -> deliver(delivery)));
+            space.enqueue(ModelTask.callback(() -> deliver(delivery)));
         }
     }
 
