@@ -7,6 +7,7 @@ import io.troupe.actor.model.Act.Kind;
 import java.time.Duration;
 import java.util.Random;
 import java.util.TreeSet;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -77,12 +78,17 @@ class ActorModelTest {
 
     @Test
     void shrinker_keepsOnlyWhatFails() {
-        var program = Programs.random(1);
-        var smallest =
-                Shrinker.shrink(program, candidate -> candidate.stream().anyMatch(each -> each.kind() == Kind.TELL));
-        assertThat(Act.count(program)).isGreaterThan(20);
+        var program = LongStream.range(0, 100)
+                .mapToObj(Programs::random)
+                .filter(each -> Act.count(each) > 50)
+                .findFirst()
+                .orElseThrow();
+        var smallest = Shrinker.shrink(
+                program,
+                candidate -> candidate.stream().anyMatch(each -> each.kind() == Kind.SPAWN && each.target() == 2));
         assertThat(smallest).hasSize(1);
-        assertThat(smallest.getFirst().kind()).isEqualTo(Kind.TELL);
+        assertThat(smallest.getFirst().kind()).isEqualTo(Kind.SPAWN);
+        assertThat(smallest.getFirst().target()).isEqualTo(2);
         assertThat(smallest.getFirst().script()).isEmpty();
     }
 }
