@@ -36,7 +36,7 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         RESCUE,
         /** Goes on with promise {@code number} if there is one. */
         COMPOSE,
-        /** A call with a callback; {@code number} 1 = one that can be cancelled. The script is the actor's, but for its {@link #READER}. */
+        /** A call with a callback; {@code number} 1 or 3 = one that can be cancelled, 2 or 3 = a request. The script is the actor's, but for its {@link #READER}. */
         OPEN,
         /** In the script of an {@link #OPEN}: what the reader does with each result. */
         READER,
@@ -53,6 +53,7 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         CANCEL_TIMER,
         DELAY,
         EXECUTE,
+        CLOSE,
         ON_IDLE,
         THROW
     }
@@ -74,6 +75,16 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
 
     static Act of(Kind kind, int id, int target, int number) {
         return new Act(kind, id, target, number, List.of());
+    }
+
+    /** Of an {@link Kind#OPEN}: whether its reader can cancel it. */
+    boolean isCancellable() {
+        return number % 2 == 1;
+    }
+
+    /** Of an {@link Kind#OPEN}: whether it is answered besides. */
+    boolean isRequest() {
+        return number > 1;
     }
 
     int promised() {

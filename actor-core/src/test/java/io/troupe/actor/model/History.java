@@ -19,8 +19,6 @@ final class History {
     private static final int LIMIT = 4_000;
 
     private final List<String> events = new ArrayList<>();
-    private int settled = Integer.MAX_VALUE;
-    private int right = Integer.MAX_VALUE;
 
     void add(String event) {
         if (!isFull()) {
@@ -28,29 +26,9 @@ final class History {
         }
     }
 
-    /** A program may grow beyond all bounds; such a one ends here, and is of no use. */
+    /** A program may grow beyond all bounds; such a one does nothing more from here on. */
     boolean isFull() {
         return events.size() >= LIMIT;
-    }
-
-    /** From here on what happens is about to change. */
-    void unsettled() {
-        settled = Math.min(settled, events.size());
-    }
-
-    /** From here on the library is known not to do what it says. */
-    void knownError() {
-        right = Math.min(right, events.size());
-    }
-
-    /** How many events are the same before and after the changes that are under way. */
-    int settled() {
-        return Math.min(settled, right());
-    }
-
-    /** How many events come before a known error. */
-    int right() {
-        return Math.min(right, events.size());
     }
 
     List<String> events() {

@@ -2,6 +2,7 @@ package io.troupe.actor.model;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.SpaceSettings;
@@ -32,8 +33,6 @@ final class LibraryRun {
         run.play(program, null);
         run.space.crank();
         run.promises.tell();
-        run.history.add("close");
-        run.space.close();
         return run.history;
     }
 
@@ -64,14 +63,25 @@ final class LibraryRun {
             case ADVANCE -> clock.advance(Cast.ticks(act.number()));
             case READER -> {}
             case THROW -> throw new History.Boom(act.id());
-            case EXECUTE -> space.execute(() -> task("executes " + act.id(), act));
-            case ON_IDLE -> space.onIdle(() -> task("is idle for " + act.id(), act));
+            case CLOSE -> space.close();
+            case EXECUTE, ON_IDLE, SPAWN -> begin(act);
             case DELAY -> promises.put(act.id(), LibraryPromises.open(space.delay(Cast.ticks(act.number()))));
-            case SPAWN -> spawn(act);
             case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> send(act, self);
             case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> playAsActor(act, self);
             case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> streams.play(act);
             default -> promises.play(act, self);
+        }
+    }
+
+    private void begin(Act act) {
+        try {
+            switch (act.kind()) {
+                case EXECUTE -> space.execute(() -> task("executes " + act.id(), act));
+                case ON_IDLE -> space.onIdle(() -> task("is idle for " + act.id(), act));
+                default -> spawn(act);
+            }
+        } catch (ActorStoppedException tooLate) {
+            history.add("too late: " + act.id());
         }
     }
 
@@ -111,7 +121,14 @@ final class LibraryRun {
             case WATCH -> promises.put(act.id(), LibraryPromises.open(space.whenStopped(actor)));
             case TELL -> actor.tell(letter);
             case ASK -> promises.put(act.id(), actor.ask(letter));
-            case OPEN -> actor.stream(letter, streams.reader(act, self));
+            case OPEN -> {
+                var callback = streams.reader(act, self);
+                if (act.isRequest()) {
+                    promises.put(act.id(), actor.streamAndAnswer(letter, callback));
+                } else {
+                    actor.stream(letter, callback);
+                }
+            }
             default -> {
                 Callback<Integer> handle = streams.handle(act.id());
                 if (handle != null) {

@@ -28,7 +28,7 @@ final class LibraryStreams {
     Callback<Integer> reader(Act act, @Nullable Peer self) {
         String who = "stream " + act.id() + " of " + LibraryRun.name(self);
         var script = act.reader().script();
-        if (act.number() == 0) {
+        if (!act.isCancellable()) {
             return (value, error) -> {
                 run.history.add(who + " hears " + History.outcome(value, error));
                 if (error == null) {

@@ -1,12 +1,12 @@
 package io.troupe.actor.model;
 
-import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.Supervision.Directive;
+import io.troupe.actor.model.ModelMailbox.Call;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** An actor of the model: its mailbox bound, its instances and its failures. */
+/** An actor of the model: its mailbox, its instances and its failures. */
 final class ModelActor {
     /** One instance, from its start to its end. */
     static final class Instance {
@@ -20,20 +20,17 @@ final class ModelActor {
         }
     }
 
-    /** A call that waits; a request has a promise. */
-    private record Call(int id, @Nullable ModelPromise answer) {}
-
     private final ModelRun run;
     private final ModelSpace space;
     private final Act born;
     private final Cast cast;
     private final String name;
-    private final List<Call> waiting = new ArrayList<>();
+    private final ModelMailbox mailbox;
     private final List<Long> failures = new ArrayList<>();
+    private final ModelPromise ended;
     private @Nullable Instance instance;
     private boolean begun;
     private boolean stopped;
-    final ModelPromise ended;
 
     ModelActor(ModelRun run, Act born) {
         this.run = run;
@@ -41,52 +38,35 @@ final class ModelActor {
         this.born = born;
         this.cast = Cast.of(born.number());
         this.name = "A" + born.target();
-        this.ended = new ModelPromise(space, true, false);
+        this.mailbox = new ModelMailbox(cast);
+        this.ended = ModelPromise.shared(space, true);
     }
 
-    /** @param handler what the actor does with the call */
-    void send(int id, @Nullable ModelPromise answer, java.util.function.Consumer<Instance> handler) {
-        var call = new Call(id, answer);
-        if (cast.capacity() > 0 && waiting.size() >= cast.capacity()) {
-            if (cast.overflow() != Overflow.DROP_OLDEST) {
-                drop(call);
-                return;
-            }
-            space.history.unsettled();
-            drop(waiting.removeFirst());
-        }
-        waiting.add(call);
-        space.enqueue(new ModelSpace.Task(true, false, () -> deliver(call, handler)));
+    void send(Call call) {
+        mailbox.add(
+                call,
+                () -> space.enqueue(ModelTask.call(() -> deliver(call))),
+                dropped -> dropped.turnAway(space, name, "MailboxFullException", "full"));
     }
 
-    private void drop(Call call) {
-        turnAway(call, "!MailboxFullException", "full");
-    }
-
-    private void turnAway(Call call, String error, String reason) {
-        if (call.answer != null) {
-            call.answer.settle(error);
-        } else {
-            space.history.add("dead letter " + call.id + " to " + name + ": " + reason);
-        }
-    }
-
-    private void deliver(Call call, java.util.function.Consumer<Instance> handler) {
-        if (!begun && !stopped) {
-            space.history.knownError(); // is said to have stopped
-        }
-        boolean dropped = waiting.stream().noneMatch(each -> each == call);
-        waiting.removeIf(each -> each == call);
-        if (dropped || call.answer != null && call.answer.isDone()) {
-            return;
-        }
+    private void deliver(Call queued) {
         begin();
+        Call call = mailbox.take(queued);
         Instance now = instance;
-        if (now == null) {
-            turnAway(call, "!ActorStoppedException", space.closing ? "closed" : "stopped");
+        if (call.isCancelled()) {
+            call.failCallback("CancellationException");
+        } else if (now == null) {
+            call.turnAway(space, name, "ActorStoppedException", space.stopping ? "closed" : "stopped");
         } else {
-            guarded(now, () -> handler.accept(now));
+            guarded(now, () -> call.handler().accept(now));
         }
+    }
+
+    /** Each watcher has a promise of its own. */
+    ModelPromise watch() {
+        var own = ModelPromise.shared(space, true);
+        own.follow(ended);
+        return own;
     }
 
     /** What it throws is a failure. */
@@ -109,15 +89,15 @@ final class ModelActor {
         failures.removeIf(each -> each <= now - cast.windowTicks());
         failures.add(now);
         if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
-            space.atTheEnd(this::stop);
+            space.afterTurn(this::stop);
         } else if (cast.directive() == Directive.RESTART) {
-            space.atTheEnd(this::restart);
+            space.afterTurn(this::restart);
         }
     }
 
-    /** Whichever comes first, the turn of the spawn or, if the proxy was faster, that of a call. */
+    /** Whichever comes first, the turn of the spawn or, if the proxy was faster, that of a call; nothing starts when serving has ended. */
     void begin() {
-        if (!begun && !stopped) {
+        if (!begun && !stopped && !space.stopping) {
             begun = true;
             start();
         }
@@ -139,9 +119,6 @@ final class ModelActor {
 
     void stop() {
         if (!stopped) {
-            if (!begun) {
-                space.history.knownError(); // is started nevertheless
-            }
             stopped = true;
             space.living.remove(this);
             endInstance();

@@ -5,7 +5,7 @@ import io.troupe.actor.model.ModelActor.Instance;
 import org.jspecify.annotations.Nullable;
 
 /** A listener of the model and the promise of what it makes. */
-final class ModelListener {
+final class ModelListener implements ModelPromise.Listener {
     private final ModelRun run;
     private final ModelSpace space;
     private final ModelPromise source;
@@ -21,34 +21,44 @@ final class ModelListener {
         this.act = act;
         this.self = self;
         this.owner = space.inside ? space.current : null;
-        this.result = new ModelPromise(space, space.inside || source.atHome, false);
+        this.result = ModelPromise.local(space, space.inside || source.atHome);
     }
 
-    /** The source is settled: from now on the listener waits in its callback queue, if it has a space. */
-    void arrive() {
-        if (!result.atHome) {
-            hear();
+    /** The source is settled: from now on the listener waits in its callback queue; one without a space in that of whoever settles it, if that has one. */
+    @Override
+    public void tell() {
+        if (result.atHome || space.inside) {
+            space.enqueue(ModelTask.callback(this::takeTurn));
         } else {
-            space.enqueue(ModelSpace.Task.callback(this::takeTurn));
+            space.runDetached(this::takeTurn);
         }
+    }
+
+    @Override
+    public boolean isIdle() {
+        return result.isDone();
+    }
+
+    @Override
+    public boolean isAtHome() {
+        return result.atHome;
     }
 
     private void takeTurn() {
-        if (owner == null) {
-            hear();
-        } else if (owner.over) {
-            space.history.unsettled();
-            result.settle("!CancellationException");
-        } else {
-            space.as(owner, this::hear);
-        }
-    }
-
-    private void hear() {
         if (result.isDone()) {
             return;
         }
         String outcome = String.valueOf(source.outcome());
+        if (owner == null) {
+            hear(outcome);
+        } else if (owner.over) {
+            result.settle(ModelPromise.isError(outcome) ? outcome : "!CancellationException");
+        } else {
+            space.as(owner, () -> hear(outcome));
+        }
+    }
+
+    private void hear(String outcome) {
         boolean error = ModelPromise.isError(outcome);
         boolean passesBy = error ? act.kind() == Kind.THEN || act.kind() == Kind.COMPOSE : act.kind() == Kind.RESCUE;
         if (passesBy) {
@@ -64,7 +74,7 @@ final class ModelListener {
         }
         switch (act.kind()) {
             case WHEN -> result.settle(outcome);
-            case COMPOSE -> result.follow(run.promises.getOrDefault(act.number(), act.id()));
+            case COMPOSE -> run.promises.follow(result, act.number(), act.id());
             default -> result.settle("=" + act.id());
         }
     }

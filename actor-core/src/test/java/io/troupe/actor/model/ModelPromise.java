@@ -6,26 +6,58 @@ import org.jspecify.annotations.Nullable;
 
 /** A promise of the model: an outcome, as text, and a list of those who wait for it. */
 final class ModelPromise {
-    private final ModelSpace space;
-    final boolean atHome;
-    final boolean madeOutside;
-    final boolean byHand;
-    private final List<Runnable> listeners = new ArrayList<>();
-    private @Nullable String outcome;
-    private boolean heard;
+    /** Who waits. */
+    interface Listener {
+        void tell();
 
-    /** @param atHome whether it belongs to the space at all */
-    ModelPromise(ModelSpace space, boolean atHome, boolean byHand) {
-        this.space = space;
-        this.atHome = atHome;
-        this.madeOutside = atHome && !space.inside;
-        this.byHand = byHand;
+        /** Whether it needs no answer any more. */
+        boolean isIdle();
+
+        /** Whether it runs in the space. */
+        boolean isAtHome();
     }
 
-    static ModelPromise settled(ModelSpace space, String outcome) {
-        var promise = new ModelPromise(space, space.inside, false);
-        promise.settle(outcome);
-        return promise;
+    private record Follower(ModelPromise leader, ModelPromise promise) implements Listener {
+        @Override
+        public void tell() {
+            promise.settle(String.valueOf(leader.outcome));
+        }
+
+        @Override
+        public boolean isIdle() {
+            return promise.isDone();
+        }
+
+        @Override
+        public boolean isAtHome() {
+            return false; // it runs wherever its leader is settled
+        }
+    }
+
+    private final ModelSpace space;
+    private final boolean local;
+    final boolean atHome;
+    final boolean madeOutside;
+    private final List<Listener> listeners = new ArrayList<>();
+    private @Nullable String outcome;
+    private boolean heard;
+    private boolean telling;
+
+    private ModelPromise(ModelSpace space, boolean atHome, boolean local) {
+        this.space = space;
+        this.atHome = atHome;
+        this.local = local;
+        this.madeOutside = atHome && !space.inside;
+    }
+
+    /** One that may be settled anywhere; {@code atHome} says whether it belongs to the space at all. */
+    static ModelPromise shared(ModelSpace space, boolean atHome) {
+        return new ModelPromise(space, atHome, false);
+    }
+
+    /** One that changes only in the space, if it is made there. */
+    static ModelPromise local(ModelSpace space, boolean atHome) {
+        return new ModelPromise(space, atHome, space.inside);
     }
 
     @Nullable
@@ -45,30 +77,64 @@ final class ModelPromise {
         return outcome.startsWith("!");
     }
 
+    /** From outside, a local promise answers whether it was pending, and is settled when the space comes to it. */
     boolean settle(String end) {
         if (outcome != null) {
             return false;
         }
+        if (local && !space.inside) {
+            space.enqueue(ModelTask.callback(() -> settle(end)));
+            return true;
+        }
         outcome = end;
-        if (listeners.isEmpty() && atHome && isError(end) && !end.equals("!CancellationException")) {
+        if (!listeners.isEmpty()) {
+            heard = true;
+        } else if (atHome && isError(end) && !end.equals("!CancellationException")) {
             space.rejections.rejected(this);
         }
-        var told = List.copyOf(listeners);
-        listeners.clear();
-        told.forEach(Runnable::run);
+        tellAll();
         return true;
     }
 
-    void whenDone(Runnable listener) {
-        heard = true;
-        if (isDone()) {
-            listener.run();
+    /** Those who come while the others are told from outside are told behind them. */
+    private void tellAll() {
+        telling = !space.inside && listeners.stream().anyMatch(Listener::isAtHome);
+        do {
+            var told = List.copyOf(listeners);
+            listeners.clear();
+            told.forEach(Listener::tell);
+        } while (!listeners.isEmpty());
+        telling = false;
+    }
+
+    void register(Listener listener) {
+        if (local && !space.inside) {
+            space.enqueue(ModelTask.callback(() -> registerHere(listener)));
         } else {
-            listeners.add(listener);
+            registerHere(listener);
         }
     }
 
+    private void registerHere(Listener listener) {
+        heard = true;
+        if (isDone() && !telling) {
+            listener.tell();
+            return;
+        }
+        while (!isDone() && !listeners.isEmpty() && listeners.getLast().isIdle()) {
+            listeners.removeLast();
+        }
+        listeners.add(listener);
+    }
+
     void follow(ModelPromise other) {
-        other.whenDone(() -> settle(String.valueOf(other.outcome)));
+        if (other == this) {
+            settle("!IllegalStateException");
+        } else if (other.isDone()) {
+            other.heard = true;
+            settle(String.valueOf(other.outcome));
+        } else {
+            other.register(new Follower(other, this));
+        }
     }
 }

@@ -3,7 +3,9 @@ package io.troupe.actor.model;
 import io.troupe.actor.model.Act.Answer;
 import io.troupe.actor.model.Act.Kind;
 import io.troupe.actor.model.ModelActor.Instance;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
@@ -11,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 final class ModelPromises {
     private final ModelRun run;
     private final Map<Integer, ModelPromise> promises = new TreeMap<>();
+    private final Set<Integer> byHand = new HashSet<>();
 
     ModelPromises(ModelRun run) {
         this.run = run;
@@ -20,10 +23,21 @@ final class ModelPromises {
         promises.put(id, promise);
     }
 
-    /** The promise of that id, or one that is there already. */
-    ModelPromise getOrDefault(int id, int value) {
-        ModelPromise promise = promises.get(id);
-        return promise != null ? promise : ModelPromise.settled(run.space, "=" + value);
+    private ModelPromise defer(int id) {
+        var promise = ModelPromise.shared(run.space, run.space.inside);
+        promises.put(id, promise);
+        byHand.add(id);
+        return promise;
+    }
+
+    /** A promise is to end as that of the id does, or, if there is none, with the value. */
+    void follow(ModelPromise follower, int id, int value) {
+        ModelPromise leader = promises.get(id);
+        if (leader == null) {
+            follower.settle("=" + value);
+        } else {
+            follower.follow(leader);
+        }
     }
 
     /** How they all stand. */
@@ -33,38 +47,37 @@ final class ModelPromises {
     }
 
     void delay(Act act) {
-        var promise = new ModelPromise(run.space, true, false);
+        var promise = ModelPromise.shared(run.space, true);
         promises.put(act.id(), promise);
         long deadline = run.space.timers.now + act.number();
-        run.space.pendingDelays++;
-        Runnable set = () -> run.space.timers.set(deadline - run.space.timers.now, 0, () -> {
-            run.space.pendingDelays--;
-            promise.settle("=null");
-        });
-        if (run.space.inside) {
-            set.run();
+        Runnable ifClosed = () -> promise.settle("!CancellationException");
+        Runnable set =
+                () -> run.space.timers.set(deadline - run.space.timers.now, 0, () -> promise.settle("=null"), ifClosed);
+        if (!run.space.inside) {
+            run.space.enqueue(ModelTask.entry(set, ifClosed));
+        } else if (run.space.closed) {
+            ifClosed.run();
         } else {
-            run.space.enqueue(ModelSpace.Task.entry(set));
+            set.run();
         }
     }
 
     void answer(Act act, ModelPromise request) {
-        switch (Answer.of(act.number())) {
+        switch (act.kind() == Kind.OPEN ? Answer.VALUE : Answer.of(act.number())) {
             case VALUE -> request.settle("=" + act.id());
             case FAILED -> request.settle("!Boom" + act.id());
             case NULL -> request.settle("!ActorException");
             case LATER -> {
-                var later = new ModelPromise(run.space, run.space.inside, true);
-                promises.put(act.id() + 1, later);
+                var later = defer(act.id() + 1);
                 request.follow(later);
             }
-            case OTHER -> request.follow(getOrDefault(act.promised(), act.id()));
+            case OTHER -> follow(request, act.promised(), act.id());
         }
     }
 
     void play(Act act, @Nullable Instance self) {
         if (act.kind() == Kind.DEFER) {
-            promises.put(act.id(), new ModelPromise(run.space, run.space.inside, true));
+            defer(act.id());
             return;
         }
         ModelPromise promise = promises.get(act.target());
@@ -74,7 +87,7 @@ final class ModelPromises {
         String told = act.kind() + " " + act.id() + ": ";
         switch (act.kind()) {
             case RESOLVE, REJECT -> {
-                if (promise.byHand) {
+                if (byHand.contains(act.target())) {
                     String outcome = act.kind() == Kind.RESOLVE ? "=" + act.id() : "!Boom" + act.id();
                     run.space.history.add(told + promise.settle(outcome));
                 }
@@ -82,7 +95,7 @@ final class ModelPromises {
             case CANCEL -> run.space.history.add(told + promise.settle("!CancellationException"));
             default -> {
                 var listener = new ModelListener(run, promise, act, self);
-                promise.whenDone(listener::arrive);
+                promise.register(listener);
                 promises.put(act.id(), listener.result);
             }
         }

@@ -20,13 +20,17 @@ final class ModelRejections {
             return;
         }
         if (!space.inside) {
-            space.enqueue(ModelSpace.Task.entry(() -> rejected(promise)));
+            space.enqueue(ModelTask.entry(() -> rejected(promise), () -> {}));
         } else if (promise.madeOutside) {
             held.add(promise);
-            space.timers.set(GRACE_TICKS, 0, () -> {
-                held.remove(promise);
-                lost.add(promise);
-            });
+            space.timers.set(
+                    GRACE_TICKS,
+                    0,
+                    () -> {
+                        held.remove(promise);
+                        lost.add(promise);
+                    },
+                    () -> {});
         } else {
             lost.add(promise);
         }

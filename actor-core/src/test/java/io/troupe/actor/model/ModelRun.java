@@ -1,8 +1,7 @@
 package io.troupe.actor.model;
 
-import io.troupe.actor.model.Act.Kind;
 import io.troupe.actor.model.ModelActor.Instance;
-import io.troupe.actor.model.ModelSpace.Task;
+import io.troupe.actor.model.ModelMailbox.Call;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,24 +9,20 @@ import org.jspecify.annotations.Nullable;
 
 /** Runs a program on the model. */
 final class ModelRun {
-    final ModelSpace space;
+    final ModelSpace space = new ModelSpace();
     final ModelPromises promises = new ModelPromises(this);
     private final ModelStreams streams = new ModelStreams(this);
     private final Map<Integer, ModelTimers.Timer> timers = new HashMap<>();
     private final Map<Integer, ModelActor> actors = new HashMap<>();
     private final Map<Integer, Integer> instances = new HashMap<>();
 
-    private ModelRun(ModelSpace.End end) {
-        space = new ModelSpace(end);
-    }
+    private ModelRun() {}
 
-    static History of(List<Act> program, ModelSpace.End end) {
-        var run = new ModelRun(end);
+    static History of(List<Act> program) {
+        var run = new ModelRun();
         run.play(program, null);
         run.space.crank();
         run.promises.tell();
-        run.space.history.add("close");
-        run.space.close();
         return run.space.history;
     }
 
@@ -49,13 +44,30 @@ final class ModelRun {
             case ADVANCE -> space.timers.now += act.number();
             case READER -> {}
             case THROW -> throw new History.Boom(act.id());
-            case EXECUTE -> space.enqueue(Task.entry(() -> space.guarded(() -> task("executes " + act.id(), act))));
-            case ON_IDLE -> space.enqueue(Task.entry(() -> space.whenIdle(() -> task("is idle for " + act.id(), act))));
+            case CLOSE -> space.close();
+            case EXECUTE, ON_IDLE, SPAWN -> begin(act);
             case DELAY -> promises.delay(act);
-            case SPAWN, STOP, WATCH, TELL, ASK, OPEN, FORWARD -> actor(act, self);
+            case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> actor(act, self);
             case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> playAsActor(act, self);
             case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> streams.play(act);
             default -> promises.play(act, self);
+        }
+    }
+
+    /** What a closed space refuses to those outside. */
+    private void begin(Act act) {
+        if (space.closing && !space.inside) {
+            space.history.add("too late: " + act.id());
+            return;
+        }
+        switch (act.kind()) {
+            case EXECUTE -> space.execute(() -> space.guarded(() -> task("executes " + act.id(), act)));
+            case ON_IDLE -> space.execute(() -> space.whenIdle(() -> task("is idle for " + act.id(), act)));
+            default -> {
+                var fresh = new ModelActor(this, act);
+                actors.put(act.target(), fresh);
+                space.enqueue(ModelTask.entry(fresh::begin, fresh::stop));
+            }
         }
     }
 
@@ -65,26 +77,27 @@ final class ModelRun {
     }
 
     private void actor(Act act, @Nullable Instance self) {
-        if (act.kind() == Kind.SPAWN) {
-            var fresh = new ModelActor(this, act);
-            actors.put(act.target(), fresh);
-            space.enqueue(Task.entry(fresh::begin));
-            return;
-        }
         ModelActor actor = actors.get(act.target());
         if (actor == null) {
             return;
         }
         switch (act.kind()) {
-            case STOP -> space.enqueue(Task.entry(actor::stop));
-            case WATCH -> promises.put(act.id(), actor.ended);
+            case STOP -> space.enqueue(ModelTask.entry(actor::stop, actor::stop));
+            case WATCH -> promises.put(act.id(), actor.watch());
             case TELL ->
-                actor.send(act.id(), null, instance -> {
+                actor.send(new Call(act.id(), null, null, instance -> {
                     space.history.add(instance.name + " is told " + act.id());
                     play(act.script(), instance);
-                });
-            case ASK -> ask(act, actor);
-            case OPEN -> sendStream(act, actor, streams.reader(act, self));
+                }));
+            case ASK -> ask(act, actor, "is asked", null);
+            case OPEN -> {
+                var callback = streams.reader(act, self);
+                if (act.isRequest()) {
+                    ask(act, actor, "streams for", callback);
+                } else {
+                    sendStream(act, actor, callback);
+                }
+            }
             default -> {
                 ModelStream handle = streams.handle(act.id());
                 if (handle != null) {
@@ -95,24 +108,27 @@ final class ModelRun {
     }
 
     private void sendStream(Act act, ModelActor actor, ModelStream stream) {
-        actor.send(act.id(), null, instance -> {
+        actor.send(new Call(act.id(), null, stream, instance -> {
             space.history.add(instance.name + " streams " + act.id());
             streams.arrive(act.id(), stream);
             play(act.script(), instance);
-        });
+        }));
     }
 
-    private void ask(Act act, ModelActor actor) {
-        var request = new ModelPromise(space, true, false);
-        actor.send(act.id(), request, instance -> {
-            space.history.add(instance.name + " is asked " + act.id());
+    private void ask(Act act, ModelActor actor, String how, @Nullable ModelStream callback) {
+        var request = ModelPromise.local(space, true);
+        actor.send(new Call(act.id(), request, callback, instance -> {
+            space.history.add(instance.name + " " + how + " " + act.id());
+            if (callback != null) {
+                streams.arrive(act.id(), callback);
+            }
             try {
                 play(act.script(), instance);
                 promises.answer(act, request);
             } catch (History.Boom boom) {
                 request.settle("!" + boom.getMessage());
             }
-        });
+        }));
         promises.put(act.id(), request);
     }
 
@@ -121,7 +137,7 @@ final class ModelRun {
             return;
         }
         switch (act.kind()) {
-            case STOP_SELF -> space.atTheEnd(self.actor::stop);
+            case STOP_SELF -> space.afterTurn(self.actor::stop);
             case AFTER -> setTimer(act, self, 0);
             case EVERY -> setTimer(act, self, act.number());
             default -> {
@@ -135,16 +151,20 @@ final class ModelRun {
 
     private void setTimer(Act act, Instance self, int period) {
         var timer = new ModelTimers.Timer[1];
-        timer[0] = space.timers.set(act.number(), period, () -> {
-            if (self.over) {
-                timer[0].cancel();
-                return;
-            }
-            self.actor.guarded(self, () -> {
-                space.history.add("timer " + act.id() + " of " + self.name);
-                play(act.script(), self);
-            });
-        });
+        timer[0] = space.timers.set(
+                act.number(),
+                period,
+                () -> {
+                    if (self.over) {
+                        timer[0].cancel();
+                        return;
+                    }
+                    self.actor.guarded(self, () -> {
+                        space.history.add("timer " + act.id() + " of " + self.name);
+                        play(act.script(), self);
+                    });
+                },
+                () -> {});
         timers.put(act.id(), timer[0]);
     }
 

@@ -10,64 +10,47 @@ import org.jspecify.annotations.Nullable;
 final class ModelSpace {
     private static final int QUOTA = 256;
 
-    /**
-     * Something that waits.
-     *
-     * @param mail whether it waits in a mailbox or in a callback queue
-     * @param entry whether it is the space's own business, no call of an actor
-     */
-    record Task(boolean mail, boolean entry, Runnable action) {
-        static Task callback(Runnable action) {
-            return new Task(false, false, action);
-        }
-
-        static Task entry(Runnable action) {
-            return new Task(true, true, action);
-        }
-    }
-
-    /** When an actor that failed or stopped itself comes to its end. */
-    enum End {
-        /** At the end of the turn in which that happened, before anything else. */
-        WITH_ITS_TURN,
-        /** After the callbacks that already wait. */
-        BEHIND_CALLBACKS
-    }
-
     final History history = new History();
     final ModelTimers timers = new ModelTimers();
     final ModelRejections rejections = new ModelRejections(this);
     final Set<ModelActor> living = new LinkedHashSet<>();
-    private final End end;
-    private final List<Task> inbox = new ArrayList<>();
-    private final List<Task> callbacks = new ArrayList<>();
-    private final List<Task> mails = new ArrayList<>();
+    private final List<ModelTask> inbox = new ArrayList<>();
+    private final List<ModelTask> callbacks = new ArrayList<>();
+    private final List<ModelTask> mails = new ArrayList<>();
     private final List<Runnable> ends = new ArrayList<>();
     private final List<Runnable> idle = new ArrayList<>();
+    private final List<Runnable> detached = new ArrayList<>();
     boolean inside;
     boolean closing;
+    boolean stopping;
     boolean closed;
-    int pendingDelays;
     ModelActor.@Nullable Instance current;
 
-    ModelSpace(End end) {
-        this.end = end;
-    }
-
-    void enqueue(Task task) {
+    void enqueue(ModelTask task) {
         if (inside) {
-            (task.mail ? mails : callbacks).add(task);
-        } else {
-            inbox.add(task);
+            (task.mail() ? mails : callbacks).add(task);
+            return;
+        }
+        inbox.add(task);
+        if (closed) {
+            inside = true;
+            refuseAll();
+            inside = false;
         }
     }
 
-    void atTheEnd(Runnable action) {
-        if (end == End.WITH_ITS_TURN) {
-            ends.add(action);
-        } else {
-            callbacks.add(new Task(false, true, action));
-        }
+    /** A task of the user's; nobody has thought of what becomes of it if the space is closed. */
+    void execute(Runnable action) {
+        enqueue(ModelTask.entry(action, this::refuseTask));
+    }
+
+    private void refuseTask() {
+        history.add("dead letter a task to space: closed");
+    }
+
+    /** When the present turn is over, before anything else. */
+    void afterTurn(Runnable action) {
+        ends.add(action);
     }
 
     void whenIdle(Runnable action) {
@@ -91,45 +74,63 @@ final class ModelSpace {
         }
     }
 
+    /** A listener that belongs to no space, told outside: one after the other, never one in another. */
+    void runDetached(Runnable listener) {
+        detached.add(listener);
+        if (detached.size() == 1) {
+            while (!detached.isEmpty()) {
+                detached.getFirst().run();
+                detached.removeFirst();
+            }
+        }
+    }
+
     void crank() {
         inside = true;
-        boolean working = true;
-        while (working) {
+        boolean working = !closed;
+        while (working && !stopping) {
             working = pass();
             rejections.report();
-            if (inbox.isEmpty() && callbacks.isEmpty() && mails.isEmpty() && !timers.isDue()) {
-                working |= !idle.isEmpty();
-                var now = List.copyOf(idle);
-                idle.clear();
-                now.forEach(each -> turn(() -> guarded(each)));
-            } else {
+            if (!inbox.isEmpty() || !callbacks.isEmpty() || !mails.isEmpty() || timers.isDue()) {
                 working = true;
+            } else if (!stopping) {
+                working |= runIdle();
             }
+        }
+        if (stopping && !closed) {
+            shut();
         }
         inside = false;
     }
 
+    private boolean runIdle() {
+        var now = List.copyOf(idle);
+        idle.clear();
+        now.forEach(each -> turn(() -> guarded(each)));
+        return !now.isEmpty();
+    }
+
     private boolean pass() {
         boolean worked = false;
-        for (int i = 0; i < QUOTA && !inbox.isEmpty(); i++) {
-            Task task = inbox.removeFirst();
+        for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
+            ModelTask task = inbox.removeFirst();
             worked = true;
             if (callbacks.isEmpty() && mails.isEmpty()) {
-                turn(task.action);
+                turn(task.action());
             } else {
-                (task.mail ? mails : callbacks).add(task);
+                (task.mail() ? mails : callbacks).add(task);
             }
         }
-        for (int i = 0; i < QUOTA && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
+        for (int i = 0; i < QUOTA && !stopping && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
             worked = true;
             for (int k = 0; k < QUOTA && !callbacks.isEmpty(); k++) {
-                turn(callbacks.removeFirst().action);
+                turn(callbacks.removeFirst().action());
             }
             if (!mails.isEmpty()) {
-                turn(mails.removeFirst().action);
+                turn(mails.removeFirst().action());
             }
         }
-        return timers.runDue(this::turn) || worked;
+        return !stopping && timers.runDue(this::turn) || worked;
     }
 
     private void turn(Runnable action) {
@@ -139,24 +140,33 @@ final class ModelSpace {
         }
     }
 
-    /** After a crank, so that nothing waits. */
+    /** Serving ends with the turn of the entry that this queues; outside, that is waited for. */
     void close() {
-        closing = true;
-        inside = true;
-        if (pendingDelays > 0) {
-            history.unsettled();
+        if (!closing) {
+            closing = true;
+            Runnable stop = () -> stopping = true;
+            enqueue(ModelTask.entry(stop, stop));
         }
+        if (!inside) {
+            crank();
+        }
+    }
+
+    private void shut() {
         List.copyOf(living).forEach(ModelActor::stop);
+        timers.clear();
         closed = true;
-        while (!(callbacks.isEmpty() && mails.isEmpty())) {
-            Task task = callbacks.isEmpty() ? mails.removeFirst() : callbacks.removeFirst();
-            if (task.entry) {
-                history.add("dead letter a task to space: closed");
-            } else {
-                turn(task.action);
-            }
-        }
+        idle.forEach(each -> refuseTask());
+        idle.clear();
+        refuseAll();
         rejections.reportAll();
-        inside = false;
+    }
+
+    private void refuseAll() {
+        while (!(callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty())) {
+            var first = !callbacks.isEmpty() ? callbacks : !mails.isEmpty() ? mails : inbox;
+            ModelTask task = first.removeFirst();
+            turn(task.ifClosed() == null ? task.action() : task.ifClosed());
+        }
     }
 }

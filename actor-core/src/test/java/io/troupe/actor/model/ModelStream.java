@@ -26,7 +26,7 @@ final class ModelStream {
     }
 
     boolean isCancelled() {
-        return over || readerGone;
+        return over || readerGone || owner != null && owner.over;
     }
 
     void cancel() {
@@ -58,6 +58,13 @@ final class ModelStream {
         });
     }
 
+    /** Nobody will ever send anything. */
+    void abandon(String error) {
+        if (!ended) {
+            fail(error);
+        }
+    }
+
     private void end(String how) {
         if (cancellable && !over) {
             over = true;
@@ -67,7 +74,7 @@ final class ModelStream {
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            space.enqueue(ModelSpace.Task.callback(() -> deliver(delivery)));
+            space.enqueue(ModelTask.callback(() -> deliver(delivery)));
         }
     }
 

@@ -29,8 +29,8 @@ final class ModelStreams {
     ModelStream reader(Act act, @Nullable Instance self) {
         String who = "stream " + act.id() + " of " + ModelRun.name(self);
         var stream = new ModelStream(
-                run.space, act.number() == 1, who, () -> run.play(act.reader().script(), self));
-        if (act.number() == 1) {
+                run.space, act.isCancellable(), who, () -> run.play(act.reader().script(), self));
+        if (act.isCancellable()) {
             readers.put(act.id(), stream);
         }
         return stream;
@@ -50,16 +50,19 @@ final class ModelStreams {
         }
         if (act.kind() == Kind.LOOK_AT_STREAM) {
             run.space.history.add("stream " + act.target() + " cancelled: " + handle.isCancelled());
-        } else if (handle.hasEnded()) {
-            run.space.history.add("stream " + act.target() + " refuses " + act.id());
-        } else if (act.kind() == Kind.NEXT) {
-            for (int i = 0; i < act.number(); i++) {
-                handle.next(i);
+            return;
+        }
+        int times = act.kind() == Kind.NEXT ? act.number() : 1;
+        for (int i = 0; i < times; i++) {
+            if (handle.hasEnded()) {
+                run.space.history.add("stream " + act.target() + " refuses " + act.id());
+                return;
             }
-        } else if (act.kind() == Kind.FINISH) {
-            handle.finish();
-        } else {
-            handle.fail("Boom" + act.id());
+            switch (act.kind()) {
+                case NEXT -> handle.next(i);
+                case FINISH -> handle.finish();
+                default -> handle.fail("Boom" + act.id());
+            }
         }
     }
 }

@@ -71,6 +71,14 @@ public class Peer extends Actor {
         run.play(letter.act.script(), this);
     }
 
+    /** A request with a callback. */
+    public Promise<@Nullable Object> streamAndAnswer(Letter letter, Callback<Integer> results) {
+        run.history.add(name + " streams for " + letter);
+        run.streams.arrive(letter.id, results);
+        run.play(letter.act.script(), this);
+        return Promise.of(letter.id);
+    }
+
     void end() {
         stop();
     }

@@ -12,15 +12,18 @@ import java.util.Set;
 final class Programs {
     private static final int ACTORS = 3;
     private static final int DEPTH = 4;
-    private static final List<Integer> DELAYS = List.of(0, 1, 2, 3, 20, 20, 100, 1_100);
+    private static final Act CRANK = Act.of(Kind.CRANK, 0, 0, 0);
     private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.CRANK, Kind.ADVANCE);
     private static final Set<Kind> INSIDE_ONLY =
             EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
     private static final Set<Kind> STREAMING = EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.SPAWN);
     private static final Set<Kind> MULTIPLYING = EnumSet.of(Kind.EVERY, Kind.SPAWN);
 
+    private static final Set<Kind> NONE = EnumSet.noneOf(Kind.class);
+
     private final Random random;
-    private final List<Kind> deck = new ArrayList<>();
+    private final Ending ending;
+    private final Deck deck;
     private final List<Integer> promises = new ArrayList<>(List.of(0));
     private final List<Integer> deferreds = new ArrayList<>(List.of(0));
     private final List<Integer> streams = new ArrayList<>(List.of(0));
@@ -29,6 +32,8 @@ final class Programs {
 
     private Programs(long seed) {
         random = new Random(seed);
+        ending = Ending.values()[random.nextInt(3)];
+        deck = new Deck(random, ending);
     }
 
     static List<Act> random(long seed) {
@@ -36,45 +41,44 @@ final class Programs {
     }
 
     private List<Act> program() {
-        shuffleDeck();
         var acts = new ArrayList<Act>();
         for (int actor = 0; actor < ACTORS; actor++) {
-            acts.add(spawn(actor, 0));
+            add(acts, spawn(actor, 0));
         }
         if (random.nextInt(3) > 0) {
-            acts.add(Act.of(Kind.CRANK, 0, 0, 0));
+            acts.add(CRANK);
         }
         int length = 4 + random.nextInt(36);
         for (int i = 0; i < length; i++) {
-            acts.add(random.nextInt(5) == 0 ? Act.of(Kind.CRANK, 0, 0, 0) : act(0, INSIDE_ONLY));
+            add(acts, random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody()));
         }
+        acts.addAll(ending.lastActs());
         return List.copyOf(acts);
     }
 
-    /** Each program has kinds it uses much and kinds it does not use at all, so that rare ones meet. */
-    private void shuffleDeck() {
-        for (Kind kind : Kind.values()) {
-            if (kind != Kind.READER) {
-                int often = Math.max(0, random.nextInt(7) - 2);
-                if (kind == Kind.ADVANCE || kind == Kind.THROW) {
-                    often = 2 + random.nextInt(3);
-                } else if (kind == Kind.TELL || kind == Kind.ASK) {
-                    often = 6;
-                } else if (kind == Kind.STOP || kind == Kind.STOP_SELF) {
-                    often /= 3; // what happens to the dead is soon told
-                }
-                for (int i = 0; i < often; i++) {
-                    deck.add(kind);
-                }
-            }
+    private void add(List<Act> acts, Act act) {
+        if (act.kind() == Kind.SPAWN && ending.awaitsEachStart()) {
+            acts.addAll(List.of(CRANK, act, CRANK));
+        } else {
+            acts.add(act);
         }
     }
 
     private List<Act> script(int depth, Set<Kind> banned) {
+        return script(depth, banned, NONE);
+    }
+
+    /**
+     * Acts.
+     *
+     * @param banned what neither they do nor what they lead to
+     * @param notHere what they do not do themselves
+     */
+    private List<Act> script(int depth, Set<Kind> banned, Set<Kind> notHere) {
         var acts = new ArrayList<Act>();
         int length = depth >= DEPTH ? 0 : Math.max(0, random.nextInt(6) - 1 - depth / 2);
         for (int i = 0; i < length; i++) {
-            acts.add(act(depth, banned));
+            acts.add(act(depth, banned, notHere));
         }
         return List.copyOf(acts);
     }
@@ -85,21 +89,21 @@ final class Programs {
         return both;
     }
 
-    private Act act(int depth, Set<Kind> banned) {
-        Kind kind = deck.get(random.nextInt(deck.size()));
-        while (banned.contains(kind)) {
-            kind = random.nextBoolean() ? Kind.TELL : deck.get(random.nextInt(deck.size()));
+    private Act act(int depth, Set<Kind> banned, Set<Kind> notHere) {
+        Kind kind = deck.draw();
+        while (banned.contains(kind) || notHere.contains(kind)) {
+            kind = random.nextBoolean() ? Kind.TELL : deck.draw();
         }
         var below = union(OUTSIDE_ONLY, banned);
         below.removeAll(INSIDE_ONLY);
         int id = ++lastId;
         return switch (kind) {
-            case CRANK, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
+            case CRANK, CLOSE, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
             case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 10, 200, 2_100)));
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);
             case WATCH, DEFER -> Act.of(kind, made(promises, kind == Kind.DEFER), actor(), 0);
-            case DELAY -> Act.of(kind, made(promises, false), 0, oneOf(DELAYS));
+            case DELAY -> Act.of(kind, made(promises, false), 0, oneOf(ending.delays()));
             case TELL, FORWARD ->
                 new Act(kind, kind == Kind.TELL ? id : oneOf(streams), actor(), 0, script(depth + 1, below));
             case ASK -> ask(depth, below);
@@ -108,13 +112,14 @@ final class Programs {
             case THEN, HANDLE, WHEN, RESCUE, COMPOSE -> {
                 int target = oneOf(promises);
                 int other = oneOf(promises);
-                yield new Act(kind, made(promises, false), target, other, script(depth + 1, below));
+                var script = script(depth + 1, below, ending.notInListeners());
+                yield new Act(kind, made(promises, false), target, other, script);
             }
             case OPEN -> open(depth, below);
             case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(60) == 0 ? 300 : 1 + random.nextInt(3));
             case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
             case AFTER, EVERY -> {
-                int delay = kind == Kind.AFTER ? oneOf(DELAYS) : oneOf(List.of(20, 100, 1_000));
+                int delay = kind == Kind.AFTER ? oneOf(ending.delays()) : oneOf(List.of(20, 100, 1_000));
                 var inTimer = kind == Kind.EVERY ? union(below, MULTIPLYING) : below;
                 yield new Act(kind, made(timers, false), 0, delay, script(depth + 1, inTimer));
             }
@@ -122,7 +127,7 @@ final class Programs {
             case EXECUTE, ON_IDLE -> {
                 below.addAll(union(INSIDE_ONLY, OUTSIDE_ONLY));
                 below.remove(Kind.THROW);
-                yield new Act(kind, id, 0, 0, script(depth + 1, below));
+                yield new Act(kind, id, 0, 0, script(depth + 1, below, ending.notByNobody()));
             }
             case READER -> throw new IllegalStateException("a reader is no act of its own");
         };
@@ -148,10 +153,11 @@ final class Programs {
     /** A reader sends nothing, or it could go on for ever. */
     private Act open(int depth, Set<Kind> below) {
         int id = made(streams, false);
+        promises.add(id); // of its answer, if it is a request
         var reader = new Act(Kind.READER, 0, 0, 0, script(depth + 2, union(below, STREAMING)));
         var script = new ArrayList<>(script(depth + 1, below));
         script.addFirst(reader);
-        return new Act(Kind.OPEN, id, actor(), random.nextInt(2), List.copyOf(script));
+        return new Act(Kind.OPEN, id, actor(), random.nextInt(4), List.copyOf(script));
     }
 
     private int actor() {
