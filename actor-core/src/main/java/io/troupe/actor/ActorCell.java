@@ -128,7 +128,7 @@ public final class ActorCell {
 
     /** The entry that spawning has queued: starts the actor, unless a call that came another way has done so, or it was stopped before. */
     void start() {
-        if (!begun && !stopped) {
+        if (!begun && !stopped && !space.isStopping()) {
             startInstance();
         }
     }

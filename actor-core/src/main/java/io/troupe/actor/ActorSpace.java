@@ -380,6 +380,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
     @Override
     protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         var expiry = new Expiry(task, ifClosed);
+        if (isCurrent() && lifeline.isClosed()) { // acting for a space that has ended
+            ifClosed.run();
+            return () -> {};
+        }
         if (isCurrent()) {
             Timer timer = dispatcher.timers.set(expiry, delayNanos, 0);
             return () -> onThread(timer::cancel);
@@ -589,7 +593,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     /** Between two passes: lost rejections, then, if all is quiet, those who waited for that. */
     private boolean settle() {
         settleRejections();
-        return dispatcher.isQuiet() ? dispatcher.runIdleActions() : true;
+        return stopping || !dispatcher.isQuiet() || dispatcher.runIdleActions();
     }
 
     private @Nullable Home enter() {
@@ -614,6 +618,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
             clockRegistration.run();
             last.dropTimers(dispatcher.timers);
             lifeline.close();
+            last.dropIdleActions();
             last.refuseAll();
             leftovers = last.leftovers(bodies);
             rejections.releaseAll();

@@ -29,6 +29,17 @@ final class Closing {
         }
     }
 
+    void dropIdleActions() {
+        for (int count = dispatcher.takeIdleActions().size(); count > 0; count--) {
+            tasks++;
+            refuseTask();
+        }
+    }
+
+    private void refuseTask() {
+        space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
+    }
+
     /** Until nothing waits any more; what is refused may lead to more. */
     void refuseAll() {
         for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
@@ -64,7 +75,7 @@ final class Closing {
         if (ifClosed != null) {
             space.runGuarded(ifClosed);
         } else {
-            space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
+            refuseTask();
         }
     }
 

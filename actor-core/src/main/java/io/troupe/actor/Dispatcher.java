@@ -62,7 +62,7 @@ final class Dispatcher {
         }
         boolean worked = drainInbox();
         worked |= drainRings();
-        worked |= timers.runDue(this::runTask) > 0;
+        worked |= quota > 0 && timers.runDue(this::runTask) > 0;
         return worked;
     }
 
@@ -83,10 +83,14 @@ final class Dispatcher {
         if (idleActions.isEmpty()) {
             return false;
         }
+        takeIdleActions().forEach(this::runTask);
+        return true;
+    }
+
+    List<Runnable> takeIdleActions() {
         var actions = List.copyOf(idleActions);
         idleActions.clear();
-        actions.forEach(this::runTask);
-        return true;
+        return actions;
     }
 
     /** Takes out an entry that will not be served any more. */

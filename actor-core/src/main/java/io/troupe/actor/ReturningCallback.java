@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
 import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.jspecify.annotations.Nullable;
 
 /** A callback on its way through a proxy: what the actor sends becomes entries of the caller's callback queue. */
@@ -11,7 +12,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private final @Nullable Life owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
-    private volatile boolean sentFromAfar;
+    private volatile @Nullable Queue<Delivery> line;
 
     private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Life owner) {
         this.reader = reader;
@@ -55,7 +56,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private void enqueueInTurn(Runnable delivery, Queue<Runnable> waiting) {
         waiting.add(delivery);
-        home.enqueueCallback(new Delivery(() -> waiting.remove().run()));
+        home.enqueueCallback(new Delivery(() -> waiting.remove().run(), false));
     }
 
     /** What goes wrong on the sender's side though it is the reader's. */
@@ -90,7 +91,8 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     /** Nobody will ever send anything: ends it, unless it has ended. */
     void abandon(Throwable error) {
         if (!ended) {
-            fail(error);
+            ended = true;
+            send(() -> reader.fail(error), true);
         }
     }
 
@@ -106,31 +108,60 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private void send(Runnable delivery) {
-        if (!isCancelled()) {
-            enqueue(new Delivery(delivery));
+        send(delivery, false);
+    }
+
+    private void send(Runnable delivery, boolean evenIfClosed) {
+        if (isCancelled()) {
+            return;
+        }
+        var next = new Delivery(delivery, evenIfClosed);
+        Queue<Delivery> waiting = home.isCurrent() ? line : lineUp();
+        if (waiting == null) {
+            home.enqueueCallback(next);
+        } else {
+            waiting.add(next);
+            home.enqueueCallback(new Ticket(waiting));
         }
     }
 
-    /** What another thread has sent waits in the inbox: from then on everything goes there, or it would be overtaken. */
-    private void enqueue(Delivery next) {
-        if (sentFromAfar || !home.isCurrent()) {
-            sentFromAfar = true;
-            home.enqueueFromAfar(next);
-        } else {
-            home.enqueueCallback(next);
+    private synchronized Queue<Delivery> lineUp() {
+        if (line == null) {
+            line = new ConcurrentLinkedQueue<>();
+        }
+        return line;
+    }
+
+    /**
+     * The turn of whichever result comes first. What the space's own thread sends would overtake what another thread has put into the inbox before; so as
+     * soon as another thread sends, results wait in a line of their own, and only tickets are queued.
+     */
+    private static final class Ticket extends Node {
+        private final Queue<? extends ReturningCallback<?>.Delivery> waiting;
+
+        Ticket(Queue<? extends ReturningCallback<?>.Delivery> waiting) {
+            this.waiting = waiting;
+        }
+
+        @Override
+        protected void run() {
+            waiting.remove().run();
         }
     }
 
     private final class Delivery extends Node {
         private final Runnable delivery;
+        private final boolean evenIfClosed;
 
-        Delivery(Runnable delivery) {
+        /** @param evenIfClosed whether the reader hears of it though its space is closed, on the thread that turns away what is left */
+        Delivery(Runnable delivery, boolean evenIfClosed) {
             this.delivery = delivery;
+            this.evenIfClosed = evenIfClosed;
         }
 
         @Override
         protected void run() {
-            if (home.hasEnded()) {
+            if (home.hasEnded() && !evenIfClosed) {
                 readerGone = true; // and the sender's thread turns away what is left there
             } else if (owner == null) {
                 home.runGuarded(delivery);

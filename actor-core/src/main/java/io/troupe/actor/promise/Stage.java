@@ -76,7 +76,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
         Object outcome = Objects.requireNonNull(settled.outcomeNow());
         if (owner != null) {
-            owner.home().begin(owner);
+            owner.home().begin(owner.isOutside() ? owner.home().itself() : owner);
             if (owner.isOver()) {
                 giveUp(outcome);
                 return null;

@@ -19,6 +19,7 @@ final class Programs {
     private static final Set<Kind> STREAMING = EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.SPAWN);
     private static final Set<Kind> MULTIPLYING = EnumSet.of(Kind.EVERY, Kind.SPAWN);
 
+    private static final List<Integer> DELAYS = List.of(0, 1, 2, 3, 20, 20, 100, 1_100);
     private static final Set<Kind> NONE = EnumSet.noneOf(Kind.class);
 
     private final Random random;
@@ -43,25 +44,17 @@ final class Programs {
     private List<Act> program() {
         var acts = new ArrayList<Act>();
         for (int actor = 0; actor < ACTORS; actor++) {
-            add(acts, spawn(actor, 0));
+            acts.add(spawn(actor, 0));
         }
         if (random.nextInt(3) > 0) {
             acts.add(CRANK);
         }
         int length = 4 + random.nextInt(36);
         for (int i = 0; i < length; i++) {
-            add(acts, random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody()));
+            acts.add(random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody()));
         }
         acts.addAll(ending.lastActs());
         return List.copyOf(acts);
-    }
-
-    private void add(List<Act> acts, Act act) {
-        if (act.kind() == Kind.SPAWN && ending.awaitsEachStart()) {
-            acts.addAll(List.of(CRANK, act, CRANK));
-        } else {
-            acts.add(act);
-        }
     }
 
     private List<Act> script(int depth, Set<Kind> banned) {
@@ -103,7 +96,7 @@ final class Programs {
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);
             case WATCH, DEFER -> Act.of(kind, made(promises, kind == Kind.DEFER), actor(), 0);
-            case DELAY -> Act.of(kind, made(promises, false), 0, oneOf(ending.delays()));
+            case DELAY -> Act.of(kind, made(promises, false), 0, oneOf(DELAYS));
             case TELL, FORWARD ->
                 new Act(kind, kind == Kind.TELL ? id : oneOf(streams), actor(), 0, script(depth + 1, below));
             case ASK -> ask(depth, below);
@@ -119,7 +112,7 @@ final class Programs {
             case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(60) == 0 ? 300 : 1 + random.nextInt(3));
             case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
             case AFTER, EVERY -> {
-                int delay = kind == Kind.AFTER ? oneOf(ending.delays()) : oneOf(List.of(20, 100, 1_000));
+                int delay = kind == Kind.AFTER ? oneOf(DELAYS) : oneOf(List.of(20, 100, 1_000));
                 var inTimer = kind == Kind.EVERY ? union(below, MULTIPLYING) : below;
                 yield new Act(kind, made(timers, false), 0, delay, script(depth + 1, inTimer));
             }
