@@ -32,7 +32,9 @@ final class Reports {
         try {
             (first != null ? first : settings.onError()).handle(where, error);
         } catch (Throwable broken) {
-            broken.addSuppressed(error);
+            if (broken != error) { // a handler may throw what it was given
+                broken.addSuppressed(error);
+            }
             LOG.log(
                     System.Logger.Level.ERROR,
                     "the error handler of space " + settings.name() + " threw about " + where,
@@ -53,7 +55,7 @@ final class Reports {
         new DeadLetterEvent(settings.name(), letter).commit();
         try {
             settings.onDeadLetter().accept(letter);
-        } catch (RuntimeException broken) {
+        } catch (Throwable broken) { // an AssertionError in a test, say
             error("the dead-letter handler of space " + settings.name() + ", about " + letter, broken, null);
         }
     }
