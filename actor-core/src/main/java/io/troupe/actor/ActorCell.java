@@ -117,7 +117,7 @@ public final class ActorCell {
 
     /** The entry that spawning has queued: starts the actor, unless a call that came another way has done so, or it was stopped before. */
     void start() {
-        if (!begun && !stopped) {
+        if (!begun && !stopped && !space.isStopping()) {
             startInstance();
         }
     }
@@ -165,7 +165,12 @@ public final class ActorCell {
     /** The end of one instance. */
     private void endLife() {
         if (implementation instanceof Actor actor) {
-            guard("stopped()", actor::stopped);
+            space.beginTurnOf(life);
+            try {
+                actor.stopped();
+            } catch (Throwable thrown) { // reported, and no failure of the instance that comes next
+                space.reports().error("stopped() of " + this, thrown, settings.onError());
+            }
         }
         implementation = null;
         life.end();

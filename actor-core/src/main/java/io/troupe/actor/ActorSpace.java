@@ -240,6 +240,9 @@ public final class ActorSpace extends Home implements AutoCloseable {
         if (!settings.handCranked()) {
             throw new IllegalStateException("space " + this + " has a thread of its own and cannot be cranked by hand");
         }
+        if (ended.getCount() == 0) {
+            return; // it is closed, and whoever still calls it is turned away at once
+        }
         if (thread != null) {
             throw new IllegalStateException("space " + this + " is being cranked already, by " + thread.getName());
         }
@@ -371,6 +374,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
     @Override
     protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         var expiry = new Expiry(task, ifClosed);
+        if (isCurrent() && hasEnded()) {
+            enqueueCallback(Entry.urgent(ifClosed, ifClosed)); // nobody looks at the timers any more
+            return () -> {};
+        }
         if (isCurrent()) {
             Timer timer = dispatcher.timers.set(expiry, delayNanos, 0);
             return () -> onThread(timer::cancel);
@@ -602,6 +609,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     private void shut() {
+        stopping = true; // also if an error has ended the thread
         var last = new Closing(this, dispatcher);
         refusing.set(true); // nobody else turns leftovers away before this thread has
         try {
@@ -609,12 +617,13 @@ public final class ActorSpace extends Home implements AutoCloseable {
             actors.all().forEach(ActorCell::stop);
             sequences.cancelAll();
             clockRegistration.run();
-            last.dropTimers(dispatcher.timers);
             lifeline.close();
+            last.dropTimers(dispatcher.timers);
             last.refuseAll();
             leftovers = last.leftovers(bodies);
             rejections.releaseAll();
             settleRejections();
+            last.refuseAll(); // what the error handler has asked of actors
         } finally {
             lifeline.close();
             thread = null;
