@@ -343,6 +343,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
         enqueueCallback(node);
     }
 
+    @Override
+    protected void enqueueBehind(Node node) {
+        offer(node);
+    }
+
     void enqueueCallback(Node node) {
         if (isCurrent()) {
             callbacks.add(node);

@@ -37,7 +37,6 @@ class OrderAcrossThreadsTest {
     }
 
     @Test
-    @Disabled("a late listener goes to the ring and overtakes one that another thread has put into the inbox")
     void listeners_secondRegisteredAfterAnotherThreadHasSettled_runInOrderOfRegistration() {
         test.run(() -> {
             var promise = new Deferred<Integer>();
@@ -54,7 +53,6 @@ class OrderAcrossThreadsTest {
     }
 
     @Test
-    @Disabled("a late listener goes to the ring and overtakes one that another thread has put into the inbox")
     void listeners_ofARequestToAnotherSpace_runInOrderOfRegistration() {
         var other = new TestSpace();
         Answerer answerer = other.spawn(Answerer.class, () -> () -> Promise.of(1));

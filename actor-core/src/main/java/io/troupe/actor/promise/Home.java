@@ -53,6 +53,9 @@ public abstract class Home {
     /** Queues a node; first in, first out per sender. */
     protected abstract void enqueue(Node node);
 
+    /** Queues a node behind all that other threads have queued before, also on the home's own thread. */
+    protected abstract void enqueueBehind(Node node);
+
     /**
      * Runs a task on this home's thread after a delay, or, if the home is closed before, the other one.
      *

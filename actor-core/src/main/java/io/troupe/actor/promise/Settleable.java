@@ -17,7 +17,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * One field says everything, so that one compare-and-set decides between "settle" and "register":
      *   null           pending, nobody listens
      *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones
-     *   a Settling     settled, but earlier listeners are still being told
+     *   a Settling     settled while some listeners live on other threads: they are being told, or were
      *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for something else)
      */
     private static final Object NULL = new Object();
@@ -214,7 +214,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             Object next = outcome;
             if (listeners != null && Settling.isNeeded(listeners)) {
                 var settling = new Settling(outcome);
-                listeners = new Settling.End(settling, this, listeners);
+                listeners = new Settling.End(settling, listeners);
                 next = settling;
             }
             if (STATE.compareAndSet(this, now, next)) {
@@ -224,11 +224,6 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 return listeners;
             }
         }
-    }
-
-    /** Every listener has been told. */
-    final void endSettling(Settling settling) {
-        STATE.setRelease(this, settling.outcome());
     }
 
     @SuppressWarnings("ReferenceEquality")
@@ -318,10 +313,9 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (now instanceof Settling settling) {
-                if (settling.join(listener)) {
-                    return;
+                if (!settling.join(listener)) {
+                    tellBehind(listener, settling.outcome());
                 }
-                tellLate(listener, settling.outcome());
                 return;
             }
             if (isSettled(now)) {
@@ -350,6 +344,19 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
         listener.next = null;
         tell(listener, outcome);
+    }
+
+    /** Of its home's inbox, where those told before may still be. */
+    private static void tellBehind(Node listener, Object outcome) {
+        if (listener instanceof Stage<?, ?> stage) {
+            if (outcome instanceof Rejection rejection) {
+                rejection.hear();
+            }
+            listener.next = null;
+            stage.dispatchBehind();
+        } else {
+            tellLate(listener, outcome);
+        }
     }
 
     private static void dispatch(Node listener) {

@@ -4,8 +4,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A promise that is settled while its listeners of other threads are still being told. Whoever registers now joins the end of the line, and cannot
- * overtake those who registered before.
+ * A promise that was settled while some of its listeners live on other threads. Whoever registers while they are being told joins the end of the line;
+ * whoever registers later goes behind those who may still wait in their home's inbox. So nobody overtakes those who registered before.
  */
 final class Settling extends Special {
     private final Object outcome;
@@ -46,19 +46,16 @@ final class Settling extends Special {
     /** The last in line: closes it, or lets those who came late go first. */
     static final class End extends Node {
         private final Settling settling;
-        private final Settleable<?> promise;
 
-        End(Settling settling, Settleable<?> promise, Node listeners) {
+        End(Settling settling, Node listeners) {
             this.settling = settling;
-            this.promise = promise;
             this.next = listeners;
         }
 
-        /** Those who came late, newest first, with this end behind them; null if nobody came, and the promise is settled for good. */
+        /** Those who came late, newest first, with this end behind them; null if nobody came, and the line is closed for good. */
         @Nullable
         Node tryToEnd() {
             if (settling.late.compareAndSet(null, Claim.REFUSED)) {
-                promise.endSettling(settling);
                 return null;
             }
             next = settling.late.getAndSet(null);

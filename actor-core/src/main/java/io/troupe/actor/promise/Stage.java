@@ -44,6 +44,15 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
+    /** Queues it behind those listeners that another thread has queued. */
+    final void dispatchBehind() {
+        if (owner == null) {
+            dispatch();
+        } else {
+            owner.home().enqueueBehind(this);
+        }
+    }
+
     /** Whether it runs on another thread than the calling one. */
     final boolean isElsewhere() {
         return owner != null && !owner.home().isCurrent();

@@ -85,6 +85,11 @@ public class LateListener {
         }
 
         @Override
+        protected void enqueueBehind(Node node) {
+            inbox.offer(node);
+        }
+
+        @Override
         protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
             throw new UnsupportedOperationException("nobody sets timers here");
         }
