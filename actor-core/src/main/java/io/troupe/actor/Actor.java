@@ -23,6 +23,10 @@ public abstract class Actor {
 
     final void join(ActorCell mine) {
         keyed.cancelAll(); // of a life before, if the factory answers the same object again
+        if (cell != null && cell != mine) {
+            throw new ActorException("the factory of " + mine + " answered an object that is the actor " + cell
+                    + " already, expected one of its own");
+        }
         cell = mine;
     }
 

@@ -176,7 +176,12 @@ public final class ActorCell {
     /** The end of one instance. */
     private void endLife() {
         if (implementation instanceof Actor actor) {
-            guard("stopped()", actor::stopped);
+            space.beginTurnOf(life);
+            try {
+                actor.stopped();
+            } catch (Throwable thrown) { // reported, and no failure of the instance that comes next
+                space.reports().error("stopped() of " + this, thrown, settings.onError());
+            }
         }
         implementation = null;
         life.end();
@@ -245,6 +250,16 @@ public final class ActorCell {
 
     private static <T extends @Nullable Object> void ask(Request<T> request, Object target) throws Throwable {
         request.answer(request.invoke(target));
+    }
+
+    /** The call that would be served with this ticket. */
+    Node callOf(Node ticket) {
+        return mailbox == null ? ticket : mailbox.peek(ticket);
+    }
+
+    /** How many calls wait before this one in a mailbox that keeps them itself, or -1. */
+    int placeInMailbox(Node call) {
+        return mailbox == null ? -1 : mailbox.placeOf(call);
     }
 
     private void refuse(Node call) {

@@ -66,7 +66,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     private ActorSpace(SpaceSettings settings, boolean closeable) {
         this.settings = settings;
         this.closeable = closeable;
-        this.reports = new Reports(settings);
+        this.reports = new Reports(this, settings);
         this.dispatcher =
                 new Dispatcher(this, inbox, callbacks, mails, new TimerWheel(settings.clock(), this::isCurrent));
         this.metrics = new Probing(this, dispatcher, reports);
@@ -181,7 +181,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     public Promise<@Nullable Void> delay(Duration duration) {
         var over = new Deferred<@Nullable Void>(this);
         schedule(
-                duration.toNanos(),
+                nanosOf(duration),
                 () -> over.resolve(null),
                 () -> over.reject(new CancellationException(
                         "space " + this + " was closed before the delay of " + duration + " was over")));
@@ -239,6 +239,9 @@ public final class ActorSpace extends Home implements AutoCloseable {
     public void crank() {
         if (!settings.handCranked()) {
             throw new IllegalStateException("space " + this + " has a thread of its own and cannot be cranked by hand");
+        }
+        if (ended.getCount() == 0) {
+            return; // it is closed, and whoever still calls it is turned away at once
         }
         if (thread != null) {
             throw new IllegalStateException("space " + this + " is being cranked already, by " + thread.getName());
@@ -380,8 +383,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
     @Override
     protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         var expiry = new Expiry(task, ifClosed);
-        if (isCurrent() && lifeline.isClosed()) { // acting for a space that has ended
-            ifClosed.run();
+        if (isCurrent() && hasEnded()) {
+            ifClosed.run(); // nobody looks at the timers any more
             return () -> {};
         }
         if (isCurrent()) {
@@ -409,11 +412,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     @Override
     protected void rejected(Promise<?> promise, Throwable error) {
-        if (lifeline.isClosed()) {
-            return; // a late asker has the refusal in its hands
+        if (lifeline.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
+            return; // a late asker has the refusal in its hands, and the others are counted
         }
         if (!isCurrent()) {
-            enqueueMail(new Entry(() -> rejected(promise, error), () -> {}));
+            enqueueMail(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
         } else if (isMadeOutside(promise)) {
             rejections.hold(promise, error);
             dispatcher.timers.set(() -> rejections.release(promise), GRACE_NANOS, 0);
@@ -458,6 +461,10 @@ public final class ActorSpace extends Home implements AutoCloseable {
         return isMail(node);
     }
 
+    static long countedNanos(Duration duration) {
+        return nanosOf(duration);
+    }
+
     static boolean isListenedTo(Promise<?> promise) {
         return isHeard(promise);
     }
@@ -489,7 +496,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         if (!isCurrent()) {
             return "";
         }
-        int before = dispatcher.mailsBefore(request);
+        int inMailbox = request.receiver().placeInMailbox(request);
+        int before = inMailbox >= 0 ? inMailbox : dispatcher.mailsBefore(request);
         return before < 0 ? ", which has begun it" : ", which has not begun it: " + before + " calls come first";
     }
 
@@ -516,9 +524,24 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
         Life life = cell.life();
-        Timer timer = dispatcher.timers.set(() -> life.run("a timer", task), delay.toNanos(), period.toNanos());
+        Timer timer = dispatcher.timers.set(() -> life.run("a timer", task), nanosOf(delay), nanosOf(period));
         life.own(timer);
         return timer;
+    }
+
+    /** On the space's own behalf, in the midst of whatever turn it is. */
+    void asItself(Runnable action) {
+        if (!isCurrent()) {
+            action.run();
+            return;
+        }
+        Owner before = owner();
+        beginForItself();
+        try {
+            action.run();
+        } finally {
+            begin(before);
+        }
     }
 
     /** On the space's own behalf. */
@@ -609,6 +632,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     private void shut() {
+        stopping = true; // also if an error has ended the thread
         var last = new Closing(this, dispatcher);
         refusing.set(true); // nobody else turns leftovers away before this thread has
         try {
@@ -616,13 +640,14 @@ public final class ActorSpace extends Home implements AutoCloseable {
             actors.all().forEach(ActorCell::stop);
             sequences.cancelAll();
             clockRegistration.run();
-            last.dropTimers(dispatcher.timers);
             lifeline.close();
+            last.dropTimers(dispatcher.timers);
             last.dropIdleActions();
             last.refuseAll();
             leftovers = last.leftovers(bodies);
             rejections.releaseAll();
             settleRejections();
+            last.refuseAll(); // what the error handler has asked of actors
         } finally {
             lifeline.close();
             thread = null;
@@ -642,6 +667,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
             Home before = enter();
             try {
                 new Closing(this, dispatcher).refuseAll();
+                settleRejections();
             } finally {
                 thread = null;
                 leaveThread(before);
@@ -666,7 +692,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
             return;
         }
         try {
-            if (!ended.await(patience.toNanos(), TimeUnit.NANOSECONDS)) {
+            if (!ended.await(nanosOf(patience), TimeUnit.NANOSECONDS)) {
                 throw new ActorException(
                         "space " + this + " did not end within " + patience + ": its thread is busy" + whatItDoes());
             }

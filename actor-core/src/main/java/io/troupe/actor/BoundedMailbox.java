@@ -2,7 +2,8 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
-import java.util.concurrent.ConcurrentLinkedDeque;
+import java.util.ArrayDeque;
+import java.util.Objects;
 import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
 
@@ -26,12 +27,12 @@ final class BoundedMailbox {
 
     private final MailboxBound bound;
     private final Semaphore room;
-    private final @Nullable ConcurrentLinkedDeque<Node> calls;
+    private final @Nullable ArrayDeque<Node> calls; // guarded by itself
 
     BoundedMailbox(MailboxBound bound) {
         this.bound = bound;
         this.room = new Semaphore(bound.capacity());
-        this.calls = bound.overflow() == MailboxBound.Overflow.DROP_OLDEST ? new ConcurrentLinkedDeque<>() : null;
+        this.calls = bound.overflow() == MailboxBound.Overflow.DROP_OLDEST ? new ArrayDeque<>() : null;
     }
 
     /** Makes room for a call, by waiting or by dropping another if that is the rule. */
@@ -50,32 +51,55 @@ final class BoundedMailbox {
         return Admission.QUEUED;
     }
 
-    private Admission admitDropping(Node call, ActorCell cell, ConcurrentLinkedDeque<Node> waiting) {
-        while (!room.tryAcquire()) {
-            waiting.addLast(call); // first in, then one out: a ticket must never find nothing
-            Node oldest = waiting.pollFirst();
-            if (oldest != call) {
-                if (oldest != null) {
-                    cell.drop(oldest, reason());
-                }
-                return Admission.TAKEN_IN;
-            }
-        } // all that waited has been served meanwhile: there is room now
-        waiting.addLast(call);
-        return Admission.QUEUED;
+    private Admission admitDropping(Node call, ActorCell cell, ArrayDeque<Node> waiting) {
+        Node oldest;
+        synchronized (waiting) {
+            oldest = waiting.size() < bound.capacity() ? null : waiting.pollFirst();
+            waiting.addLast(call);
+        }
+        if (oldest == null) {
+            return Admission.QUEUED;
+        }
+        cell.drop(oldest, reason());
+        return Admission.TAKEN_IN;
     }
 
-    /** The call to be served with this ticket. */
+    /** Takes the call that is to be served with this ticket. */
     Node next(Node ticket) {
-        Node call =
-                calls == null ? ticket : java.util.Objects.requireNonNull(calls.pollFirst(), "a ticket without a call");
-        room.release();
-        return call;
+        if (calls == null) {
+            room.release();
+            return ticket;
+        }
+        synchronized (calls) {
+            return Objects.requireNonNull(calls.pollFirst(), "a ticket without a call");
+        }
     }
 
-    /** How many calls wait. */
-    int size() {
-        return bound.capacity() - room.availablePermits();
+    /** The call that would be served with this ticket. */
+    Node peek(Node ticket) {
+        if (calls == null) {
+            return ticket;
+        }
+        synchronized (calls) {
+            return Objects.requireNonNull(calls.peekFirst(), "a ticket without a call");
+        }
+    }
+
+    /** How many calls wait here before this one, or -1 if it does not wait here. */
+    int placeOf(Node call) {
+        if (calls == null) {
+            return -1;
+        }
+        synchronized (calls) {
+            int place = 0;
+            for (Node each : calls) {
+                if (each == call) {
+                    return place;
+                }
+                place++;
+            }
+            return -1;
+        }
     }
 
     String reason() {

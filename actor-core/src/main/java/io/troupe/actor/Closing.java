@@ -49,15 +49,8 @@ final class Closing {
 
     private void refuse(Node node) {
         switch (node) {
-            case Message message -> {
-                messages++;
-                note(message + " to " + message.receiver());
-            }
-            case Request<?> request
-            when !request.isDone() -> {
-                requests++;
-                note(request.toString());
-            }
+            case Message ticket -> count(ticket.receiver().callOf(ticket));
+            case Request<?> ticket -> count(ticket.receiver().callOf(ticket));
             case Entry entry -> {
                 refuse(entry);
                 return;
@@ -65,6 +58,16 @@ final class Closing {
             default -> {}
         }
         dispatcher.serve(node); // its actor has stopped: it turns the call away
+    }
+
+    private void count(Node call) {
+        if (call instanceof Message message) {
+            messages++;
+            note(message + " to " + message.receiver());
+        } else if (call instanceof Request<?> request && !request.isDone()) {
+            requests++;
+            note(request.toString());
+        }
     }
 
     private void refuse(Entry entry) {

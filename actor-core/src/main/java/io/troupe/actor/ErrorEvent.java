@@ -6,6 +6,7 @@ import jdk.jfr.Event;
 import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
+import org.jspecify.annotations.Nullable;
 
 /** For the flight recorder: something threw, and nobody waited for it. */
 @Name("io.troupe.Error")
@@ -26,6 +27,15 @@ final class ErrorEvent extends Event {
     ErrorEvent(String space, String where, Throwable error) {
         this.space = space;
         this.where = where;
-        this.error = error.getClass().getName() + ": " + error.getMessage();
+        this.error = error.getClass().getName() + ": " + text(error);
+    }
+
+    private static @Nullable String text(Throwable error) {
+        try {
+            return error.getMessage();
+        } catch (Throwable broken) {
+            Reports.rethrowIfFatal(broken);
+            return "its text cannot be made: " + broken.getClass().getName();
+        }
     }
 }

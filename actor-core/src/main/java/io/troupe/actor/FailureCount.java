@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import java.time.Duration;
 import java.util.ArrayDeque;
 
 /** Counts an actor's failures within the window of its supervision. On the space's thread. */
@@ -16,11 +17,15 @@ final class FailureCount {
         if (supervision.limit() == Integer.MAX_VALUE) {
             return supervision.directive();
         }
-        long oldest = nowNanos - supervision.window().toNanos();
-        while (!recent.isEmpty() && recent.peekFirst() <= oldest) {
+        while (!recent.isEmpty() && isOver(nowNanos - recent.peekFirst())) {
             recent.removeFirst();
         }
         recent.addLast(nowNanos);
         return recent.size() > supervision.limit() ? Supervision.Directive.STOP : supervision.directive();
+    }
+
+    /** Compared as durations: a window may be longer than nanoseconds can count. */
+    private boolean isOver(long agoNanos) {
+        return Duration.ofNanos(agoNanos).compareTo(supervision.window()) >= 0;
     }
 }

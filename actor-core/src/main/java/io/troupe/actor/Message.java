@@ -67,8 +67,10 @@ public abstract class Message extends Node {
         String text;
         try {
             text = String.valueOf(argument);
-        } catch (RuntimeException broken) {
-            return argument.getClass().getName() + " whose toString throws " + broken;
+        } catch (Throwable broken) { // a list that contains itself overflows the stack
+            Reports.rethrowIfFatal(broken);
+            return argument.getClass().getName() + " whose toString throws "
+                    + broken.getClass().getName();
         }
         return text.length() <= 80 ? text : text.substring(0, 77) + "...";
     }

@@ -31,6 +31,9 @@ final class Repetition {
 
     private void round() {
         try {
+            if (end.isDone()) {
+                return; // cancelled
+            }
             if (!condition.getAsBoolean()) {
                 end.resolve(null);
                 return;

@@ -9,11 +9,13 @@ import org.jspecify.annotations.Nullable;
 final class Reports {
     private static final System.Logger LOG = System.getLogger(ActorSpace.class.getName());
 
+    private final ActorSpace space;
     private final SpaceSettings settings;
     private final LongAdder errors = new LongAdder();
     private final LongAdder deadLetters = new LongAdder();
 
-    Reports(SpaceSettings settings) {
+    Reports(ActorSpace space, SpaceSettings settings) {
+        this.space = space;
         this.settings = settings;
     }
 
@@ -30,9 +32,11 @@ final class Reports {
         errors.increment();
         new ErrorEvent(settings.name(), where, error).commit();
         try {
-            (first != null ? first : settings.onError()).handle(where, error);
+            space.asItself(() -> (first != null ? first : settings.onError()).handle(where, error));
         } catch (Throwable broken) {
-            broken.addSuppressed(error);
+            if (broken != error) { // a handler may throw what it was given
+                broken.addSuppressed(error);
+            }
             LOG.log(
                     System.Logger.Level.ERROR,
                     "the error handler of space " + settings.name() + " threw about " + where,
@@ -43,7 +47,9 @@ final class Reports {
 
     /** A virtual machine that cannot go on must not be talked over. */
     static void rethrowIfFatal(Throwable error) {
-        if (error instanceof VirtualMachineError fatal && !(error instanceof StackOverflowError)) {
+        if (error instanceof VirtualMachineError fatal
+                && !(error instanceof StackOverflowError)
+                && !(error instanceof OutOfMemoryError)) { // one actor that asks for too much must not end all others
             throw fatal;
         }
     }
@@ -52,8 +58,8 @@ final class Reports {
         deadLetters.increment();
         new DeadLetterEvent(settings.name(), letter).commit();
         try {
-            settings.onDeadLetter().accept(letter);
-        } catch (RuntimeException broken) {
+            space.asItself(() -> settings.onDeadLetter().accept(letter));
+        } catch (Throwable broken) { // an AssertionError in a test, say
             error("the dead-letter handler of space " + settings.name() + ", about " + letter, broken, null);
         }
     }

@@ -56,6 +56,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return cell.space();
     }
 
+    final ActorCell receiver() {
+        return cell;
+    }
+
     final void noteAsker(boolean inside) {
         askedInside = inside;
     }

@@ -76,22 +76,19 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     @Override
     public void finish() {
-        checkNotEnded();
-        ended = true;
+        endOrThrow();
         send(reader::finish);
     }
 
     @Override
     public void fail(Throwable error) {
-        checkNotEnded();
-        ended = true;
+        endOrThrow();
         send(() -> reader.fail(error));
     }
 
     /** Nobody will ever send anything: ends it, unless it has ended. */
     void abandon(Throwable error) {
-        if (!ended) {
-            ended = true;
+        if (end()) {
             send(() -> reader.fail(error), true);
         }
     }
@@ -103,8 +100,25 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private void checkNotEnded() {
         if (ended) {
-            throw new IllegalStateException("this callback has been finished or failed before: nothing can follow");
+            throw alreadyEnded();
         }
+    }
+
+    private void endOrThrow() {
+        if (!end()) {
+            throw alreadyEnded();
+        }
+    }
+
+    /** False if it has ended before. */
+    private synchronized boolean end() {
+        boolean first = !ended;
+        ended = true;
+        return first;
+    }
+
+    private static IllegalStateException alreadyEnded() {
+        return new IllegalStateException("this callback has been finished or failed before: nothing can follow");
     }
 
     private void send(Runnable delivery) {

@@ -35,8 +35,11 @@ final class Sequences {
         waiting.remove(sequence);
         running = sequence;
         space.beginTurnOf(sequence.owner());
-        space.lendThreadTo(sequence);
-        running = null;
+        try {
+            space.lendThreadTo(sequence);
+        } finally {
+            running = null;
+        }
     }
 
     /** The body that is calling waits until the promise is settled. */

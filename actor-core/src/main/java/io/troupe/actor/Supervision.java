@@ -3,7 +3,7 @@ package io.troupe.actor;
 import java.time.Duration;
 
 /**
- * What becomes of an actor when a one-way message or a timer of it throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise
+ * What becomes of an actor when a one-way message, a timer, a reader of its callbacks, or {@link Actor#started()} throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise
  * that {@code then} answered.) The error is reported in any case.
  *
  * @param directive what to do

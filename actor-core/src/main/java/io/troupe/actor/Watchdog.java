@@ -25,7 +25,7 @@ final class Watchdog {
         this.space = space;
         this.lifeline = lifeline;
         this.dispatcher = dispatcher;
-        this.limitNanos = limit.toNanos();
+        this.limitNanos = ActorSpace.countedNanos(limit);
         this.listener = listener;
     }
 
@@ -67,7 +67,7 @@ final class Watchdog {
         new StallEvent(stall).commit();
         try {
             listener.accept(stall);
-        } catch (RuntimeException broken) {
+        } catch (Throwable broken) { // an Error must not end the watch
             LOG.log(System.Logger.Level.ERROR, "the stall listener of space " + space + " threw", broken);
         }
     }

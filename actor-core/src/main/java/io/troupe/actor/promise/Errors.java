@@ -12,7 +12,9 @@ final class Errors {
 
     /** A virtual machine that cannot go on must not be talked over by a rejected promise. */
     static void rethrowIfFatal(Throwable error) {
-        if (error instanceof VirtualMachineError fatal && !(error instanceof StackOverflowError)) {
+        if (error instanceof VirtualMachineError fatal
+                && !(error instanceof StackOverflowError)
+                && !(error instanceof OutOfMemoryError)) {
             throw fatal;
         }
     }

@@ -97,6 +97,9 @@ final class Gather {
     static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
         var parts = List.<Promise<? extends T>>copyOf(promises);
         Deferred<T> first = about(parts);
+        if (parts.isEmpty()) {
+            first.reject(new NoSuchElementException("race of no promises"));
+        }
         parts.forEach(first::follow);
         return first;
     }

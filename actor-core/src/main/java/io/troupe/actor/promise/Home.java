@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -98,6 +99,15 @@ public abstract class Home {
     /** To be called now and then, see {@link Turn}. */
     protected final void renewTurn() {
         turn = new Turn(turn.owner);
+    }
+
+    /** A duration in nanoseconds, or as many as can be counted: some 292 years. */
+    protected static long nanosOf(Duration duration) {
+        try {
+            return duration.toNanos();
+        } catch (ArithmeticException tooLong) {
+            return duration.isNegative() ? Long.MIN_VALUE : Long.MAX_VALUE;
+        }
     }
 
     // ---- what homes may do with nodes and promises

@@ -32,7 +32,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
                     "orTimeout needs a clock: call it in an actor space, or on a promise of one");
         }
         var limited = new Limited<>(home, source, timeout);
-        limited.withdraw = home.schedule(timeout.toNanos(), limited::expire, limited::abandon);
+        limited.withdraw = home.schedule(Home.nanosOf(timeout), limited::expire, limited::abandon);
         source.register(new Ending(limited));
         return limited;
     }

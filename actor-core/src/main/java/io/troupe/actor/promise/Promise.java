@@ -254,7 +254,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return Gather.any(promises);
     }
 
-    /** The outcome of whichever is settled first. */
+    /** The outcome of whichever is settled first; rejected with a {@link java.util.NoSuchElementException} if there is none. */
     public static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
         return Gather.race(promises);
     }

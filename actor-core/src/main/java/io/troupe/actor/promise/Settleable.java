@@ -68,6 +68,16 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return now instanceof Settling settling ? settling.outcome() : isSettled(now) ? now : null;
     }
 
+    /** How it ended, for a listener that is about to run. */
+    final Object outcomeForListener() {
+        Object now = STATE.getAcquire(this);
+        if (now instanceof Settling settling) {
+            settling.arrive();
+            return settling.outcome();
+        }
+        return Objects.requireNonNull(now);
+    }
+
     static Object asOutcome(@Nullable Object value) {
         if (value == null) {
             return NULL;
@@ -208,7 +218,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (isDone()) {
             return Claim.REFUSED;
         }
-        home.enqueue(new Errand(() -> settle(outcome)));
+        home.enqueue(new Errand(home, () -> settle(outcome)));
         return null;
     }
 
@@ -221,7 +231,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             var listeners = (Node) now;
             Object next = outcome;
             if (listeners != null && Settling.isNeeded(listeners)) {
-                var settling = new Settling(outcome);
+                var settling = new Settling(outcome, listeners);
                 listeners = new Settling.End(settling, listeners);
                 next = settling;
             }
@@ -303,7 +313,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (home.isCurrent()) {
             registerAtHome(listener);
         } else {
-            home.enqueue(new Errand(() -> registerAtHome(listener)));
+            home.enqueue(new Errand(home, () -> registerAtHome(listener)));
         }
     }
 
@@ -321,10 +331,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (now instanceof Settling settling) {
-                if (settling.join(listener)) {
-                    return;
+                boolean behindOthers = settling.setOut(listener);
+                if (!settling.join(listener)) {
+                    tellAfterwards(listener, settling.outcome(), behindOthers);
                 }
-                tellFromAfar(listener, settling.outcome());
                 return;
             }
             if (isSettled(now)) {
@@ -355,8 +365,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         tell(listener, outcome);
     }
 
-    private static void tellFromAfar(Node listener, Object outcome) {
-        if (listener instanceof Stage<?, ?> stage) {
+    private static void tellAfterwards(Node listener, Object outcome, boolean behindOthers) {
+        if (behindOthers && listener instanceof Stage<?, ?> stage) {
             if (outcome instanceof Rejection rejection) {
                 rejection.hear();
             }
@@ -371,15 +381,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (listener instanceof Stage<?, ?> stage) {
             stage.dispatch();
         } else {
-            runRelay(listener);
-        }
-    }
-
-    private static void runRelay(Node listener) {
-        try {
-            listener.run();
-        } catch (Throwable thrown) {
-            listener.threw(thrown);
+            Detached.run(listener);
         }
     }
 }

@@ -1,18 +1,36 @@
 package io.troupe.actor.promise;
 
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A promise that was settled by a thread that is not its listeners' own. While they are being told, whoever registers joins the end of the line; after that, the
- * way to a listener is the one that the others took, through the inbox of its home: what a home queues for itself would overtake them there.
+ * A promise that was settled by a thread that is not its listeners' own. While they are being told, whoever registers joins the end of the line. After that, as
+ * long as any of them has still to run, the way to a listener is the one that they took, through the inbox of its home: what a home queues for itself would
+ * overtake them there.
  */
 final class Settling extends Special {
     private final Object outcome;
     private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
+    private final AtomicInteger onTheirWay = new AtomicInteger();
 
-    Settling(Object outcome) {
+    Settling(Object outcome, Node listeners) {
         this.outcome = outcome;
+        for (Node node = listeners; node != null; node = node.next) {
+            if (node instanceof Stage) {
+                onTheirWay.incrementAndGet();
+            }
+        }
+    }
+
+    /** One more listener that has still to run; whether others have, too. */
+    boolean setOut(Node listener) {
+        return listener instanceof Stage && onTheirWay.getAndIncrement() > 0;
+    }
+
+    /** A listener runs. */
+    void arrive() {
+        onTheirWay.decrementAndGet();
     }
 
     /** Whether some listener's home may be running beside the calling thread. */

@@ -71,10 +71,10 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     final @Nullable Object begin() {
         Promise<S> settled = Objects.requireNonNull(source);
         source = null;
+        Object outcome = settled.outcomeForListener();
         if (isDone()) {
             return null; // cancelled meanwhile
         }
-        Object outcome = Objects.requireNonNull(settled.outcomeNow());
         if (owner != null) {
             owner.home().begin(owner.isOutside() ? owner.home().itself() : owner);
             if (owner.isOver()) {

@@ -19,6 +19,11 @@ final class Waiter extends Node {
                             + promise
                             + ": register what comes next with then(..), return thenCompose(..), or write await() in the body of sequential(..)");
         }
+        if (Detached.isRunning()) {
+            throw new IllegalStateException(
+                    "get() in a listener would keep the other listeners of this thread from running, and with them whoever could settle "
+                            + promise + ": register what comes next with then(..)");
+        }
         if (promise.isDone()) {
             promise.hear();
             return;
@@ -26,7 +31,7 @@ final class Waiter extends Node {
         var waiter = new Waiter();
         promise.register(waiter);
         try {
-            if (!waiter.settled.await(timeout.toNanos(), TimeUnit.NANOSECONDS)) {
+            if (!waiter.settled.await(Home.nanosOf(timeout), TimeUnit.NANOSECONDS)) {
                 throw new TimeoutException("no answer within " + timeout + " from " + promise);
             }
         } finally {

@@ -12,6 +12,7 @@ final class ModelActor {
     static final class Instance {
         final ModelActor actor;
         final String name;
+        final List<ModelTimers.Timer> timers = new ArrayList<>();
         boolean over;
 
         Instance(ModelActor actor, String name) {
@@ -130,6 +131,7 @@ final class ModelActor {
         if (instance != null) {
             space.history.add(instance.name + " ends");
             instance.over = true;
+            instance.timers.forEach(ModelTimers.Timer::cancel);
             instance = null;
         }
     }

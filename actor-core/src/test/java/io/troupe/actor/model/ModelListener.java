@@ -35,6 +35,20 @@ final class ModelListener implements ModelPromise.Listener {
     }
 
     @Override
+    public void tellBehind() {
+        if (result.atHome) {
+            space.enqueueBehind(ModelTask.callback(this::takeTurn));
+        } else {
+            tell();
+        }
+    }
+
+    @Override
+    public boolean hasTurn() {
+        return true;
+    }
+
+    @Override
     public boolean isIdle() {
         return result.isDone();
     }
@@ -45,6 +59,7 @@ final class ModelListener implements ModelPromise.Listener {
     }
 
     private void takeTurn() {
+        source.arrived();
         if (result.isDone()) {
             return;
         }

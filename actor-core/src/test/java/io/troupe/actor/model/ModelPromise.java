@@ -15,6 +15,12 @@ final class ModelPromise {
 
         /** Whether it runs in the space. */
         boolean isAtHome();
+
+        /** As {@link #tell}, behind those who were told from outside. */
+        void tellBehind();
+
+        /** Whether it has a turn of its own. */
+        boolean hasTurn();
     }
 
     private record Follower(ModelPromise leader, ModelPromise promise) implements Listener {
@@ -32,6 +38,16 @@ final class ModelPromise {
         public boolean isAtHome() {
             return false; // it runs wherever its leader is settled
         }
+
+        @Override
+        public void tellBehind() {
+            tell();
+        }
+
+        @Override
+        public boolean hasTurn() {
+            return false;
+        }
     }
 
     private final ModelSpace space;
@@ -42,6 +58,8 @@ final class ModelPromise {
     private @Nullable String outcome;
     private boolean heard;
     private boolean telling;
+    private boolean fromAfar;
+    private int onTheirWay;
 
     private ModelPromise(ModelSpace space, boolean atHome, boolean local) {
         this.space = space;
@@ -98,10 +116,12 @@ final class ModelPromise {
 
     /** Those who come while the others are told from outside are told behind them. */
     private void tellAll() {
-        telling = !space.inside && listeners.stream().anyMatch(Listener::isAtHome);
+        fromAfar = !space.inside && listeners.stream().anyMatch(Listener::isAtHome);
+        telling = fromAfar;
         do {
             var told = List.copyOf(listeners);
             listeners.clear();
+            onTheirWay += (int) told.stream().filter(Listener::hasTurn).count();
             told.forEach(Listener::tell);
         } while (!listeners.isEmpty());
         telling = false;
@@ -118,13 +138,31 @@ final class ModelPromise {
     private void registerHere(Listener listener) {
         heard = true;
         if (isDone() && !telling) {
-            listener.tell();
+            tellLate(listener);
             return;
         }
         while (!isDone() && !listeners.isEmpty() && listeners.getLast().isIdle()) {
             listeners.removeLast();
         }
         listeners.add(listener);
+    }
+
+    /** Those who were told from outside may still be in the inbox: whoever comes late must not overtake them. */
+    private void tellLate(Listener listener) {
+        boolean behind = fromAfar && onTheirWay > 0;
+        if (listener.hasTurn()) {
+            onTheirWay++;
+        }
+        if (behind) {
+            listener.tellBehind();
+        } else {
+            listener.tell();
+        }
+    }
+
+    /** A listener has its turn. */
+    void arrived() {
+        onTheirWay--;
     }
 
     void follow(ModelPromise other) {

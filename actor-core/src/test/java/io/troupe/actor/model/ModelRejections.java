@@ -16,11 +16,12 @@ final class ModelRejections {
     }
 
     void rejected(ModelPromise promise) {
-        if (space.closed) {
+        if (space.closed
+                && (promise.madeOutside || String.valueOf(promise.outcome()).contains("ActorStopped"))) {
             return;
         }
         if (!space.inside) {
-            space.enqueue(ModelTask.entry(() -> rejected(promise), () -> {}));
+            space.enqueue(ModelTask.entry(() -> rejected(promise), () -> rejected(promise)));
         } else if (promise.madeOutside) {
             held.add(promise);
             space.timers.set(

@@ -166,6 +166,7 @@ final class ModelRun {
                 },
                 () -> {});
         timers.put(act.id(), timer[0]);
+        self.timers.add(timer[0]);
     }
 
     static String name(@Nullable Instance self) {

@@ -35,7 +35,17 @@ final class ModelSpace {
         if (closed) {
             inside = true;
             refuseAll();
+            rejections.report();
             inside = false;
+        }
+    }
+
+    /** Behind what others have queued from outside, whoever calls. */
+    void enqueueBehind(ModelTask task) {
+        if (inside) {
+            inbox.add(task);
+        } else {
+            enqueue(task);
         }
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.actor.model;
 
+import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
 /** A callback of the model, both sides of it. */
@@ -9,6 +10,7 @@ final class ModelStream {
     private final String who;
     private final ModelActor.@Nullable Instance owner;
     private final Runnable onNext;
+    private final ArrayDeque<Runnable> line = new ArrayDeque<>();
     private boolean ended;
     private boolean over;
     private boolean readerGone;
@@ -74,7 +76,8 @@ final class ModelStream {
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            space.enqueue(ModelTask.callback(() -> deliver(delivery)));
+            line.add(() -> deliver(delivery)); // in the order in which they were sent, whoever's turn comes first
+            space.enqueue(ModelTask.callback(() -> line.removeFirst().run()));
         }
     }
 
