@@ -27,6 +27,7 @@ final class RobotLink implements AutoCloseable {
     private final SonarInterface sonar;
     private final BlobfinderInterface blobfinder;
     private @Nullable Deferred<Boolean> waiting;
+    private @Nullable Promise<Boolean> reading;
 
     private RobotLink(PlayerClient client, int robot) {
         this.client = client;
@@ -49,7 +50,8 @@ final class RobotLink implements AutoCloseable {
     /** True as soon as new data are ready, or false when {@link #wake} is called first. */
     Promise<Boolean> nextData() {
         var next = new Deferred<Boolean>();
-        next.resolveFrom(client.nextData().thenApply(ready -> true));
+        reading = client.nextData().thenApply(ready -> true);
+        next.resolveFrom(reading);
         waiting = next;
         return next;
     }
@@ -89,6 +91,9 @@ final class RobotLink implements AutoCloseable {
 
     @Override
     public void close() {
+        if (reading != null) {
+            reading.cancel(); // whoever closes does not want to hear that the client was closed
+        }
         client.close();
     }
 }
