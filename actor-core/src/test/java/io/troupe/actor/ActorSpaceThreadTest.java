@@ -200,39 +200,6 @@ class ActorSpaceThreadTest {
         }
     }
 
-    interface Greeter {
-        Promise<String> greet(String name);
-
-        void remember(String name);
-    }
-
-    static final class PoliteGreeter implements Greeter {
-        private final List<String> names = new ArrayList<>();
-
-        @Override
-        public Promise<String> greet(String name) {
-            return Promise.of(names.contains(name) ? "Hello again, " + name : "Hello, " + name);
-        }
-
-        @Override
-        public void remember(String name) {
-            names.add(name);
-        }
-    }
-
-    @Test
-    void sampleOfTheReadme() {
-        var printed = new ArrayList<String>();
-        try (var space = ActorSpace.create(SpaceSettings.named("hello"))) {
-            Greeter greeter = space.spawn(Greeter.class, PoliteGreeter::new);
-            greeter.remember("Ada");
-            greeter.greet("Ada").then(text -> {
-                printed.add(text + " on " + Thread.currentThread().getName());
-            });
-        } // serves what was queued, then ends the thread
-        assertThat(printed).containsExactly("Hello again, Ada on hello");
-    }
-
     interface Fresh {
         Promise<String> hi();
     }

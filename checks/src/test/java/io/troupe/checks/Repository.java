@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** The checkout that the running test belongs to. */
 public final class Repository {
@@ -27,6 +28,23 @@ public final class Repository {
             return folders.filter(folder -> Files.exists(folder.resolve("pom.xml")))
                     .sorted()
                     .toList();
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    /** The Java sources of all modules, main and test. */
+    public static List<Path> javaSources() {
+        return modules().stream()
+                .map(module -> module.resolve("src"))
+                .filter(Files::isDirectory)
+                .flatMap(Repository::javaFilesIn)
+                .toList();
+    }
+
+    private static Stream<Path> javaFilesIn(Path folder) {
+        try (var files = Files.walk(folder)) {
+            return files.filter(file -> file.toString().endsWith(".java")).sorted().toList().stream();
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }

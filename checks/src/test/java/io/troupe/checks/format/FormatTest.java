@@ -69,16 +69,8 @@ class FormatTest {
         return FORMATTER.formatSource(RemoveUnusedImports.removeUnusedImports(sorted));
     }
 
-    private static List<Path> sources() throws IOException {
-        List<Path> sources = new ArrayList<>();
-        for (Path module : Repository.modules()) {
-            var folder = module.resolve("src");
-            if (Files.isDirectory(folder)) {
-                try (var files = Files.walk(folder)) {
-                    files.filter(file -> file.toString().endsWith(".java")).forEach(sources::add);
-                }
-            }
-        }
+    private static List<Path> sources() {
+        var sources = Repository.javaSources();
         assertThat(sources).as("Java sources of the repository").isNotEmpty();
         return sources;
     }

@@ -1,0 +1,165 @@
+package io.troupe.actor.guide;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** "An interface and an object", "Or a class", "Timers", the first sample of "Testing", and the README. */
+class ActorsGuideTest {
+    private final Deferred<String> shown = new Deferred<>();
+
+    interface Greeter {
+        Promise<String> greet(String name); // a request
+
+        void remember(String name); // a one-way message
+    }
+
+    static final class PoliteGreeter implements Greeter {
+        private final List<String> names = new ArrayList<>();
+
+        @Override
+        public Promise<String> greet(String name) {
+            return Promise.of(names.contains(name) ? "Hello again, " + name : "Hello, " + name);
+        }
+
+        @Override
+        public void remember(String name) {
+            names.add(name);
+        }
+    }
+
+    private void show(Object what) {
+        shown.resolve(what + " on " + Thread.currentThread().getName());
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void readme_queuesBothCalls_andShowsTheAnswerOnTheSpacesThread() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("hello"))) {
+            Greeter greeter = space.spawn(Greeter.class, PoliteGreeter::new);
+            greeter.remember("Ada"); // queued; returns at once
+            greeter.greet("Ada").then(text -> show(text)); // runs on the space's thread
+        }
+        assertThat(shown.get(Duration.ofSeconds(30))).isEqualTo("Hello again, Ada on hello");
+    }
+
+    interface Thermostat {
+        void set(double degrees); // void: a one-way message
+
+        Promise<Double> read(); // Promise: a request
+    }
+
+    static final class Heater implements Thermostat {
+        private double degrees = 20;
+
+        @Override
+        public void set(double degrees) {
+            this.degrees = degrees;
+        }
+
+        @Override
+        public Promise<Double> read() {
+            return Promise.of(degrees);
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void thermostat_takesMessages_andAnswersRequests() throws Exception {
+        Thermostat heater = ActorSpace.global().spawn(Thermostat.class, Heater::new);
+        heater.set(21.5);
+        heater.read().then(degrees -> show(degrees));
+        assertThat(shown.get(Duration.ofSeconds(30))).isEqualTo("21.5 on actor-space");
+        ActorSpace.global().stop(heater);
+    }
+
+    static class Blinker extends Actor {
+        private boolean on;
+
+        @Override
+        protected void started() {
+            every(Duration.ofMillis(500), () -> on = !on);
+        }
+
+        public Promise<Boolean> isOn() {
+            return Promise.of(on);
+        }
+
+        public Promise<Boolean> isOnLater() {
+            return ((Blinker) self()).isOn(); // a message to itself, not a call
+        }
+    }
+
+    @Test
+    void blinker_blinks_byTheManualClock() {
+        try (var test = new TestSpace()) { // no thread, and a clock that stands still
+            Blinker blinker = test.spawn(Blinker.class, Blinker::new);
+            test.advance(Duration.ofMillis(1_200));
+            assertThat(test.get(blinker.isOn())).isFalse(); // on at 500 ms, off at 1000 ms
+        }
+    }
+
+    @Test
+    void messageToItself_waitsItsTurn() {
+        try (var test = new TestSpace()) {
+            Blinker blinker = test.spawn(Blinker.class, Blinker::new);
+            var order = new ArrayList<String>();
+            blinker.isOnLater().thenRun(() -> order.add("later"));
+            blinker.isOn().thenRun(() -> order.add("at once"));
+            test.advance(Duration.ofMillis(500));
+            assertThat(order).containsExactly("at once", "later");
+        }
+    }
+
+    static class Listener extends Actor {
+        private final List<String> log;
+
+        Listener(List<String> log) {
+            this.log = log;
+        }
+
+        public void heard() {
+            after("silence", Duration.ofSeconds(3), this::stopMotors); // three seconds after the last word
+        }
+
+        public void rest() {
+            cancelTimer("silence");
+        }
+
+        private void stopMotors() {
+            log.add("stopped at " + space().clock().nanos() / 1_000_000_000);
+        }
+    }
+
+    @Test
+    void timerWithAKey_beginsAnew_andCanBeTakenBack() {
+        var log = new ArrayList<String>();
+        try (var test = new TestSpace()) {
+            Listener listener = test.spawn(Listener.class, () -> new Listener(log));
+            listener.heard();
+            test.advance(Duration.ofSeconds(2));
+            listener.heard();
+            test.advance(Duration.ofSeconds(2));
+            assertThat(log).isEmpty();
+            test.advance(Duration.ofSeconds(1));
+            assertThat(log).containsExactly("stopped at 5");
+            listener.heard();
+            listener.rest();
+            test.advance(Duration.ofSeconds(9));
+            assertThat(log).hasSize(1);
+        }
+    }
+}

@@ -1,0 +1,206 @@
+package io.troupe.actor.guide;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Leftovers;
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.SpaceMetrics;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.Supervision;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** "Failure, room, and blocking work", "Several spaces", "How it is doing" and "The end". */
+class SpacesGuideTest {
+    private final BlockingQueue<Object> shown = new LinkedBlockingQueue<>();
+
+    interface Camera {
+        Promise<String> shoot();
+
+        void drop();
+    }
+
+    private static final class UsbCamera implements Camera {
+        @Override
+        public Promise<String> shoot() {
+            return Promise.of("shot on " + Thread.currentThread().getName());
+        }
+
+        @Override
+        public void drop() {
+            throw new IllegalStateException("broken");
+        }
+    }
+
+    private void show(Object what) {
+        shown.add(what);
+    }
+
+    private void draw(String text) {
+        shown.add("drew " + text);
+    }
+
+    private void askForAnother() {
+        shown.add("another, please");
+    }
+
+    private Object next() throws InterruptedException {
+        Object next = shown.poll(30, TimeUnit.SECONDS);
+        assertThat(next).as("what was shown within 30 s").isNotNull();
+        return next;
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void services_ofASpace_answerOnItsThread(@TempDir Path folder) throws Exception {
+        Path map = Files.writeString(folder.resolve("map.txt"), "walls");
+        var errors = new AtomicInteger();
+        try (var space = ActorSpace.create(
+                SpaceSettings.named("field").withOnError((where, error) -> errors.incrementAndGet()))) {
+            var settings = ActorSettings.named("camera")
+                    .withSupervision(Supervision.restart(3, Duration.ofSeconds(10)))
+                    .withMailbox(1_000, Overflow.DROP_OLDEST);
+            Camera camera = space.spawn(Camera.class, UsbCamera::new, settings);
+
+            space.whenStopped(camera).thenRun(this::askForAnother);
+            space.retry(5, Duration.ofSeconds(1), () -> camera.shoot()).then(this::show);
+            assertThat(next()).isEqualTo("shot on field");
+            space.offload(() -> Files.readString(map)).then(text -> draw(text));
+            assertThat(next()).isEqualTo("drew walls");
+            for (int failure = 0; failure < 4; failure++) {
+                camera.drop();
+            }
+            assertThat(next()).isEqualTo("another, please");
+            assertThat(errors).hasValue(4);
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void offload_doesNoMoreAtATimeThanItsLimit() throws Exception {
+        var busy = new AtomicInteger();
+        var most = new AtomicInteger();
+        try (var space =
+                ActorSpace.create(SpaceSettings.named("disk").withOffloadLimit(8))) {
+            var works = new ArrayList<Promise<Integer>>();
+            for (int work = 0; work < 200; work++) {
+                works.add(space.offload(() -> {
+                    most.accumulateAndGet(busy.incrementAndGet(), Math::max);
+                    Thread.yield();
+                    return busy.decrementAndGet();
+                }));
+            }
+            assertThat(Promise.all(works).get(Duration.ofSeconds(30))).hasSize(200);
+        }
+        assertThat(most.get()).isBetween(1, 8);
+    }
+
+    static class Pilot extends Actor {
+        private final Camera camera;
+
+        Pilot(Camera camera) {
+            this.camera = camera;
+        }
+
+        public Promise<String> look() {
+            return camera.shoot()
+                    .thenApply(
+                            image -> image + ", seen on " + Thread.currentThread().getName());
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void proxies_workAcrossSpaces() throws Exception {
+        try (var eyes = ActorSpace.create(SpaceSettings.named("eyes"));
+                var wheels = ActorSpace.create(SpaceSettings.named("wheels"))) {
+            Camera camera = eyes.spawn(Camera.class, UsbCamera::new);
+            Pilot pilot = wheels.spawn(Pilot.class, () -> new Pilot(camera));
+            show(pilot.look().get(Duration.ofSeconds(10)));
+        }
+        assertThat(next()).isEqualTo("shot on eyes, seen on wheels");
+    }
+
+    @Test
+    void metrics_countWhatWasLost() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Camera camera = test.spawn(Camera.class, UsbCamera::new);
+            camera.drop();
+            test.crank();
+            space.stop(camera);
+            test.crank();
+            camera.drop();
+            test.crank();
+            SpaceMetrics metrics = space.metrics();
+            long waiting = metrics.waiting(); // what the last look found: look regularly
+            Duration latency = metrics.latency();
+            long lost = metrics.errors() + metrics.deadLetters();
+            assertThat(lost).isEqualTo(2);
+            assertThat(waiting).isZero();
+            assertThat(latency).isGreaterThanOrEqualTo(Duration.ZERO);
+            assertThat(test.takeProblems()).extracting(problem -> problem.error().getMessage()).containsExactly("broken");
+            assertThat(test.takeDeadLetters()).hasSize(1);
+        }
+    }
+
+    interface Thermostat {
+        void set(double degrees);
+
+        Promise<Double> read();
+    }
+
+    private record Fixed(double degrees) implements Thermostat {
+        @Override
+        public void set(double wanted) {}
+
+        @Override
+        public Promise<Double> read() {
+            return Promise.of(degrees);
+        }
+    }
+
+    @Test
+    void close_saysWhatWasLeftUndone() throws Exception {
+        var space = ActorSpace.create(
+                SpaceSettings.named("short-lived").withOnDeadLetter(this::show).withHandCrank());
+        Thermostat heater = space.spawn(Thermostat.class, () -> new Fixed(20));
+        Promise<?> never = space.delay(Duration.ofHours(1));
+        space.crank();
+        space.execute(() -> {
+            space.close(); // and these come behind it
+            heater.set(18);
+            heater.read().handle((degrees, error) -> error);
+        });
+        space.crank();
+        Leftovers left = space.close(Duration.ofSeconds(5));
+        if (!left.isEmpty()) {
+            show(left);
+        }
+        assertThat(never.isRejected()).isTrue();
+        assertThat(next()).hasToString("Thermostat.set(18.0) to Thermostat#1: space short-lived is closed");
+        assertThat(next())
+                .hasToString(
+                        "1 messages, 1 requests, 0 tasks, 1 timers and 0 sequential bodies, the first: [Thermostat.set(18.0) to Thermostat#1, Thermostat.read() of Thermostat#1]");
+        assertThat(List.copyOf(shown)).isEmpty();
+    }
+}

@@ -1,0 +1,78 @@
+package io.troupe.checks.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.checks.Repository;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The samples of the documentation occur in a source that the build compiles, and tests run. */
+class SamplesTest {
+    @ParameterizedTest
+    @ValueSource(strings = {"README.md", "docs/guide/01-actors.md"})
+    void samples_occurInCompiledSources(String page) throws IOException {
+        var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));
+        assertThat(samples).extracting(Samples.Sample::language).contains("java");
+        var sources = essences();
+        var missing = new TreeMap<String, Set<String>>();
+        for (var sample : samples) {
+            var pieces = Samples.missing(sample, sources);
+            if (!pieces.isEmpty()) {
+                missing.put(sample.toString(), pieces);
+            }
+        }
+        assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
+    }
+
+    @Test
+    void sample_isFoundAsTheFormatterWritesIt_andByItsPieces() {
+        var sample = sample("void set(int x) { this.x = x; }  // one\n\nlamp.set(1);\n");
+        var formatted = "@Override public void set(int x) {\n    this.x = x; // why\n}\n lamp\n    .set(1);";
+        assertThat(Samples.missing(sample, Map.of("A.java", Samples.essence(formatted))))
+                .isEmpty();
+    }
+
+    @Test
+    void sample_thatDiffersOrIsSpreadOverTwoSources_isMissing() {
+        var sample = sample("lamp.set(1);\n\nlamp.on();\n");
+        assertThat(Samples.missing(sample, Map.of("A.java", "lamp.set(2);lamp.on();")))
+                .containsExactly("lamp.set(1);");
+        assertThat(Samples.missing(sample, Map.of("A.java", "lamp.set(1);", "B.java", "lamp.on();")))
+                .hasSize(1);
+        assertThat(Samples.missing(sample, Map.of())).hasSize(2);
+    }
+
+    @Test
+    void essence_keepsWordsApart_andAddresses() {
+        assertThat(Samples.essence("int  a = b ;\n// no\n")).isEqualTo("int a=b;");
+        assertThat(Samples.essence("get(\"http://x\")")).isEqualTo("get(\"http://x\")");
+    }
+
+    private static Samples.Sample sample(String java) {
+        return Samples.of("page.md", "# Title\n\n```java\n" + java + "```\n").getFirst();
+    }
+
+    private static Map<String, String> essences() throws IOException {
+        Map<String, String> essences = new TreeMap<>();
+        for (Path source : Repository.javaSources()) {
+            essences.put(source.toString(), Samples.essence(Files.readString(source)));
+        }
+        return essences;
+    }
+
+    @Test
+    void sources_areThoseOfAllModules() {
+        List<String> names = Repository.javaSources().stream()
+                .map(source -> source.getFileName().toString())
+                .toList();
+        assertThat(names).contains("ActorSpace.java", "ActorsGuideTest.java", "Main.java");
+    }
+}
