@@ -73,7 +73,9 @@ class SequentialGuideTest {
             Guard guard = test.spawn(Guard.class, () -> new Guard(robot.actor(), camera.actor()));
             Promise<Integer> blobs = guard.patrol(List.of("door"));
             robot.reject(new IllegalStateException("door is shut"));
-            assertThat(test.error(blobs)).isInstanceOf(IllegalStateException.class).hasMessage("door is shut");
+            assertThat(test.error(blobs))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("door is shut");
         }
     }
 }

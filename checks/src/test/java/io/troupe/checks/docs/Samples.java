@@ -65,6 +65,8 @@ final class Samples {
                     .collect(java.util.stream.Collectors.toSet());
             missingOf.putIfAbsent(missing.size(), missing);
         }
-        return missingOf.isEmpty() ? Set.copyOf(sample.pieces()) : missingOf.firstEntry().getValue();
+        return missingOf.isEmpty()
+                ? Set.copyOf(sample.pieces())
+                : missingOf.firstEntry().getValue();
     }
 }
