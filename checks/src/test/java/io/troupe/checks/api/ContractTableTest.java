@@ -43,7 +43,9 @@ class ContractTableTest {
                 missing.add(reference.type() + "." + reference.method());
             }
         }
-        assertThat(missing).as("tests that the table names and that do not exist").isEmpty();
+        assertThat(missing)
+                .as("tests that the table names and that do not exist")
+                .isEmpty();
     }
 
     @Test
@@ -76,8 +78,12 @@ class ContractTableTest {
             var folder = module.resolve("src/test");
             if (Files.isDirectory(folder)) {
                 try (var files = Files.walk(folder)) {
-                    for (Path file : files.filter(each -> each.endsWith(type + ".java")).toList()) {
-                        TEST_METHOD.matcher(Files.readString(file)).results().forEach(match -> methods.add(match.group(1)));
+                    for (Path file :
+                            files.filter(each -> each.endsWith(type + ".java")).toList()) {
+                        TEST_METHOD
+                                .matcher(Files.readString(file))
+                                .results()
+                                .forEach(match -> methods.add(match.group(1)));
                     }
                 }
             }
