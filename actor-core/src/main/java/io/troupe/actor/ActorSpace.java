@@ -189,7 +189,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     /**
-     * Tries until a promise is fulfilled.
+     * Tries until a promise is fulfilled. The first try is made at once, on the calling thread, the others on this space's.
      *
      * @param tries how often at the most
      * @param pause between the end of one try and the beginning of the next

@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param messages one-way calls that waited
  * @param requests requests that waited and were not cancelled
- * @param tasks other entries that waited: tasks of {@code execute}, actors that had not started, rounds of repetitions
+ * @param tasks other entries that waited: tasks of {@code execute} and {@code onIdle}, actors that had not started, rounds of repetitions, and the library's own
  * @param timers timers that were not due, periodic ones included
  * @param sequences bodies of {@code sequential} that had not ended
  * @param examples the first calls of those that waited, at most {@value #EXAMPLES}, each with its arguments and its actor

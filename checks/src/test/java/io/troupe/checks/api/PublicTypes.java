@@ -1,0 +1,62 @@
+package io.troupe.checks.api;
+
+import com.sun.source.tree.ClassTree;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.util.DocTrees;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.TreePath;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import javax.lang.model.element.Modifier;
+import javax.tools.ToolProvider;
+
+/** Reads the public top-level types of a source folder, with their Javadoc, by the compiler's own parser. */
+final class PublicTypes {
+    /**
+     * A public top-level type.
+     *
+     * @param name with its package
+     * @param javadoc text of its comment in one line; empty if it has none
+     */
+    record PublicType(String name, String javadoc) {
+        /** Its comment says that it is public for technical reasons only. */
+        boolean isForTheLibraryOnly() {
+            String text = javadoc.toLowerCase(java.util.Locale.ROOT);
+            return text.contains("for generated code") || text.contains("for the rooms of this library");
+        }
+    }
+
+    private PublicTypes() {}
+
+    static List<PublicType> in(Path folder) throws IOException {
+        List<Path> sources;
+        try (var files = Files.walk(folder)) {
+            sources = files.filter(file -> file.toString().endsWith(".java"))
+                    .sorted()
+                    .toList();
+        }
+        var compiler = Objects.requireNonNull(ToolProvider.getSystemJavaCompiler(), "a JDK, not a JRE, runs the tests");
+        List<PublicType> types = new ArrayList<>();
+        try (var files = compiler.getStandardFileManager(null, null, null)) {
+            var task = (JavacTask) compiler.getTask(
+                    null, files, null, List.of("-proc:none"), null, files.getJavaFileObjectsFromPaths(sources));
+            var docs = DocTrees.instance(task);
+            for (CompilationUnitTree unit : task.parse()) {
+                for (var declaration : unit.getTypeDecls()) {
+                    if (declaration instanceof ClassTree type
+                            && type.getModifiers().getFlags().contains(Modifier.PUBLIC)) {
+                        String comment = docs.getDocComment(TreePath.getPath(unit, type));
+                        types.add(new PublicType(
+                                unit.getPackageName() + "." + type.getSimpleName(),
+                                comment == null ? "" : comment.strip().replaceAll("\\s+", " ")));
+                    }
+                }
+            }
+        }
+        return types;
+    }
+}
