@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Order.</b> Entries from outside wait in the inbox, entries from inside in two rings: callbacks and mails. An entry from the inbox
  * runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one receiver keep their order.
- * Callbacks come before mails, but after {@value #QUOTA} in a row one mail has its turn, so that neither starves the other. What an entry asked for
+ * Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the timers have their turn, so that nobody starves. What an entry asked for
  * {@link #afterTurn} comes before everything else.
  */
 final class Dispatcher {
@@ -180,23 +180,31 @@ final class Dispatcher {
     private boolean drainRings() {
         boolean worked = false;
         for (int count = 0; count < quota; count++) {
-            boolean called = !callbacks.isEmpty() && drainCallbacks();
+            boolean more = !callbacks.isEmpty() && drainCallbacks();
             Node mail = mails.poll();
+            if (mail == null && more) {
+                drainInbox(); // for a mail that waits there
+                mail = mails.poll();
+            }
             if (mail != null) {
                 serve(mail);
-            } else if (!called) {
+            } else if (callbacks.isEmpty()) {
                 return worked;
+            }
+            if (more) {
+                return true; // timers and the inbox have their turn, too
             }
             worked = true;
         }
         return worked;
     }
 
+    /** True if there may be more than were served. */
     private boolean drainCallbacks() {
         for (int count = 0; count < quota; count++) {
             Node callback = callbacks.poll();
             if (callback == null) {
-                return count > 0;
+                return false;
             }
             serve(callback);
         }

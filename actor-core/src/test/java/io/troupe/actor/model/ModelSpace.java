@@ -121,6 +121,12 @@ final class ModelSpace {
     }
 
     private boolean pass() {
+        boolean worked = drainInbox();
+        worked |= drainQueues();
+        return !stopping && timers.runDue(this::turn) || worked;
+    }
+
+    private boolean drainInbox() {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
             ModelTask task = inbox.removeFirst();
@@ -131,16 +137,30 @@ final class ModelSpace {
                 (task.mail() ? mails : callbacks).add(task);
             }
         }
+        return worked;
+    }
+
+    /** After a quota of callbacks one mail has its turn, and then everybody else. */
+    private boolean drainQueues() {
+        boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
             worked = true;
-            for (int k = 0; k < QUOTA && !callbacks.isEmpty(); k++) {
+            int served = 0;
+            while (served < QUOTA && !callbacks.isEmpty() && !stopping) {
                 turn(callbacks.removeFirst().action());
+                served++;
             }
-            if (!mails.isEmpty()) {
+            if (served == QUOTA && mails.isEmpty()) {
+                drainInbox();
+            }
+            if (!mails.isEmpty() && !stopping) {
                 turn(mails.removeFirst().action());
             }
+            if (served == QUOTA) {
+                return true;
+            }
         }
-        return !stopping && timers.runDue(this::turn) || worked;
+        return worked;
     }
 
     private void turn(Runnable action) {
