@@ -76,6 +76,24 @@ public final class Liveness {
         return verdict(components.stream().allMatch(component -> component.contains(graph.state(0))));
     }
 
+    /**
+     * The smallest sets of up to {@code maxPlaces} places that are never left once all of them are marked, fewer places
+     * first, then the nearest; without places that are marked in every marking. A place in which a component merely ends,
+     * such as "finished", is one too. If the graph is not complete, these are the ones within the {@link
+     * #terminalComponents} known that were not seen to be left so far.
+     *
+     * <p><b>Cost.</b> For each size a pass over all edges; the number of sets to try grows with the power {@code maxPlaces}
+     * of the number of places that stay marked in a terminal component.
+     *
+     * @param maxPlaces 1 or more; as many components as may wait for each other in a circle
+     */
+    public List<PermanentBlock> permanentBlocks(int maxPlaces) {
+        if (maxPlaces < 1) {
+            throw new IllegalArgumentException("maxPlaces is " + maxPlaces + ", expected 1 or more");
+        }
+        return new BlockSearch(graph).blocks(components, maxPlaces);
+    }
+
     private Verdict verdict(boolean notRefuted) {
         if (!notRefuted) {
             return Verdict.NO;

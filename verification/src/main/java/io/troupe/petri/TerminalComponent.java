@@ -28,6 +28,10 @@ public final class TerminalComponent {
         }
     }
 
+    int[] members() {
+        return members;
+    }
+
     /** The number of markings. */
     public int size() {
         return members.length;
