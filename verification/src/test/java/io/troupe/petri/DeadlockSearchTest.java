@@ -94,7 +94,7 @@ class DeadlockSearchTest {
         var compared = 0;
         var reduced = 0;
         var withDead = 0;
-        for (var seed = 1L; seed <= 5000; seed++) {
+        for (var seed = 1L; seed <= 2000; seed++) {
             var net = RandomNets.any(new Random(seed));
             var graph = ReachabilityGraph.explore(net, 3000);
             if (!graph.isComplete()) {
@@ -115,8 +115,8 @@ class DeadlockSearchTest {
                     .allMatch(
                             dead -> net.fire(net.initialMarking(), dead.trace()).equals(dead.marking()));
         }
-        assertThat(compared).isGreaterThan(3000);
-        assertThat(reduced).isGreaterThan(1000);
-        assertThat(withDead).isGreaterThan(1000);
+        assertThat(compared).isGreaterThan(1500);
+        assertThat(reduced).isGreaterThan(500);
+        assertThat(withDead).isGreaterThan(500);
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.petri;
 
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
@@ -52,6 +53,41 @@ class LivenessTest {
         assertThat(liveness.reversible()).isEqualTo(reversible);
         assertThat(liveness.graph().safe()).isEqualTo(Verdict.YES);
         assertThat(net.transitions()).allMatch(t -> liveness.live(t) != Verdict.UNKNOWN);
+    }
+
+    @Test
+    void components_alone_areLiveAndSafe() {
+        for (var net : List.of(
+                PaperNets.robot(),
+                PaperNets.player(),
+                PaperNets.middleware(),
+                PaperNets.service(Reading.A),
+                PaperNets.service(Reading.B))) {
+            assertThat(liveness(net).live()).as(net.name()).isEqualTo(Verdict.YES);
+            assertThat(liveness(net).reversible()).as(net.name()).isEqualTo(Verdict.YES);
+            assertThat(liveness(net).graph().safe()).as(net.name()).isEqualTo(Verdict.YES);
+        }
+    }
+
+    /** Stops that fit less well than the last one, that of the corrected net: where Tstop takes from and puts to. */
+    @ParameterizedTest
+    @CsvSource({
+        "R10 P4 M4 S10, R1 P4 M4 S10, '{P4, M4, S10, R3''''}', NO",
+        "R10 P4 M4 S10, R1 P1 M4 S10, '', NO",
+        "R10 P4 M4 S4,  R1 P1 M1 S1,  '{R10, P4, M4, S10}', NO",
+        "R10 P4 M4 S10, R1 P1 M1 S1,  '', YES"
+    })
+    void stop_takenOrPutElsewhere_deadlocksOrDoesNotReturn(String from, String to, String dead, Verdict reversible) {
+        var net = PaperNets.corrected(Reading.A).toBuilder()
+                .remove("Tstop")
+                .transition("Tstop", List.of(from.split(" ")), List.of(to.split(" ")))
+                .build();
+
+        var liveness = liveness(net);
+
+        assertThat(liveness.graph().dead().stream().map(Object::toString).collect(joining(" ")))
+                .isEqualTo(dead);
+        assertThat(liveness.reversible()).isEqualTo(reversible);
     }
 
     /** Middleware and service go on registering and stopping for ever while robot and player are stuck. */
