@@ -10,8 +10,8 @@ import java.util.List;
  * tells nothing of liveness, bounds or dead transitions.
  * <p><b>Threads.</b> Immutable.
  * <p><b>Order.</b> Breadth first over the markings that are visited.
- * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited; often so few of them that the logarithm of
- * their number halves, never more than all. A net with priorities is searched in full.
+ * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited; never more than all, and
+ * of components that mostly work on their own about as few as the square root of their number. A net with priorities is searched in full.
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989.
  */
 public final class DeadlockSearch {

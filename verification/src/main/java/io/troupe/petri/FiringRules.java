@@ -5,8 +5,11 @@ import java.util.List;
 
 /** The transitions of a net as arrays, for searches that ask millions of times which of them may fire. */
 final class FiringRules implements Expansion {
-    private final int[][] inputs;
-    private final int[][] inputWeights;
+    /** By transition: the places it takes from. */
+    final int[][] inputs;
+    /** By transition: how many tokens from each of these. */
+    final int[][] inputWeights;
+
     private final int[] priorities;
     private final boolean prioritised;
 
@@ -26,10 +29,6 @@ final class FiringRules implements Expansion {
 
     boolean isPrioritised() {
         return prioritised;
-    }
-
-    int transitions() {
-        return inputs.length;
     }
 
     /** Whether the tokens for t are there. */

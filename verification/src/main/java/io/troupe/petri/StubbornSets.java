@@ -11,13 +11,11 @@ import java.util.stream.Stream;
  * is lost:
  *   - for a member that is ready, all transitions that take tokens it needs; and, of places it takes from, all users;
  *   - for a member that is not ready, all transitions that put tokens on one place that lacks them.
- * Of the smallest such closures, one for each ready transition, the one with the fewest ready members is taken.
- * Priorities make outside transitions matter in other ways; then there is no reduction.
+ * Each ready transition is closed under these rules in turn, and the set with the fewest ready members is taken. Priorities
+ * make outside transitions matter in other ways; then there is no reduction.
  */
 final class StubbornSets implements Expansion {
     private final FiringRules rules;
-    private final int[][] inputs;
-    private final int[][] inputWeights;
     /** By transition: those that may stop it or need what it takes. */
     private final int[][] rivals;
     /** By place: the transitions that put more on it than they take. */
@@ -33,13 +31,6 @@ final class StubbornSets implements Expansion {
     StubbornSets(PetriNet net) {
         rules = new FiringRules(net);
         var transitions = net.transitions();
-        inputs = transitions.stream()
-                .map(t ->
-                        t.inputs().stream().mapToInt(arc -> arc.place().index()).toArray())
-                .toArray(int[][]::new);
-        inputWeights = transitions.stream()
-                .map(t -> t.inputs().stream().mapToInt(Arc::weight).toArray())
-                .toArray(int[][]::new);
         feeders = net.places().stream()
                 .map(place -> transitions.stream()
                         .filter(t -> gain(t, place) > 0)
@@ -125,9 +116,9 @@ final class StubbornSets implements Expansion {
     private int lacking(int t, int[] tokens) {
         var best = -1;
         var fewest = Integer.MAX_VALUE;
-        for (var i = 0; i < inputs[t].length; i++) {
-            var place = inputs[t][i];
-            if (tokens[place] < inputWeights[t][i]) {
+        for (var i = 0; i < rules.inputs[t].length; i++) {
+            var place = rules.inputs[t][i];
+            if (tokens[place] < rules.inputWeights[t][i]) {
                 var added = (int) IntStream.of(feeders[place])
                         .filter(feeder -> !isMember[feeder])
                         .count();
