@@ -1,8 +1,11 @@
 package io.troupe.petri;
 
-import java.util.Arrays;
+import java.util.BitSet;
 
-/* Breadth first over the markings of a net. What it leaves in its fields is what ReachabilityGraph tells. */
+/*
+ * Breadth first over the markings of a net. What it leaves in its fields is what ReachabilityGraph and DeadlockSearch
+ * tell.
+ */
 final class Exploration {
     final PetriNet net;
     MarkingStore store;
@@ -18,42 +21,37 @@ final class Exploration {
     final IntList dead = new IntList();
     final int[] most;
     final boolean[] fired;
-    /** How many markings have a successor that was left out. */
-    int open;
+    /** The markings of which successors are missing: left out at the limit, or not looked for. */
+    final BitSet open = new BitSet();
 
-    private final int maxMarkings;
-    private final int[][] inputs;
-    private final int[][] inputWeights;
+    SearchEnd end = SearchEnd.COMPLETE;
+
+    private final SearchLimits limits;
+    private final Expansion expansion;
+    private final int[] chosen;
     /** The places where a transition puts more than it takes, and how much more. */
     private final int[][] gains;
 
     private final int[][] gainWeights;
-    private final int[] priorities;
-    private final boolean prioritised;
     private final int[] tokens;
     private long[][] packedChanges;
     private long[] successor;
 
-    Exploration(PetriNet net, int maxMarkings) {
+    Exploration(PetriNet net, Expansion expansion, SearchLimits limits) {
         this.net = net;
-        this.maxMarkings = maxMarkings;
+        this.expansion = expansion;
+        this.limits = limits;
         var transitions = net.transitions();
-        inputs = new int[transitions.size()][];
-        inputWeights = new int[transitions.size()][];
+        chosen = new int[transitions.size()];
         gains = new int[transitions.size()][];
         gainWeights = new int[transitions.size()][];
         for (var t : transitions) {
-            inputs[t.index()] =
-                    t.inputs().stream().mapToInt(arc -> arc.place().index()).toArray();
-            inputWeights[t.index()] = t.inputs().stream().mapToInt(Arc::weight).toArray();
             var growing = t.outputs().stream().filter(arc -> gain(t, arc) > 0).toList();
             gains[t.index()] =
                     growing.stream().mapToInt(arc -> arc.place().index()).toArray();
             gainWeights[t.index()] =
                     growing.stream().mapToInt(arc -> gain(t, arc)).toArray();
         }
-        priorities = transitions.stream().mapToInt(Transition::priority).toArray();
-        prioritised = Arrays.stream(priorities).distinct().count() > 1;
         most = new int[net.places().size()];
         fired = new boolean[transitions.size()];
         tokens = net.initialMarking().toArray();
@@ -69,59 +67,50 @@ final class Exploration {
         store.add(store.pack(tokens));
         parent.add(-1);
         parentTransition.add(-1);
-        for (var from = 0; from < store.size(); from++) {
-            expand(from);
+        var expanded = 0;
+        while (expanded < store.size() && !limits.cancelled().getAsBoolean()) {
+            expand(expanded++);
+            if (expanded % limits.markingsPerReport() == 0) {
+                limits.report().accept(new SearchProgress(store.size(), expanded, edgeTarget.size(), dead.size()));
+            }
+        }
+        if (expanded < store.size()) {
+            end = SearchEnd.CANCELLED;
+        } else if (!open.isEmpty()) {
+            end = SearchEnd.LIMIT;
+        }
+        for (var from = expanded; from < store.size(); from++) {
+            open.set(from);
+            read(from);
         }
         edgeStart.add(edgeTarget.size());
     }
 
     private void expand(int from) {
-        store.read(from, tokens);
-        for (var place = 0; place < tokens.length; place++) {
-            most[place] = Math.max(most[place], tokens[place]);
-        }
-        edgeStart.add(edgeTarget.size());
-        var lowest = prioritised ? highestReady() : Integer.MIN_VALUE;
-        var isDead = true;
-        var leftOut = false;
-        for (var t = 0; t < inputs.length; t++) {
-            if (priorities[t] < lowest || !isReady(t)) {
-                continue;
-            }
-            isDead = false;
+        read(from);
+        var count = expansion.choose(tokens, chosen);
+        for (var i = 0; i < count; i++) {
+            var t = chosen[i];
             fired[t] = true;
             var to = reach(from, t);
             if (to >= 0) {
                 edgeTransition.add(t);
                 edgeTarget.add(to);
             } else {
-                leftOut = true;
+                open.set(from);
             }
         }
-        if (isDead) {
+        if (count == 0) {
             dead.add(from);
         }
-        open += leftOut ? 1 : 0;
     }
 
-    private boolean isReady(int t) {
-        var places = inputs[t];
-        for (var i = 0; i < places.length; i++) {
-            if (tokens[places[i]] < inputWeights[t][i]) {
-                return false;
-            }
+    private void read(int id) {
+        store.read(id, tokens);
+        for (var place = 0; place < tokens.length; place++) {
+            most[place] = Math.max(most[place], tokens[place]);
         }
-        return true;
-    }
-
-    private int highestReady() {
-        var highest = Integer.MIN_VALUE;
-        for (var t = 0; t < inputs.length; t++) {
-            if (priorities[t] > highest && isReady(t)) {
-                highest = priorities[t];
-            }
-        }
-        return highest;
+        edgeStart.add(edgeTarget.size());
     }
 
     /** The number of the marking after firing t, or -1 if it is new and there is no room for it. */
@@ -133,7 +122,7 @@ final class Exploration {
         }
         store.plus(from, packedChanges[t], successor);
         var known = store.find(successor);
-        if (known >= 0 || store.size() == maxMarkings) {
+        if (known >= 0 || store.size() == limits.maxMarkings()) {
             return known;
         }
         parent.add(from);

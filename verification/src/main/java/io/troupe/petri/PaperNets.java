@@ -62,7 +62,7 @@ public final class PaperNets {
         return service(reading, "S4");
     }
 
-    private static PetriNet service(Reading reading, String stopsAt) {
+    static PetriNet service(Reading reading, String stopsAt) {
         var waitsAt = reading == Reading.A ? "S10" : "S4";
         var service = stepping("service", "S1", "S4");
         if (reading == Reading.A) {

@@ -10,10 +10,11 @@ import java.util.stream.IntStream;
 /**
  * The markings that a net can reach, and how.
  *
- * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, the graph is a part of
- * the whole: {@link #isComplete} is false, {@link #summary} says in words what is then known, and every method says
- * what its answer is worth. In a part, too, every marking is really reachable, every trace is a shortest one, and every
- * marking was tested for being dead.
+ * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, or the search is cancelled,
+ * the graph is a part of the whole: {@link #isComplete} is false, {@link #summary} says in words what is then known, and every method says
+ * what its answer is worth. In a part, too, every marking is really reachable and every trace is a shortest one;
+ * every marking was tested for being dead, unless the search was cancelled. {@link Liveness} reads more out of the
+ * graph; {@link DeadlockSearch} finds the dead markings with less work.
  * <p><b>Threads.</b> Immutable.
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
  * <p><b>Cost.</b> For each marking one bit for every place of a safe net (more bits as the tokens require) and about 20
@@ -24,11 +25,9 @@ public final class ReachabilityGraph {
     public static final int DEFAULT_MAX_MARKINGS = 2_000_000;
 
     private final Exploration found;
-    private final int maxMarkings;
 
-    private ReachabilityGraph(Exploration found, int maxMarkings) {
+    private ReachabilityGraph(Exploration found) {
         this.found = found;
-        this.maxMarkings = maxMarkings;
     }
 
     /** Explores up to {@link #DEFAULT_MAX_MARKINGS} markings. */
@@ -42,12 +41,22 @@ public final class ReachabilityGraph {
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
     public static ReachabilityGraph explore(PetriNet net, int maxMarkings) {
-        if (maxMarkings < 1) {
-            throw new IllegalArgumentException("maxMarkings is " + maxMarkings + ", expected 1 or more");
-        }
-        var exploration = new Exploration(net, maxMarkings);
+        return explore(net, SearchLimits.markings(maxMarkings));
+    }
+
+    /**
+     * Explores as far as {@code limits} allow.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static ReachabilityGraph explore(PetriNet net, SearchLimits limits) {
+        return explore(net, new FiringRules(net), limits);
+    }
+
+    static ReachabilityGraph explore(PetriNet net, Expansion expansion, SearchLimits limits) {
+        var exploration = new Exploration(net, expansion, limits);
         exploration.run();
-        return new ReachabilityGraph(exploration, maxMarkings);
+        return new ReachabilityGraph(exploration);
     }
 
     /** A reachable marking and its place in the graph. */
@@ -79,7 +88,15 @@ public final class ReachabilityGraph {
             return List.copyOf(trace);
         }
 
-        /** One edge for each transition that may fire here; without those that lead beyond the limit. */
+        /**
+         * Whether successors of this marking are missing here: they lie beyond the limit, or the search was cancelled
+         * before it looked for them.
+         */
+        public boolean isOpen() {
+            return found.open.get(index);
+        }
+
+        /** One edge for each transition that may fire here; some or all are missing if the marking is open. */
         public List<Edge> successors() {
             return IntStream.range(found.edgeStart.get(index), found.edgeStart.get(index + 1))
                     .mapToObj(edge -> new Edge(
@@ -118,7 +135,12 @@ public final class ReachabilityGraph {
 
     /** Whether these are all reachable markings. */
     public boolean isComplete() {
-        return found.open == 0;
+        return found.end == SearchEnd.COMPLETE;
+    }
+
+    /** Why the search ended. */
+    public SearchEnd end() {
+        return found.end;
     }
 
     /** The number of markings. */
@@ -131,9 +153,17 @@ public final class ReachabilityGraph {
         return found.edgeTarget.size();
     }
 
-    /** How many of these markings have a successor beyond the limit; 0 if the graph is complete. */
+    /** How many of these markings are {@link State#isOpen open}; 0 if the graph is complete. */
     public int openCount() {
-        return found.open;
+        return found.open.cardinality();
+    }
+
+    Exploration found() {
+        return found;
+    }
+
+    State state(int index) {
+        return new State(index);
     }
 
     /** All markings, nearest first. */
@@ -152,7 +182,7 @@ public final class ReachabilityGraph {
         return index < 0 ? Optional.empty() : Optional.of(new State(index));
     }
 
-    /** The markings in which nothing may fire, nearest first; beyond the limit there may be more. */
+    /** The markings in which nothing may fire, nearest first; if the graph is not complete, there may be more. */
     public List<State> dead() {
         return Arrays.stream(found.dead.toArray()).mapToObj(State::new).toList();
     }
@@ -184,6 +214,14 @@ public final class ReachabilityGraph {
         return Arrays.stream(found.most).max().orElse(0);
     }
 
+    /** Whether no place ever holds more than one token. */
+    public Verdict safe() {
+        if (mostTokens() > 1) {
+            return Verdict.NO;
+        }
+        return isComplete() ? Verdict.YES : Verdict.UNKNOWN;
+    }
+
     /**
      * The places that never hold a token: dead places if the graph is complete, otherwise only not seen marked so far.
      */
@@ -200,14 +238,17 @@ public final class ReachabilityGraph {
         return net().transitions().stream().filter(t -> !found.fired[t.index()]).toList();
     }
 
-    /** In a few lines what is known and, when the search stopped at its limit, what is not. */
+    /** In a few lines what is known and, when the search ended early, what is not. */
     public String summary() {
         var text = new StringBuilder(net().name()).append(": ");
         if (isComplete()) {
             text.append(size()).append(" markings, ").append(edgeCount()).append(" edges, all of them");
-        } else {
-            text.append("stopped at the limit of ").append(maxMarkings).append(" markings; ");
+        } else if (end() == SearchEnd.LIMIT) {
+            text.append("stopped at the limit of ").append(size()).append(" markings; ");
             text.append(openCount()).append(" of them have successors beyond it, which were not visited");
+        } else {
+            text.append("cancelled at ").append(size()).append(" markings; ");
+            text.append(openCount()).append(" of them may have successors that were not visited");
         }
         var soFar = isComplete() ? "" : " so far";
         text.append("\n  dead markings").append(soFar).append(": ").append(found.dead.size());

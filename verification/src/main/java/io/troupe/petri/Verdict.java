@@ -6,6 +6,6 @@ public enum Verdict {
     YES,
     /** Refuted; there is a firing sequence that shows it. */
     NO,
-    /** The search stopped at its limit before it could tell. */
+    /** The search ended, at its limit or cancelled, before it could tell. */
     UNKNOWN
 }

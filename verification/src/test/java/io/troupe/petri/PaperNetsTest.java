@@ -5,13 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.petri.PaperNets.Reading;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -265,43 +263,5 @@ class PaperNetsTest {
                         .containsExactlyInAnyOrder("R", "P", "M", "S");
             }
         }
-    }
-
-    /** Two robots, each with a player of its own, share one middleware and one service. */
-    @Test
-    void twoRobots_haveTheKnownNumbers() {
-        var uncorrected = ReachabilityGraph.explore(robots(2, "S4"));
-        var corrected = ReachabilityGraph.explore(
-                Composition.fuse(robots(2, "S10"), "Tstop", List.of("Tr7.1", "Tp4.1", "Tr7.2", "Tp4.2", "Tm4", "Ts7")));
-        var perRobot = robots(2, "S10").toBuilder().remove("Tm4").remove("Ts7").build();
-        for (var i = 1; i <= 2; i++) {
-            perRobot = Composition.fuse(perRobot, "Tstop." + i, List.of("Tr7." + i, "Tp4." + i));
-        }
-        var stoppingAlone = ReachabilityGraph.explore(perRobot);
-
-        assertThat(uncorrected.size()).isEqualTo(49_536);
-        assertThat(uncorrected.dead()).hasSize(18);
-        assertThat(corrected.size()).isEqualTo(11_653);
-        assertThat(corrected.deadlockFree()).isEqualTo(Verdict.YES);
-        assertThat(stoppingAlone.size()).isEqualTo(12_028);
-        assertThat(stoppingAlone.deadlockFree()).isEqualTo(Verdict.YES);
-    }
-
-    /** N robots; {@code serviceStopsAt} is where the service's stop takes its token. */
-    static PetriNet robots(int n, String serviceStopsAt) {
-        var service = PaperNets.service(Reading.A).toBuilder()
-                .remove("Ts7")
-                .transition("Ts7", List.of(serviceStopsAt), List.of("S1"))
-                .build();
-        var components = new ArrayList<>(List.of(PaperNets.middleware(), service));
-        var melds = new ArrayList<>(List.of(PaperNets.register(), PaperNets.giveData()));
-        IntStream.rangeClosed(1, n).forEach(i -> {
-            components.add(PaperNets.robot().renamed("robot " + i, name -> name + "." + i));
-            components.add(PaperNets.player().renamed("player " + i, name -> name + "." + i));
-            melds.add(Meld.of("Tr2." + i, "Tp1." + i));
-            melds.add(Meld.of("Tr4." + i, "Tp2." + i));
-            melds.add(Meld.of("Tp3." + i, "Tm3"));
-        });
-        return Composition.compose(n + " robots", components, melds);
     }
 }

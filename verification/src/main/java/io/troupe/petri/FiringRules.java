@@ -1,0 +1,68 @@
+package io.troupe.petri;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** The transitions of a net as arrays, for searches that ask millions of times which of them may fire. */
+final class FiringRules implements Expansion {
+    /** By transition: the places it takes from. */
+    final int[][] inputs;
+    /** By transition: how many tokens from each of these. */
+    final int[][] inputWeights;
+
+    private final int[] priorities;
+    private final boolean prioritised;
+
+    FiringRules(PetriNet net) {
+        var transitions = net.transitions();
+        inputs = transitions.stream().map(t -> places(t.inputs())).toArray(int[][]::new);
+        inputWeights = transitions.stream()
+                .map(t -> t.inputs().stream().mapToInt(Arc::weight).toArray())
+                .toArray(int[][]::new);
+        priorities = transitions.stream().mapToInt(Transition::priority).toArray();
+        prioritised = Arrays.stream(priorities).distinct().count() > 1;
+    }
+
+    private static int[] places(List<Arc> arcs) {
+        return arcs.stream().mapToInt(arc -> arc.place().index()).toArray();
+    }
+
+    boolean isPrioritised() {
+        return prioritised;
+    }
+
+    /** Whether the tokens for t are there. */
+    boolean isReady(int[] tokens, int t) {
+        var places = inputs[t];
+        var weights = inputWeights[t];
+        for (var i = 0; i < places.length; i++) {
+            if (tokens[places[i]] < weights[i]) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    @Override
+    public int choose(int[] tokens, int[] chosen) {
+        var count = 0;
+        var highest = Integer.MIN_VALUE;
+        for (var t = 0; t < inputs.length; t++) {
+            if (isReady(tokens, t)) {
+                highest = Math.max(highest, priorities[t]);
+                chosen[count++] = t;
+            }
+        }
+        return prioritised ? keep(highest, chosen, count) : count;
+    }
+
+    private int keep(int priority, int[] chosen, int count) {
+        var kept = 0;
+        for (var i = 0; i < count; i++) {
+            if (priorities[chosen[i]] == priority) {
+                chosen[kept++] = chosen[i];
+            }
+        }
+        return kept;
+    }
+}

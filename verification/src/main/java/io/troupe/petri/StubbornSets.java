@@ -1,0 +1,146 @@
+package io.troupe.petri;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/*
+ * Follows only the transitions of one stubborn set (Valmari 1988; the strong ones) from each marking. A set is stubborn
+ * if something in it may fire and what happens outside can neither stop its transitions that may fire nor make others of
+ * it ready. So every firing sequence to a dead marking has a permutation that starts inside the set, and no dead marking
+ * is lost:
+ *   - for a member that is ready, all transitions that take tokens it needs; and, of places it takes from, all users;
+ *   - for a member that is not ready, all transitions that put tokens on one place that lacks them.
+ * Each ready transition is closed under these rules in turn, and the set with the fewest ready members is taken. Priorities
+ * make outside transitions matter in other ways; then there is no reduction.
+ */
+final class StubbornSets implements Expansion {
+    private final FiringRules rules;
+    /** By transition: those that may stop it or need what it takes. */
+    private final int[][] rivals;
+    /** By place: the transitions that put more on it than they take. */
+    private final int[][] feeders;
+
+    private final int[] ready;
+    private final int[] members;
+    private final int[] readyMembers;
+    private final boolean[] isReady;
+    private final boolean[] isMember;
+    private int size;
+
+    StubbornSets(PetriNet net) {
+        rules = new FiringRules(net);
+        var transitions = net.transitions();
+        feeders = net.places().stream()
+                .map(place -> transitions.stream()
+                        .filter(t -> gain(t, place) > 0)
+                        .mapToInt(Transition::index)
+                        .toArray())
+                .toArray(int[][]::new);
+        rivals = transitions.stream()
+                .map(t -> transitions.stream()
+                        .filter(other -> areRivals(t, other))
+                        .mapToInt(Transition::index)
+                        .toArray())
+                .toArray(int[][]::new);
+        ready = new int[transitions.size()];
+        members = new int[transitions.size()];
+        readyMembers = new int[transitions.size()];
+        isReady = new boolean[transitions.size()];
+        isMember = new boolean[transitions.size()];
+    }
+
+    private static boolean areRivals(Transition t, Transition other) {
+        return t.inputs().stream()
+                .map(Arc::place)
+                .filter(place ->
+                        other.inputs().stream().anyMatch(arc -> arc.place().equals(place)))
+                .anyMatch(place -> gain(t, place) < 0 || gain(other, place) < 0);
+    }
+
+    private static int gain(Transition transition, Place place) {
+        return weight(transition.outputs().stream(), place) - weight(transition.inputs().stream(), place);
+    }
+
+    private static int weight(Stream<Arc> arcs, Place place) {
+        return arcs.filter(arc -> arc.place().equals(place))
+                .mapToInt(Arc::weight)
+                .sum();
+    }
+
+    @Override
+    public int choose(int[] tokens, int[] chosen) {
+        var count = rules.choose(tokens, ready);
+        if (rules.isPrioritised() || count <= 1) {
+            System.arraycopy(ready, 0, chosen, 0, count);
+            return count;
+        }
+        Arrays.fill(isReady, false);
+        for (var i = 0; i < count; i++) {
+            isReady[ready[i]] = true;
+        }
+        var fewest = Integer.MAX_VALUE;
+        for (var i = 0; i < count && fewest > 1; i++) {
+            var closed = close(ready[i], tokens, fewest);
+            if (closed < fewest) {
+                fewest = closed;
+                System.arraycopy(readyMembers, 0, chosen, 0, closed);
+            }
+        }
+        Arrays.sort(chosen, 0, fewest);
+        return fewest;
+    }
+
+    /** Fills {@code readyMembers} from the closure of {@code start}; gives up once there are {@code enough} of them. */
+    private int close(int start, int[] tokens, int enough) {
+        Arrays.fill(isMember, false);
+        size = 0;
+        add(start);
+        var found = 0;
+        for (var i = 0; i < size; i++) {
+            var t = members[i];
+            if (isReady[t]) {
+                readyMembers[found++] = t;
+                if (found >= enough) {
+                    return found;
+                }
+                add(rivals[t]);
+            } else {
+                add(feeders[lacking(t, tokens)]);
+            }
+        }
+        return found;
+    }
+
+    /** Of the places that lack tokens for t, the one that adds the fewest members. */
+    private int lacking(int t, int[] tokens) {
+        var best = -1;
+        var fewest = Integer.MAX_VALUE;
+        for (var i = 0; i < rules.inputs[t].length; i++) {
+            var place = rules.inputs[t][i];
+            if (tokens[place] < rules.inputWeights[t][i]) {
+                var added = (int) IntStream.of(feeders[place])
+                        .filter(feeder -> !isMember[feeder])
+                        .count();
+                if (added < fewest) {
+                    fewest = added;
+                    best = place;
+                }
+            }
+        }
+        return best;
+    }
+
+    private void add(int[] transitions) {
+        for (var t : transitions) {
+            add(t);
+        }
+    }
+
+    private void add(int t) {
+        if (!isMember[t]) {
+            isMember[t] = true;
+            members[size++] = t;
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package io.troupe.petri;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * A terminal strongly connected component of a reachability graph: markings that can all reach each other and nothing
+ * else. A dead marking is one of size 1 without firings; one in which some transition never fires is a partial deadlock.
+ *
+ * <p><b>Role.</b> From {@link Liveness#terminalComponents}.
+ * <p><b>Threads.</b> Immutable.
+ */
+public final class TerminalComponent {
+    private final ReachabilityGraph graph;
+    private final int[] members;
+    private final boolean[] fires;
+
+    /** Takes over {@code members}, in ascending order. */
+    TerminalComponent(ReachabilityGraph graph, int[] members) {
+        this.graph = graph;
+        this.members = members;
+        fires = new boolean[graph.net().transitions().size()];
+        var found = graph.found();
+        for (var member : members) {
+            for (var edge = found.edgeStart.get(member); edge < found.edgeStart.get(member + 1); edge++) {
+                fires[found.edgeTransition.get(edge)] = true;
+            }
+        }
+    }
+
+    int[] members() {
+        return members;
+    }
+
+    /** The number of markings. */
+    public int size() {
+        return members.length;
+    }
+
+    /** The markings, nearest to the initial one first. */
+    public List<ReachabilityGraph.State> states() {
+        return Arrays.stream(members).mapToObj(graph::state).toList();
+    }
+
+    /** The marking nearest to the initial one; its trace shows how the net gets caught in here. */
+    public ReachabilityGraph.State entry() {
+        return graph.state(members[0]);
+    }
+
+    public boolean contains(ReachabilityGraph.State state) {
+        return graph.state(state.index()).equals(state) && Arrays.binarySearch(members, state.index()) >= 0;
+    }
+
+    /** Whether {@code transition} may fire in one of the markings. */
+    public boolean fires(Transition transition) {
+        if (!graph.net().transitions().contains(transition)) {
+            throw new IllegalArgumentException(
+                    "transition " + transition + " is not of net " + graph.net().name());
+        }
+        return fires[transition.index()];
+    }
+
+    /** The transitions that never fire any more once the net is in here; all of them if this is a dead marking. */
+    public List<Transition> neverFired() {
+        return graph.net().transitions().stream().filter(t -> !fires[t.index()]).toList();
+    }
+
+    /** Whether this is one marking in which nothing may fire. */
+    public boolean isDead() {
+        return neverFired().size() == fires.length;
+    }
+
+    /** The size, the entry and what never fires. */
+    @Override
+    public String toString() {
+        return size() + (size() == 1 ? " marking" : " markings") + " entered at " + entry() + ", never fired: "
+                + neverFired();
+    }
+}
