@@ -82,10 +82,6 @@ final class WiringNet {
         return chosen;
     }
 
-    boolean isInside(String component) {
-        return chosen.contains(component);
-    }
-
     private PetriNet component(String component, List<Map<String, String>> together) {
         var protocol = wiring.protocol(component);
         var builder = PetriNet.builder(component);

@@ -6,6 +6,7 @@ import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.petri.wiring.WiringResult.Blocked;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
@@ -50,6 +51,13 @@ class WiringCheckTest {
     void components_neverDeadlock() {
         var wiring = Wiring.of("demo").component(client()).component(planner()).build();
         assertThat(WiringCheck.check(wiring)).isInstanceOf(Proved.class);
+    }
+
+    @Test
+    void assertionThatFails_tellsTheStory() {
+        assertThatThrownBy(() -> assertThat(WiringCheck.check(ring(3))).isInstanceOf(Proved.class))
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
     }
 
     @Test
