@@ -163,10 +163,6 @@ class RandomWiringTest {
     private static Map<Map<String, Status>, List<Move>> play(Wiring wiring) {
         Map<String, Status> start = new HashMap<>();
         wiring.components().forEach(c -> start.put(c, Status.in("s0")));
-        return play(wiring, start);
-    }
-
-    private static Map<Map<String, Status>, List<Move>> play(Wiring wiring, Map<String, Status> start) {
         var reached = new LinkedHashMap<Map<String, Status>, List<Move>>();
         var ahead = new ArrayDeque<>(List.of(start));
         while (!ahead.isEmpty()) {
@@ -181,11 +177,24 @@ class RandomWiringTest {
     }
 
     private static boolean someoneIsBlocked(Wiring wiring, Map<Map<String, Status>, List<Move>> reached) {
-        return reached.keySet().stream().anyMatch(from -> {
-            var moving = new HashSet<String>();
-            play(wiring, from).values().forEach(moves -> moves.forEach(move -> moving.addAll(move.who())));
-            return moving.size() < wiring.components().size();
-        });
+        return reached.keySet().stream()
+                .anyMatch(from ->
+                        moversFrom(from, reached).size() < wiring.components().size());
+    }
+
+    private static Set<String> moversFrom(Map<String, Status> from, Map<Map<String, Status>, List<Move>> reached) {
+        var movers = new HashSet<String>();
+        var seen = new HashSet<>(List.of(from));
+        var ahead = new ArrayDeque<>(List.of(from));
+        while (!ahead.isEmpty()) {
+            for (var move : reached.getOrDefault(ahead.remove(), List.of())) {
+                movers.addAll(move.who());
+                if (seen.add(move.next())) {
+                    ahead.add(move.next());
+                }
+            }
+        }
+        return movers;
     }
 
     @Test
