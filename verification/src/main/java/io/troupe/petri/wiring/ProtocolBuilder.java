@@ -1,0 +1,121 @@
+package io.troupe.petri.wiring;
+
+import static java.util.Objects.requireNonNull;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+
+/**
+ * Collects the states of a {@link Protocol}.
+ *
+ * <p><b>Role.</b> From {@link Protocol#of}; goes on with {@link #in}.
+ * <p><b>Threads.</b> For one thread.
+ * <p><b>Errors.</b> A bad name throws {@link IllegalArgumentException} at once; what needs the whole declaration is
+ * told by {@link #build}.
+ */
+public final class ProtocolBuilder {
+    private final String name;
+    private final List<String> states = new ArrayList<>();
+    private final List<Step> steps = new ArrayList<>();
+
+    ProtocolBuilder(String name) {
+        Names.requireWord("the name of a protocol", requireNonNull(name, "name"));
+        this.name = name;
+    }
+
+    /**
+     * Declares a state and the ways out of it: one is what happens next, several are a choice.
+     *
+     * <p>For example {@code in("ready", provides("setValues").then("loaded"), stops())}.
+     */
+    public ProtocolBuilder in(String state, Way... ways) {
+        requireReadable("state", state);
+        require(!states.contains(state), "state " + state + " is declared twice");
+        require(ways.length > 0, "nothing leads out of state " + state + "; expected a step or a stop");
+        states.add(state);
+        var told = new HashSet<String>();
+        for (var way : ways) {
+            require(
+                    told.add(way.toString()),
+                    "state " + state + " " + way + " twice; expected different names for a choice");
+            requireGood(state, way);
+            steps.add(way.from(state, states.get(0)));
+        }
+        return this;
+    }
+
+    private void requireGood(String state, Way way) {
+        switch (way.kind()) {
+            case DOES -> requireReadable("step", way.what());
+            case REQUESTS -> {
+                var dot = way.what().indexOf('.');
+                require(dot > 0, "state " + state + " " + way + ", expected component.call");
+                requireWord("component of request " + way.what(), way.what().substring(0, dot));
+                requireWord("call of request " + way.what(), way.what().substring(dot + 1));
+            }
+            case PROVIDES -> {
+                requireWord("offered call", way.what());
+                for (var step : steps) {
+                    require(
+                            !(step instanceof Step.Provides offer
+                                    && offer.call().equals(way.what())),
+                            "call " + way.what() + " is offered twice, in state " + step.from() + " and in state "
+                                    + state + "; expected one state that offers it");
+                }
+            }
+            case STOPS ->
+                require(
+                        !state.equals(states.get(0)),
+                        "state " + state + " is the first one and stops; expected a stop in a later state");
+        }
+    }
+
+    private void requireWord(String what, String word) {
+        Names.requireWord("protocol " + name + ": the " + what, word);
+    }
+
+    /** The protocol, checked. */
+    public Protocol build() {
+        require(!states.isEmpty(), "there are no states; expected 1 or more");
+        for (var step : steps) {
+            require(
+                    states.contains(step.to()),
+                    "a step of state " + step.from() + " leads to state " + step.to() + ", which is not declared; "
+                            + Names.hint(step.to(), states));
+        }
+        var protocol = new Protocol(name, states, steps);
+        var ahead = new ArrayDeque<>(List.of(states.get(0)));
+        var reached = new HashSet<>(ahead);
+        while (!ahead.isEmpty()) {
+            protocol.out(ahead.remove()).stream()
+                    .map(Step::to)
+                    .filter(reached::add)
+                    .forEach(ahead::add);
+        }
+        for (var state : states) {
+            require(
+                    reached.contains(state),
+                    "state " + state + " cannot be reached from the first state " + states.get(0)
+                            + "; expected a step that leads to it");
+        }
+        return protocol;
+    }
+
+    private void requireReadable(String what, String text) {
+        requireNonNull(text, what);
+        require(
+                !text.isBlank()
+                        && text.equals(text.strip())
+                        && text.codePoints().noneMatch(Character::isISOControl),
+                "a " + what + " is called \"" + text + "\", expected text without control characters or space around"
+                        + " it");
+    }
+
+    private void require(boolean condition, String message) {
+        if (!condition) {
+            throw new IllegalArgumentException("protocol " + name + ": " + message);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+package io.troupe.petri.wiring;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.ReachabilityGraph.State;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/* The graph of some components of a wiring, and what can go wrong in it. */
+final class Search {
+    /** Enough to see what is wrong; the figures count them all. */
+    private static final int MAX_STORIES = 16;
+
+    private final WiringNet net;
+    private final ReachabilityGraph graph;
+    private final Stories stories;
+
+    Search(Wiring wiring, Set<String> chosen, int maxMarkings) {
+        net = new WiringNet(wiring, chosen);
+        graph = ReachabilityGraph.explore(net.net(), maxMarkings);
+        stories = new Stories(wiring, net);
+    }
+
+    Figures figures() {
+        return Figures.of(graph);
+    }
+
+    /** Of the dead markings, nearest first. */
+    List<Story> deadlocks() {
+        return graph.dead().stream()
+                .limit(MAX_STORIES)
+                .map(state -> stories.tell(state, net.chosen()))
+                .toList();
+    }
+
+    /**
+     * Of the nearest markings from which a component never takes a step again, whatever the others do. Empty for a part
+     * of a graph: what lies beyond the limit might help.
+     */
+    List<Story> blocks() {
+        if (!graph.isComplete()) {
+            return List.of();
+        }
+        var moves = moves();
+        Map<Integer, Set<String>> nearest = new TreeMap<>();
+        moves.forEach((component, canMove) -> {
+            for (var i = 0; i < canMove.length; i++) {
+                if (!canMove[i]) {
+                    nearest.put(i, stuckIn(i, moves));
+                    break;
+                }
+            }
+        });
+        var told = new ArrayList<Story>();
+        var states = nearest.isEmpty() ? List.<State>of() : graph.states();
+        nearest.forEach((index, stuck) -> told.add(stories.tell(states.get(index), stuck)));
+        return withCircles(told);
+    }
+
+    /** Without those who wait alone before they come to stand in a circle, which explains more. */
+    private static List<Story> withCircles(List<Story> told) {
+        var explained = told.stream()
+                .flatMap(story -> story.circle().stream())
+                .map(Wait::component)
+                .collect(Collectors.toSet());
+        return told.stream()
+                .filter(story -> !story.circle().isEmpty()
+                        || !story.waits().stream().map(Wait::component).allMatch(explained::contains))
+                .toList();
+    }
+
+    private static Set<String> stuckIn(int state, Map<String, boolean[]> moves) {
+        var stuck = new LinkedHashSet<String>();
+        moves.forEach((component, canMove) -> {
+            if (!canMove[state]) {
+                stuck.add(component);
+            }
+        });
+        return stuck;
+    }
+
+    /** For each component the markings from which some way leads to a step of it. */
+    private Map<String, boolean[]> moves() {
+        var size = graph.size();
+        var states = graph.states();
+        var moves = new LinkedHashMap<String, boolean[]>();
+        net.chosen().forEach(component -> moves.put(component, new boolean[size]));
+        var movedBy = graph.net().transitions().stream()
+                .map(transition -> net.event(transition).who().stream()
+                        .map(component -> requireNonNull(moves.get(component)))
+                        .toList())
+                .toList();
+        // The edges by their targets: those to marking i are sources[starts[i]] up to sources[starts[i + 1]].
+        var starts = new int[size + 2];
+        for (var state : states) {
+            state.successors().forEach(edge -> starts[edge.target().index() + 2]++);
+        }
+        Arrays.parallelPrefix(starts, Integer::sum);
+        var sources = new int[graph.edgeCount()];
+        for (var state : states) {
+            for (var edge : state.successors()) {
+                sources[starts[edge.target().index() + 1]++] = state.index();
+                movedBy.get(edge.transition().index()).forEach(moved -> moved[state.index()] = true);
+            }
+        }
+        moves.values().forEach(reached -> spread(reached, starts, sources));
+        return moves;
+    }
+
+    /** Adds all markings that lead to one of {@code reached}. */
+    private static void spread(boolean[] reached, int[] starts, int[] sources) {
+        var ahead = new ArrayDeque<Integer>();
+        for (var i = 0; i < reached.length; i++) {
+            if (reached[i]) {
+                ahead.add(i);
+            }
+        }
+        while (!ahead.isEmpty()) {
+            var at = ahead.remove();
+            for (var i = starts[at]; i < starts[at + 1]; i++) {
+                if (!reached[sources[i]]) {
+                    reached[sources[i]] = true;
+                    ahead.add(sources[i]);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,155 @@
+package io.troupe.petri.wiring;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.petri.ReachabilityGraph.State;
+import io.troupe.petri.Transition;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/* Tells a marking in which components cannot go on. */
+final class Stories {
+    private final Wiring wiring;
+    private final WiringNet net;
+
+    Stories(Wiring wiring, WiringNet net) {
+        this.wiring = wiring;
+        this.net = net;
+    }
+
+    /** Of the components {@code stuck}, which never take a step again after {@code state}. */
+    Story tell(State state, Set<String> stuck) {
+        var trace = state.shortestTrace();
+        var waits = waits(state, stuck);
+        var circle = circle(waits);
+        var told = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
+        return new Story(
+                sentence(told, stopped(trace)),
+                trace.stream().map(Transition::name).toList(),
+                List.copyOf(waits.values()),
+                circle);
+    }
+
+    private Map<String, Wait> waits(State state, Set<String> stuck) {
+        var at = new LinkedHashMap<String, String>();
+        var asking = new HashMap<String, Wait>();
+        for (var place : state.marking().marked()) {
+            switch (net.spot(place)) {
+                case WiringNet.Spot.At(var component, var where) -> at.put(component, where);
+                case WiringNet.Spot.Asking(var component, var request) ->
+                    asking.put(
+                            component, new Wait.Answer(component, wiring.provider(component, request), request.call()));
+                case WiringNet.Spot.Serving serving -> {}
+            }
+        }
+        var waits = new LinkedHashMap<String, Wait>();
+        for (var component : wiring.components()) {
+            if (!stuck.contains(component)) {
+                continue;
+            }
+            var asked = asking.get(component);
+            var where = at.get(component);
+            if (asked != null) {
+                waits.put(component, asked);
+            } else if (where != null) {
+                waits.put(component, idle(component, where, at));
+            }
+        }
+        return waits;
+    }
+
+    /** A component that stands in a state and has no step of its own. */
+    private Wait idle(String component, String state, Map<String, String> at) {
+        var offers = wiring.protocol(component).out(state).stream()
+                .filter(Step.Provides.class::isInstance)
+                .map(step -> ((Step.Provides) step).call())
+                .map(call -> new Wait.Offer(call, wiring.callers(component, call, net.chosen())))
+                .toList();
+        return offers.isEmpty()
+                ? new Wait.Stop(component, List.copyOf(net.missingToStop(at)))
+                : new Wait.Call(component, state, offers);
+    }
+
+    /** The shortest circle, among those one with the most calls that were made. */
+    private static List<Wait> circle(Map<String, Wait> waits) {
+        return waits.keySet().stream()
+                .map(start -> circle(start, waits))
+                .filter(circle -> !circle.isEmpty())
+                .min(Comparator.<List<Wait>>comparingInt(List::size)
+                        .thenComparing(circle -> -circle.stream()
+                                .filter(Wait.Answer.class::isInstance)
+                                .count()))
+                .orElse(List.of());
+    }
+
+    private static List<Wait> circle(String start, Map<String, Wait> waits) {
+        var cameFrom = new HashMap<String, String>();
+        var ahead = new ArrayDeque<>(List.of(start));
+        while (!ahead.isEmpty()) {
+            var component = ahead.remove();
+            for (var next : on(waits, component)) {
+                if (next.equals(start)) {
+                    return back(component, start, cameFrom, waits);
+                }
+                if (waits.containsKey(next) && cameFrom.putIfAbsent(next, component) == null) {
+                    ahead.add(next);
+                }
+            }
+        }
+        return List.of();
+    }
+
+    private static Collection<String> on(Map<String, Wait> waits, String component) {
+        return requireNonNull(waits.get(component)).on();
+    }
+
+    private static List<Wait> back(String last, String start, Map<String, String> cameFrom, Map<String, Wait> waits) {
+        var circle = new ArrayList<Wait>();
+        for (var at = last; !at.equals(start); at = requireNonNull(cameFrom.get(at))) {
+            circle.add(requireNonNull(waits.get(at)));
+        }
+        circle.add(requireNonNull(waits.get(start)));
+        Collections.reverse(circle);
+        return circle;
+    }
+
+    /** The components whose last step was to stop. */
+    private Set<String> stopped(List<Transition> trace) {
+        var stopped = new HashSet<String>();
+        for (var transition : trace) {
+            var event = net.event(transition);
+            stopped.removeAll(event.who());
+            stopped.addAll(event.stopping());
+        }
+        return stopped;
+    }
+
+    private static String sentence(List<Wait> told, Set<String> stopped) {
+        var parts = new ArrayList<String>();
+        told.stream()
+                .filter(wait -> stopped.contains(wait.component()))
+                .forEach(wait -> parts.add(wait.component() + " stops"));
+        var allAsk = told.stream().allMatch(Wait.Answer.class::isInstance);
+        for (var wait : told) {
+            switch (wait) {
+                case Wait.Answer answer -> parts.add(answer + (allAsk ? "" : ", which nobody will answer"));
+                case Wait.Call call -> {
+                    if (told.size() == 1 || !stopped.contains(call.component())) {
+                        parts.add(call + ", which nobody will do");
+                    }
+                }
+                case Wait.Stop stop -> parts.add(stop.toString());
+            }
+        }
+        return String.join("; ", parts) + (allAsk && told.size() > 1 ? ": all ask and nobody answers" : "");
+    }
+}

@@ -1,0 +1,81 @@
+package io.troupe.petri.wiring;
+
+import static java.util.Objects.requireNonNull;
+
+/**
+ * A way out of a state of a {@link Protocol}: what happens, and the state after it.
+ *
+ * <p><b>Role.</b> Made by {@link Protocol#does}, {@link Protocol#requests}, {@link Protocol#provides} and {@link
+ * Protocol#stops}, and handed to {@link ProtocolBuilder#in}.
+ * <p><b>Threads.</b> Immutable.
+ */
+public final class Way {
+    enum Kind {
+        DOES,
+        REQUESTS,
+        PROVIDES,
+        STOPS
+    }
+
+    private final Kind kind;
+    private final String what;
+    private final String to;
+
+    Way(Kind kind, String what, String to) {
+        this.kind = kind;
+        this.what = what;
+        this.to = to;
+    }
+
+    /** A way whose end is still missing. */
+    public static final class Open {
+        private final Kind kind;
+        private final String what;
+
+        Open(Kind kind, String what) {
+            this.kind = kind;
+            this.what = requireNonNull(what, "what");
+        }
+
+        /** Leads to {@code state}. */
+        public Way then(String state) {
+            return new Way(kind, what, requireNonNull(state, "state"));
+        }
+    }
+
+    /** As a step out of {@code state}; a stop leads to {@code first}. */
+    Step from(String state, String first) {
+        return switch (kind) {
+            case DOES -> new Step.Does(state, what, to);
+            case REQUESTS ->
+                new Step.Requests(
+                        state, what.substring(0, what.indexOf('.')), what.substring(what.indexOf('.') + 1), to);
+            case PROVIDES -> new Step.Provides(state, what, to);
+            case STOPS -> new Step.Stops(state, first);
+        };
+    }
+
+    Kind kind() {
+        return kind;
+    }
+
+    String what() {
+        return what;
+    }
+
+    String to() {
+        return to;
+    }
+
+    /** For example {@code provides setValues}. */
+    @Override
+    public String toString() {
+        var verb = switch (kind) {
+            case DOES -> "does";
+            case REQUESTS -> "requests";
+            case PROVIDES -> "provides";
+            case STOPS -> "stops";
+        };
+        return kind == Kind.STOPS ? verb : verb + " " + what;
+    }
+}

@@ -1,0 +1,212 @@
+package io.troupe.petri.wiring;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.petri.Composition;
+import io.troupe.petri.Meld;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Place;
+import io.troupe.petri.Transition;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/*
+ * The net of some components of a wiring. What they call or offer outside of these stays a private transition, as if it
+ * were answered, or called, at any time. Names of places and transitions are sentences, so that a firing sequence can be
+ * read.
+ */
+final class WiringNet {
+    static final int MAX_COMBINATIONS = 1000;
+
+    /** Who takes part in a transition, and for whom it is a stop. */
+    record Event(Set<String> who, Set<String> stopping) {}
+
+    /** Whose place it is, and, if it waits there for an answer, the request. */
+    sealed interface Spot {
+        String component();
+
+        record At(String component, String state) implements Spot {}
+
+        record Asking(String component, Step.Requests request) implements Spot {}
+
+        record Serving(String component) implements Spot {}
+    }
+
+    private final Wiring wiring;
+    private final Set<String> chosen;
+    private final Map<String, Event> events = new LinkedHashMap<>();
+    private final Map<String, Spot> spots = new LinkedHashMap<>();
+    private final List<Meld> melds = new ArrayList<>();
+    private final PetriNet net;
+
+    WiringNet(Wiring wiring, Set<String> chosen) {
+        this.wiring = wiring;
+        this.chosen = chosen;
+        var components = new ArrayList<PetriNet>();
+        var stops = wiring.stopsTogether() ? combinations() : List.<Map<String, String>>of();
+        for (var component : wiring.components()) {
+            if (chosen.contains(component)) {
+                components.add(component(component, stops));
+            }
+        }
+        var whole = Composition.compose(wiring.name(), components, melds);
+        for (var i = 0; i < stops.size(); i++) {
+            var number = i;
+            var together = stops.size() == 1 ? "all stop" : "all stop: " + stops.get(i);
+            var parts = stops.get(i).keySet().stream()
+                    .map(component -> component + " stops #" + number)
+                    .toList();
+            whole = Composition.fuse(whole, together, parts);
+            events.put(together, new Event(stops.get(i).keySet(), stops.get(i).keySet()));
+        }
+        net = whole;
+    }
+
+    PetriNet net() {
+        return net;
+    }
+
+    Event event(Transition transition) {
+        return requireNonNull(events.get(transition.name()));
+    }
+
+    Spot spot(Place place) {
+        return requireNonNull(spots.get(place.name()));
+    }
+
+    Set<String> chosen() {
+        return chosen;
+    }
+
+    private PetriNet component(String component, List<Map<String, String>> together) {
+        var protocol = wiring.protocol(component);
+        var builder = PetriNet.builder(component);
+        var first = protocol.states().get(0);
+        for (var state : protocol.states()) {
+            builder.place(place(component, state), state.equals(first) ? 1 : 0);
+            spots.put(place(component, state), new Spot.At(component, state));
+        }
+        for (var step : protocol.steps()) {
+            if (step instanceof Step.Requests request && chosen.contains(wiring.provider(component, request))) {
+                melds.add(meld(component, request));
+            }
+            if (step instanceof Step.Stops && wiring.stopsTogether()) {
+                continue;
+            }
+            var label = label(component, protocol, step);
+            builder.transition(label, List.of(place(component, step.from())), List.of(place(component, step.to())));
+            var stopping = step instanceof Step.Stops ? Set.of(component) : Set.<String>of();
+            events.put(label, new Event(Set.of(component), stopping));
+        }
+        for (var i = 0; i < together.size(); i++) {
+            var state = together.get(i).get(component);
+            if (state != null) {
+                builder.transition(
+                        component + " stops #" + i, List.of(place(component, state)), List.of(place(component, first)));
+            }
+        }
+        return builder.build();
+    }
+
+    private String label(String component, Protocol protocol, Step step) {
+        return switch (step) {
+            case Step.Does does ->
+                component + ": " + does.label() + (isUnique(protocol, does) ? "" : " (in " + step.from() + ")");
+            case Step.Requests request -> request(component, request);
+            case Step.Provides offer -> component + " does " + offer.call();
+            case Step.Stops stop ->
+                component + " stops" + (protocol.stopStates().size() == 1 ? "" : " in " + stop.from());
+        };
+    }
+
+    private Meld meld(String component, Step.Requests request) {
+        var provider = wiring.provider(component, request);
+        var offer = provider + " does " + request.call();
+        var where = where(component, request);
+        var target = provider + "." + request.call();
+        var meld = new Meld(
+                request(component, request),
+                offer,
+                component + " asks " + target + where,
+                component + " waits for " + target + where,
+                provider + " takes " + request.call() + " from " + component + where,
+                component + " is served " + target + where,
+                provider + " before " + request.call(),
+                provider + " after " + request.call(),
+                provider + " answers " + request.call() + " to " + component + where);
+        events.put(meld.asking(), new Event(Set.of(component), Set.of()));
+        events.put(meld.accept(), new Event(Set.of(component, provider), Set.of()));
+        events.put(meld.answer(), new Event(Set.of(component, provider), Set.of()));
+        spots.put(meld.waiting(), new Spot.Asking(component, request));
+        spots.put(meld.pending(), new Spot.Serving(component));
+        spots.put(meld.before(), new Spot.Serving(provider));
+        spots.put(meld.after(), new Spot.Serving(provider));
+        return meld;
+    }
+
+    /** The places of a component that stops together with the others: one for each, in every combination. */
+    private List<Map<String, String>> combinations() {
+        List<Map<String, String>> all = List.of(new LinkedHashMap<>());
+        for (var component : wiring.components()) {
+            var states = chosen.contains(component) ? wiring.stops(component) : List.<String>of();
+            if (states.isEmpty()) {
+                continue;
+            }
+            if ((long) all.size() * states.size() > MAX_COMBINATIONS) {
+                throw new IllegalArgumentException("wiring " + wiring.name() + ": a synchronised stop would need more"
+                        + " than " + MAX_COMBINATIONS + " combinations of states; expected fewer states to stop in");
+            }
+            all = all.stream()
+                    .flatMap(one -> states.stream().map(state -> {
+                        Map<String, String> more = new LinkedHashMap<>(one);
+                        more.put(component, state);
+                        return more;
+                    }))
+                    .toList();
+        }
+        return all.get(0).isEmpty() ? List.of() : all;
+    }
+
+    /** Those that stop together with {@code component} and are not ready to do so in these states. */
+    Set<String> missingToStop(Map<String, String> states) {
+        var missing = new TreeSet<String>();
+        for (var component : chosen) {
+            var stops = wiring.stops(component);
+            if (!stops.isEmpty() && !stops.contains(states.getOrDefault(component, ""))) {
+                missing.add(component);
+            }
+        }
+        return missing;
+    }
+
+    private static boolean isUnique(Protocol protocol, Step.Does does) {
+        return protocol.steps().stream()
+                        .filter(step ->
+                                step instanceof Step.Does other && other.label().equals(does.label()))
+                        .count()
+                == 1;
+    }
+
+    private String request(String component, Step.Requests request) {
+        return component + " requests " + wiring.provider(component, request) + "." + request.call()
+                + where(component, request);
+    }
+
+    /** Told only if the same call is made in several states. */
+    private String where(String component, Step.Requests request) {
+        var provider = wiring.provider(component, request);
+        var same = wiring.protocol(component).requests().stream()
+                .filter(other -> other.call().equals(request.call())
+                        && wiring.provider(component, other).equals(provider))
+                .count();
+        return same == 1 ? "" : " (in " + request.from() + ")";
+    }
+
+    private static String place(String component, String state) {
+        return component + "." + state;
+    }
+}

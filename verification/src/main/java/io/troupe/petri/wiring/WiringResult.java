@@ -1,0 +1,104 @@
+package io.troupe.petri.wiring;
+
+import java.util.List;
+import java.util.Optional;
+
+/** What a {@link WiringCheck} found out. */
+public sealed interface WiringResult {
+    /** The search of the whole. */
+    Figures figures();
+
+    /** Every two components that call each other, by themselves. */
+    List<PairResult> pairs();
+
+    /**
+     * No reachable marking is dead, and from every one each component can still go on. That it does so some day, and is
+     * not passed over for ever, is not said.
+     */
+    record Proved(Figures figures, List<PairResult> pairs) implements WiringResult {
+        public Proved {
+            pairs = List.copyOf(pairs);
+        }
+
+        @Override
+        public String toString() {
+            return "proved free of deadlock: " + figures;
+        }
+    }
+
+    /**
+     * All components can come to wait for ever.
+     *
+     * @param stories of the dead markings, nearest first, at most 16
+     * @param causes the nearest ways in which a component begins to wait for ever while others may go on; none if the
+     * search stopped at its limit
+     * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
+     * more than 1000 combinations of states
+     */
+    record Deadlock(
+            Figures figures, List<PairResult> pairs, List<Story> stories, List<Story> causes, Optional<Repair> repair)
+            implements WiringResult {
+        public Deadlock {
+            pairs = List.copyOf(pairs);
+            stories = List.copyOf(stories);
+            causes = List.copyOf(causes);
+        }
+
+        /** The shortest one. */
+        public Story story() {
+            return stories.get(0);
+        }
+
+        @Override
+        public String toString() {
+            return "can deadlock: " + figures + "\n" + story() + suspects(pairs)
+                    + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
+        }
+    }
+
+    /**
+     * No reachable marking is dead, but a component can come to wait for ever while others go on.
+     *
+     * @param stories the nearest ways to this
+     * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
+     * more than 1000 combinations of states
+     */
+    record Blocked(Figures figures, List<PairResult> pairs, List<Story> stories, Optional<Repair> repair)
+            implements WiringResult {
+        public Blocked {
+            pairs = List.copyOf(pairs);
+            stories = List.copyOf(stories);
+        }
+
+        /** The shortest one. */
+        public Story story() {
+            return stories.get(0);
+        }
+
+        @Override
+        public String toString() {
+            return "a component can wait for ever: " + figures + "\n" + story() + suspects(pairs)
+                    + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
+        }
+    }
+
+    /** The search stopped at its limit before it met a dead marking; there may be some beyond it. */
+    record Unknown(Figures figures, List<PairResult> pairs) implements WiringResult {
+        public Unknown {
+            pairs = List.copyOf(pairs);
+        }
+
+        @Override
+        public String toString() {
+            return "not known: no dead marking up to the limit, " + figures + suspects(pairs);
+        }
+    }
+
+    private static String suspects(List<PairResult> pairs) {
+        var text = new StringBuilder();
+        pairs.stream()
+                .filter(pair -> !pair.isFree())
+                .forEach(pair -> text.append("\npair ").append(pair));
+        return text.toString();
+    }
+}

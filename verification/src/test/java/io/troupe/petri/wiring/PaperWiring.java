@@ -1,0 +1,71 @@
+package io.troupe.petri.wiring;
+
+import static io.troupe.petri.wiring.Protocol.does;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+import static io.troupe.petri.wiring.Protocol.stops;
+
+/** The paper's four components as declarations, in the reading in which the service gets ready by a private step. */
+final class PaperWiring {
+    private PaperWiring() {}
+
+    static Protocol robot() {
+        return Protocol.of("robot")
+                .in("off", does("start").then("started"))
+                .in("started", requests("player.getProxies").then("driving"))
+                .in("driving", does("read sensors").then("sensed"))
+                .in("sensed", requests("player.setValues").then("set"))
+                .in("set", does("go on").then("driving"), does("decide to stop").then("leaving"))
+                .in("leaving", stops())
+                .build();
+    }
+
+    static Protocol player() {
+        return Protocol.of("player")
+                .in("idle", provides("getProxies").then("ready"))
+                .in("ready", provides("setValues").then("loaded"), stops())
+                .in("loaded", requests("middleware.receive").then("ready"))
+                .build();
+    }
+
+    static Protocol middleware() {
+        return Protocol.of("middleware")
+                .in("idle", provides("register").then("ready"))
+                .in("ready", provides("receive").then("loaded"), stops())
+                .in("loaded", requests("service.receive").then("ready"))
+                .build();
+    }
+
+    static Protocol service() {
+        return Protocol.of("service")
+                .in("idle", requests("middleware.register").then("registered"))
+                .in("registered", does("get ready").then("ready"), stops())
+                .in("ready", provides("receive").then("decides"))
+                .in(
+                        "decides",
+                        does("choose wall follower").then("following"),
+                        does("choose wanderer").then("wandering"))
+                .in("following", does("follow the wall").then("registered"))
+                .in("wandering", does("wander").then("registered"))
+                .build();
+    }
+
+    static Wiring wiring() {
+        return Wiring.of("paper")
+                .component(robot())
+                .component(player())
+                .component(middleware())
+                .component(service())
+                .build();
+    }
+
+    /** Each robot has a player session of its own; they share the middleware and the service. */
+    static Wiring robots(int count) {
+        var wiring =
+                Wiring.of(count + " robots").components("robot", count, robot()).components("player", count, player());
+        for (var i = 1; i <= count; i++) {
+            wiring.bind("robot" + i, "player", "player" + i);
+        }
+        return wiring.component(middleware()).component(service()).build();
+    }
+}

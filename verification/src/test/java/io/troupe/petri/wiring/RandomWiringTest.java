@@ -1,0 +1,241 @@
+package io.troupe.petri.wiring;
+
+import static io.troupe.petri.wiring.Protocol.does;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+import static io.troupe.petri.wiring.Protocol.stops;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.petri.wiring.WiringResult.Blocked;
+import io.troupe.petri.wiring.WiringResult.Deadlock;
+import io.troupe.petri.wiring.WiringResult.Proved;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+/** Random wirings, checked by way of the net and by playing the declarations directly. */
+class RandomWiringTest {
+    private static final int WIRINGS = 200;
+
+    /** What a component is doing: in a state, waiting for an answer, being served, or serving a call. */
+    private record Status(String phase, String at, String target, String to) {
+        static Status in(String state) {
+            return new Status("in", state, "", "");
+        }
+    }
+
+    private record Move(Set<String> who, Map<String, Status> next) {}
+
+    private static Wiring random(long seed) {
+        var random = new Random(seed);
+        var count = 2 + random.nextInt(2);
+        var offers = new ArrayList<Integer>();
+        for (var i = 0; i < count; i++) {
+            offers.add(random.nextInt(3));
+        }
+        var wiring = Wiring.of("seed " + seed);
+        var open = new HashSet<String>();
+        for (var i = 0; i < count; i++) {
+            for (var call = 0; call < offers.get(i); call++) {
+                open.add("c" + i + ".call" + call);
+            }
+        }
+        for (var i = 0; i < count; i++) {
+            var protocol = protocol(i, offers, random);
+            protocol.requested().forEach(open::remove);
+            wiring.component(protocol);
+        }
+        open.forEach(wiring::open);
+        return wiring.build();
+    }
+
+    private static Protocol protocol(int self, List<Integer> offers, Random random) {
+        var states = 2 + random.nextInt(3);
+        var ways = new ArrayList<Map<String, Way>>();
+        var offered = new ArrayList<Integer>();
+        for (var call = 0; call < offers.get(self); call++) {
+            offered.add(random.nextInt(states));
+        }
+        for (var state = 0; state < states; state++) {
+            var out = new LinkedHashMap<String, Way>();
+            for (var call = 0; call < offered.size(); call++) {
+                if (offered.get(call) == state) {
+                    add(out, provides("call" + call).then("s" + target(out, state, states, random)));
+                }
+            }
+            while (out.isEmpty() || random.nextInt(3) == 0) {
+                var to = "s" + target(out, state, states, random);
+                var other = random.nextInt(offers.size());
+                if (other != self && offers.get(other) > 0 && random.nextInt(3) > 0) {
+                    var call = "c" + other + ".call" + random.nextInt(offers.get(other));
+                    add(out, requests(call).then(to));
+                } else {
+                    add(out, does("step " + out.size() + random.nextInt(2)).then(to));
+                }
+            }
+            if (state > 0 && random.nextInt(4) == 0) {
+                add(out, stops());
+            }
+            ways.add(out);
+        }
+        var builder = Protocol.of("c" + self);
+        for (var state = 0; state < states; state++) {
+            builder.in("s" + state, ways.get(state).values().toArray(new Way[0]));
+        }
+        return builder.build();
+    }
+
+    private static void add(Map<String, Way> out, Way way) {
+        out.putIfAbsent(way.toString(), way);
+    }
+
+    /** The first way of each state leads to the next one, so that all can be reached. */
+    private static int target(Map<String, Way> out, int state, int states, Random random) {
+        return out.isEmpty() ? (state + 1) % states : random.nextInt(states);
+    }
+
+    private static List<Move> moves(Wiring wiring, Map<String, Status> now) {
+        var moves = new ArrayList<Move>();
+        now.forEach((component, status) -> {
+            switch (status.phase()) {
+                case "in" -> {
+                    for (var step : wiring.protocol(component).out(status.at())) {
+                        switch (step) {
+                            case Step.Requests asks ->
+                                alone(moves, now, component, new Status("asks", status.at(), target(asks), asks.to()));
+                            case Step.Provides offer -> accept(wiring, moves, now, component, offer);
+                            case Step.Does does -> alone(moves, now, component, Status.in(does.to()));
+                            case Step.Stops stop -> alone(moves, now, component, Status.in(stop.to()));
+                        }
+                    }
+                }
+                case "asked" -> alone(moves, now, component, new Status("done", "", status.target(), status.to()));
+                case "done" ->
+                    now.forEach((caller, asking) -> {
+                        if (asking.phase().equals("served") && asking.target().equals(status.target())) {
+                            var next = new HashMap<>(now);
+                            next.put(component, Status.in(status.to()));
+                            next.put(caller, Status.in(asking.to()));
+                            moves.add(new Move(Set.of(component, caller), next));
+                        }
+                    });
+                default -> {}
+            }
+        });
+        return moves;
+    }
+
+    private static String target(Step.Requests request) {
+        return request.role() + "." + request.call();
+    }
+
+    private static void accept(
+            Wiring wiring, List<Move> moves, Map<String, Status> now, String component, Step.Provides offer) {
+        var target = component + "." + offer.call();
+        if (wiring.components().stream()
+                .noneMatch(c -> wiring.protocol(c).requested().contains(target))) {
+            alone(moves, now, component, Status.in(offer.to()));
+        }
+        now.forEach((caller, asking) -> {
+            if (asking.phase().equals("asks") && asking.target().equals(target)) {
+                var next = new HashMap<>(now);
+                next.put(component, new Status("asked", "", target, offer.to()));
+                next.put(caller, new Status("served", asking.at(), target, asking.to()));
+                moves.add(new Move(Set.of(component, caller), next));
+            }
+        });
+    }
+
+    private static void alone(List<Move> moves, Map<String, Status> now, String component, Status status) {
+        var next = new HashMap<>(now);
+        next.put(component, status);
+        moves.add(new Move(Set.of(component), next));
+    }
+
+    /** All that can be reached, with the moves out of it. */
+    private static Map<Map<String, Status>, List<Move>> play(Wiring wiring) {
+        Map<String, Status> start = new HashMap<>();
+        wiring.components().forEach(c -> start.put(c, Status.in("s0")));
+        var reached = new LinkedHashMap<Map<String, Status>, List<Move>>();
+        var ahead = new ArrayDeque<>(List.of(start));
+        while (!ahead.isEmpty()) {
+            var now = ahead.remove();
+            if (!reached.containsKey(now)) {
+                var moves = moves(wiring, now);
+                reached.put(now, moves);
+                moves.forEach(move -> ahead.add(move.next()));
+            }
+        }
+        return reached;
+    }
+
+    private static boolean someoneIsBlocked(Wiring wiring, Map<Map<String, Status>, List<Move>> reached) {
+        return reached.keySet().stream()
+                .anyMatch(from ->
+                        moversFrom(from, reached).size() < wiring.components().size());
+    }
+
+    private static Set<String> moversFrom(Map<String, Status> from, Map<Map<String, Status>, List<Move>> reached) {
+        var movers = new HashSet<String>();
+        var seen = new HashSet<>(List.of(from));
+        var ahead = new ArrayDeque<>(List.of(from));
+        while (!ahead.isEmpty()) {
+            for (var move : reached.getOrDefault(ahead.remove(), List.of())) {
+                movers.addAll(move.who());
+                if (seen.add(move.next())) {
+                    ahead.add(move.next());
+                }
+            }
+        }
+        return movers;
+    }
+
+    @Test
+    void check_ofRandomWirings_isAsPlayingTheDeclarationsSays() {
+        var kinds = new HashMap<Class<?>, Integer>();
+        for (var seed = 0L; seed < WIRINGS; seed++) {
+            var wiring = random(seed);
+            var reached = play(wiring);
+            var dead = (int) reached.values().stream().filter(List::isEmpty).count();
+
+            var result = WiringCheck.check(wiring);
+
+            assertThat(result.figures().markings())
+                    .as("markings of seed %d", seed)
+                    .isEqualTo(reached.size());
+            assertThat(result.figures().deadMarkings())
+                    .as("dead markings of seed %d", seed)
+                    .isEqualTo(dead);
+            if (reached.size() <= 100 && dead == 0) {
+                var expected = someoneIsBlocked(wiring, reached) ? Blocked.class : Proved.class;
+                assertThat(result).as("result of seed %d", seed).isInstanceOf(expected);
+            }
+            if (result instanceof Deadlock deadlock) {
+                deadlock.stories()
+                        .forEach(story ->
+                                requireCircle(story, wiring.components().size()));
+            }
+            kinds.merge(result.getClass(), 1, Integer::sum);
+        }
+        assertThat(kinds).containsOnlyKeys(Proved.class, Blocked.class, Deadlock.class);
+        assertThat(kinds.values()).as("%s", kinds).allMatch(number -> number > 10);
+    }
+
+    /** In a deadlock all wait, and each in the circle waits for the next. */
+    private static void requireCircle(Story story, int components) {
+        assertThat(story.waits()).hasSize(components);
+        var circle = story.circle();
+        assertThat(circle).isNotEmpty();
+        for (var i = 0; i < circle.size(); i++) {
+            assertThat(circle.get(i).on())
+                    .contains(circle.get((i + 1) % circle.size()).component());
+        }
+    }
+}

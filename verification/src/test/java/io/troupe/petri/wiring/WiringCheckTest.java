@@ -1,0 +1,217 @@
+package io.troupe.petri.wiring;
+
+import static io.troupe.petri.wiring.Protocol.does;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+import static io.troupe.petri.wiring.Protocol.stops;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.petri.wiring.WiringResult.Blocked;
+import io.troupe.petri.wiring.WiringResult.Deadlock;
+import io.troupe.petri.wiring.WiringResult.Proved;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class WiringCheckTest {
+    private static Protocol client() {
+        return Protocol.of("client")
+                .in("idle", does("look").then("informed"))
+                .in("informed", requests("planner.plan").then("planned"))
+                .in(
+                        "planned",
+                        does("drive").then("idle"),
+                        requests("planner.correct").then("idle"))
+                .build();
+    }
+
+    private static Protocol planner() {
+        return Protocol.of("planner")
+                .in("ready", provides("plan").then("ready"), provides("correct").then("ready"))
+                .build();
+    }
+
+    /** Takes a token when its neighbour hands one over, or hands one over itself. */
+    private static Protocol neighbour() {
+        return Protocol.of("neighbour")
+                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
+                .build();
+    }
+
+    private static Wiring ring(int size) {
+        var ring = Wiring.of("ring").components("node", size, neighbour());
+        for (var i = 1; i <= size; i++) {
+            ring.bind("node" + i, "next", "node" + (i % size + 1));
+        }
+        return ring.build();
+    }
+
+    @Test
+    void components_neverDeadlock() {
+        var wiring = Wiring.of("demo").component(client()).component(planner()).build();
+        assertThat(WiringCheck.check(wiring)).isInstanceOf(Proved.class);
+    }
+
+    @Test
+    void assertionThatFails_tellsTheStory() {
+        assertThatThrownBy(() -> assertThat(WiringCheck.check(ring(3))).isInstanceOf(Proved.class))
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
+    }
+
+    @Test
+    void sixClients_ofOnePlanner_areProved() {
+        var robots = Wiring.of("six")
+                .components("robot", 6, client())
+                .component(planner())
+                .build();
+
+        var result = WiringCheck.check(robots);
+
+        assertThat(result).isInstanceOf(Proved.class);
+        assertThat(result.figures().isComplete()).isTrue();
+        assertThat(result.figures().neverReached()).isEmpty();
+        assertThat(result.pairs()).hasSize(6).allMatch(PairResult::isFree);
+        // Each robot is idle, informed, planned or waits for one of the two calls: 5^6 when the planner is ready; while
+        // it
+        // serves one of them, before or after its step, with either call, the other five: 4 * 6 * 5^5.
+        assertThat(result.figures().markings()).isEqualTo(15_625 + 4 * 6 * 3_125);
+    }
+
+    @Test
+    void ringOfThree_deadlocksAlthoughAllPairsAreFree() {
+        var result = (Deadlock) WiringCheck.check(ring(3));
+
+        assertThat(result.pairs()).hasSize(3).allMatch(PairResult::isFree);
+        assertThat(result.figures().deadMarkings()).isEqualTo(1);
+        assertThat(result.story().sentence())
+                .isEqualTo("node1 waits for node2.take; node2 waits for node3.take; node3 waits for node1.take: all ask"
+                        + " and nobody answers");
+        assertThat(result.story().firings())
+                .containsExactlyInAnyOrder("node1 asks node2.take", "node2 asks node3.take", "node3 asks node1.take");
+        assertThat(result.story().circle())
+                .containsExactly(
+                        new Wait.Answer("node1", "node2", "take"),
+                        new Wait.Answer("node2", "node3", "take"),
+                        new Wait.Answer("node3", "node1", "take"));
+        assertThat(result.repair()).isEmpty();
+        assertThat(result.toString()).contains("can deadlock", "after 3 steps", "* node1 waits for node2.take");
+    }
+
+    @Test
+    void stop_leavesOneBlockedWhileAnotherGoesOn() {
+        var server = Protocol.of("server")
+                .in("off", provides("open").then("on"))
+                .in("on", provides("use").then("on"), stops())
+                .build();
+        var user = Protocol.of("user")
+                .in("start", requests("server.open").then("using"))
+                .in("using", requests("server.use").then("using"))
+                .build();
+        var clock =
+                Protocol.of("clock").in("ticking", does("tick").then("ticking")).build();
+        var wiring = Wiring.of("blocked")
+                .component(server)
+                .component(user)
+                .component(clock)
+                .build();
+
+        var result = (Blocked) WiringCheck.check(wiring);
+
+        assertThat(result.figures().deadMarkings()).isZero();
+        assertThat(result.story().sentence())
+                .isEqualTo("server stops; user waits for server.use, which nobody will answer");
+        assertThat(result.story().waits()).extracting(Wait::component).containsExactly("server", "user");
+        assertThat(result.pairs())
+                .singleElement()
+                .satisfies(pair -> assertThat(pair.isFree()).isFalse());
+    }
+
+    @Test
+    void repair_thatDoesNotHelp_isNotCalledProved() {
+        var stopping = Protocol.of("node")
+                .in("off", does("start").then("idle"))
+                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"), stops())
+                .build();
+        var wiring = Wiring.of("pair")
+                .components("node", 2, stopping)
+                .bind("node1", "next", "node2")
+                .bind("node2", "next", "node1")
+                .build();
+
+        var result = (Deadlock) WiringCheck.check(wiring);
+
+        var repair = result.repair().orElseThrow();
+        assertThat(repair.isProved()).isFalse();
+        assertThat(repair.result()).isInstanceOf(Deadlock.class);
+        assertThat(repair.toString()).contains("not proved");
+        assertThat(((Deadlock) repair.result()).repair()).isEmpty();
+    }
+
+    @Test
+    void synchronisedStop_inSeveralStates_isTakenInEveryCombination() {
+        var lamp = Protocol.of("lamp")
+                .in("off", does("start").then("dark"))
+                .in("dark", provides("light").then("bright"), stops())
+                .in("bright", provides("dim").then("dark"), stops())
+                .build();
+        var user = Protocol.of("user")
+                .in("away", does("come").then("wants light"))
+                .in("wants light", requests("lamp.light").then("wants dark"))
+                .in("wants dark", requests("lamp.dim").then("thinks"))
+                .in("thinks", does("go on").then("wants light"), does("leave").then("leaving"))
+                .in("leaving", stops())
+                .build();
+        var wiring = Wiring.of("lamp").component(lamp).component(user).build();
+
+        var together = wiring.withSynchronisedStop();
+
+        assertThat(together.net().transitions())
+                .extracting(Object::toString)
+                .contains("all stop: {lamp=dark, user=leaving}", "all stop: {lamp=bright, user=leaving}")
+                .noneMatch(name -> name.contains("#"));
+        assertThat(WiringCheck.check(together)).isInstanceOf(Proved.class);
+    }
+
+    @Test
+    void openCall_isMadeFromOutside() {
+        var wiring = Wiring.of("open")
+                .component(planner())
+                .open("planner.plan")
+                .open("planner.correct")
+                .build();
+
+        var result = WiringCheck.check(wiring);
+
+        assertThat(result).isInstanceOf(Proved.class);
+        assertThat(result.figures()).isEqualTo(new Figures(1, 2, 4, 1, 2, 0, true, List.of()));
+    }
+
+    @Test
+    void stateOfAWiring_thatNobodyReaches_isInTheFigures() {
+        var server = Protocol.of("server")
+                .in("first", provides("first").then("second"))
+                .in("second", provides("second").then("first"))
+                .build();
+        var wrong = Protocol.of("wrong")
+                .in("start", requests("server.second").then("then"))
+                .in("then", requests("server.first").then("start"))
+                .build();
+
+        var result = (Deadlock) WiringCheck.check(
+                Wiring.of("order").component(wrong).component(server).build());
+
+        assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
+        assertThat(result.story().sentence())
+                .isEqualTo("wrong waits for server.second, which nobody will answer; server (first) waits to be called:"
+                        + " first by wrong, which nobody will do");
+    }
+
+    @Test
+    void limit_belowOne_isRefused() {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> WiringCheck.check(ring(3), 0))
+                .withMessage("maxMarkings is 0, expected 1 or more");
+    }
+}
