@@ -28,7 +28,7 @@ class HabitsTest {
             "io.troupe.actor.ActorType.TYPES", // the cache of generated classes
             "io.troupe.actor.promise.Home.CURRENT", // the home a thread belongs to, one per thread
             "io.troupe.actor.promise.Detached.WAITING", // listeners that wait for their turn on a thread without a
-                                                        // home, one per thread
+            // home, one per thread
             "io.troupe.player.PlayerPorts.OPEN"); // the in-process Player ports
 
     /** What a machine says of the time, and waiting for it. */
