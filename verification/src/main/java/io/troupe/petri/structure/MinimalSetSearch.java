@@ -89,7 +89,7 @@ final class MinimalSetSearch {
     }
 
     /** A closed set between the two from which no place can be taken without losing a required one. */
-    private BitSet smallest(BitSet allowed, BitSet required) {
+    BitSet smallest(BitSet allowed, BitSet required) {
         var small = (BitSet) allowed.clone();
         for (var place = small.nextSetBit(0); place >= 0; place = small.nextSetBit(place + 1)) {
             if (required.get(place)) {

@@ -150,12 +150,4 @@ public final class StateEquation {
             effects.onPlaces().get(place.index()).forEach((t, by) -> balance.set(counts.get(t), -by));
         }
     }
-
-    /** The tokens on each place after these firings, in any order; some may be negative. */
-    long[] tokensAfter(long[] counts) {
-        return net.places().stream()
-                .mapToLong(place -> Math.addExact(
-                        place.tokens(), Effects.sum(effects.onPlaces().get(place.index()), t -> counts[t])))
-                .toArray();
-    }
 }
