@@ -22,7 +22,7 @@ import org.ojalgo.optimisation.integer.IntegerStrategy.GMICutConfiguration;
  * here any will do, which is faster, and a minimal one in it is reported. The firing counts need not be integer: they
  * have no bounds, so that branching on them need not end. This can only add candidates.
  *
- * <p><b>Cost.</b> A mixed-integer program of the size of the net: seconds for 40 places, minutes for 100. Where the
+ * <p><b>Cost.</b> A mixed-integer program of the size of the net: about ten seconds for 40 places. Where the
  * siphons are few enough to be listed, {@link SiphonAnalysis} is faster and its proofs are exact.
  * <p><b>Source.</b> Chu and Xie, Deadlock analysis of Petri nets using siphons and mathematical programming (1997).
  */
@@ -110,8 +110,8 @@ public final class EmptySiphonProgram {
     }
 
     /**
-     * Branch and bound alone. The cutting planes of ojAlgo 56 and 57 at times cut off all solutions, also of a net of
-     * ours that does have an emptied siphon; so they are asked for only beyond a violation that never occurs.
+     * Branch and bound alone. The cutting planes of ojAlgo 56.1.1 cut off all solutions of a net of ours in which a
+     * siphon really is emptied; so they are asked for only beyond a violation that never occurs.
      */
     private static IntegerStrategy withoutCuts() {
         return IntegerStrategy.newConfigurable()
