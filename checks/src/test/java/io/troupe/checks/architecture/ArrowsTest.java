@@ -76,6 +76,11 @@ class ArrowsTest {
     }
 
     @Test
+    void petri_importsNoOtherRoom() {
+        arrow("io.troupe.petri").check(Classes.MAIN);
+    }
+
+    @Test
     void promise_importsNoOtherRoom() {
         arrow(PROMISE).check(Classes.MAIN);
     }

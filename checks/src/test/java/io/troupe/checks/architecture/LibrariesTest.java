@@ -23,6 +23,11 @@ class LibrariesTest {
     }
 
     @Test
+    void ojalgo_staysInTheStructureRoom() {
+        library("org.ojalgo..", "io.troupe.petri.structure");
+    }
+
+    @Test
     void peers_stayInTheBenchmarks() {
         for (String peer : List.of("org.jctools..", "io.vertx..", "org.apache.pekko..", "org.nustaq..")) {
             library(peer, "io.troupe.bench..");

@@ -1,0 +1,89 @@
+package io.troupe.petri.structure;
+
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Place;
+import io.troupe.petri.Transition;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToIntFunction;
+
+/**
+ * Minimal semi-positive invariants in integers: weights of places whose sum of weighted tokens no firing changes, and
+ * firing counts that in the end change nothing.
+ *
+ * <p>A semi-positive invariant has weights of 0 or more, not all 0; it is minimal if no other has its support within its
+ * own, and its weights have no common divisor. Every other semi-positive invariant is a sum of minimal ones times
+ * positive fractions. These, not a basis of the null space (which may need negative weights), are what bounds tokens
+ * and names cycles.
+ *
+ * <p><b>Threads.</b> For any.
+ * <p><b>Cost.</b> There can be exponentially many; and the work can be much more than the result.
+ * <p><b>Errors.</b> A weight beyond a {@code long} throws {@link ArithmeticException}.
+ * <p><b>Source.</b> The method of Farkas, as refined by Martinez and Silva, A simple and fast algorithm to obtain all
+ * invariants of a generalised Petri net (1982).
+ */
+public final class Invariants {
+    /** The limit of {@link #ofPlaces(PetriNet)} and {@link #ofTransitions(PetriNet)}. */
+    public static final int DEFAULT_MAX_ROWS = 5_000;
+
+    private Invariants() {}
+
+    /**
+     * Invariants, largest support last.
+     *
+     * @param invariants each is minimal, also when the search stopped early; its weights above 0
+     * @param isComplete whether these are all; if not, the search stopped at its limit and there may be more
+     */
+    public record Found<T>(List<Map<T, Long>> invariants, boolean isComplete) {
+        public Found {
+            invariants = invariants.stream().map(Map::copyOf).toList();
+        }
+    }
+
+    /** P-invariants: in every reachable marking the weighted sum of the tokens is that of the initial marking. */
+    public static Found<Place> ofPlaces(PetriNet net) {
+        return ofPlaces(net, DEFAULT_MAX_ROWS);
+    }
+
+    /** P-invariants, on the way to which there are never more than {@code maxRows} (1 or more) combinations. */
+    public static Found<Place> ofPlaces(PetriNet net, int maxRows) {
+        var matrix = new Effects(net).onPlaces();
+        return find(new SemiPositive(matrix, net.transitions().size()), net.places(), Place::index, maxRows);
+    }
+
+    /** T-invariants: a firing sequence with these counts leads back to where it began; there need not be one. */
+    public static Found<Transition> ofTransitions(PetriNet net) {
+        return ofTransitions(net, DEFAULT_MAX_ROWS);
+    }
+
+    /** T-invariants, on the way to which there are never more than {@code maxRows} (1 or more) combinations. */
+    public static Found<Transition> ofTransitions(PetriNet net, int maxRows) {
+        var matrix = new Effects(net).ofTransitions();
+        return find(new SemiPositive(matrix, net.places().size()), net.transitions(), Transition::index, maxRows);
+    }
+
+    private static <T> Found<T> find(SemiPositive search, List<T> things, ToIntFunction<T> index, int maxRows) {
+        if (maxRows < 1) {
+            throw new IllegalArgumentException("maxRows is " + maxRows + ", expected 1 or more");
+        }
+        var complete = search.run(maxRows);
+        var found = search.solutions().stream()
+                .map(factors -> weights(factors, things, index))
+                .sorted(Comparator.comparingInt(Map::size))
+                .toList();
+        return new Found<>(found, complete);
+    }
+
+    private static <T> Map<T, Long> weights(long[] factors, List<T> things, ToIntFunction<T> index) {
+        Map<T, Long> weights = new HashMap<>();
+        for (var thing : things) {
+            var factor = factors[index.applyAsInt(thing)];
+            if (factor != 0) {
+                weights.put(thing, factor);
+            }
+        }
+        return weights;
+    }
+}

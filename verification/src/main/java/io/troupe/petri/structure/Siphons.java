@@ -1,0 +1,88 @@
+package io.troupe.petri.structure;
+
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Place;
+import java.util.Arrays;
+import java.util.Comparator;
+
+/**
+ * Siphons and traps of a net.
+ *
+ * <p>A siphon is a set of places such that every transition that puts a token into it also takes one from it: once
+ * empty, it stays empty. A trap is the reverse: every transition that takes from it also puts into it, so once marked,
+ * it stays marked. Both are properties of the arcs alone, for any weights and priorities. The empty set is both, and is
+ * never reported.
+ *
+ * <p><b>Threads.</b> For any.
+ * <p><b>Cost.</b> The largest one in a set takes time in proportion to arcs x places. There can be exponentially many
+ * minimal ones.
+ * <p><b>Source.</b> The search splits as in Cordone, Ferrarini and Piroddi, Enumeration algorithms for minimal siphons
+ * in Petri nets based on place constraints (2005).
+ */
+public final class Siphons {
+    /** The limit of {@link #minimalSiphons(PetriNet)} and {@link #minimalTraps(PetriNet)}. */
+    public static final long DEFAULT_MAX_STEPS = 1_000_000;
+
+    private Siphons() {}
+
+    /** Searches all minimal siphons in up to {@link #DEFAULT_MAX_STEPS} steps. */
+    public static MinimalSets minimalSiphons(PetriNet net) {
+        return minimalSiphons(net, DEFAULT_MAX_STEPS);
+    }
+
+    /** Searches all minimal siphons; each step (of {@code maxSteps}, 1 or more) finds at most one. */
+    public static MinimalSets minimalSiphons(PetriNet net, long maxSteps) {
+        return minimal(net, Needs.ofSiphons(net), maxSteps);
+    }
+
+    /** Searches all minimal traps in up to {@link #DEFAULT_MAX_STEPS} steps. */
+    public static MinimalSets minimalTraps(PetriNet net) {
+        return minimalTraps(net, DEFAULT_MAX_STEPS);
+    }
+
+    /** Searches all minimal traps; each step (of {@code maxSteps}, 1 or more) finds at most one. */
+    public static MinimalSets minimalTraps(PetriNet net, long maxSteps) {
+        return minimal(net, Needs.ofTraps(net), maxSteps);
+    }
+
+    public static boolean isSiphon(PlaceSet set) {
+        return Needs.ofSiphons(set.net()).isClosed(set.bits());
+    }
+
+    public static boolean isTrap(PlaceSet set) {
+        return Needs.ofTraps(set.net()).isClosed(set.bits());
+    }
+
+    /** The siphon within {@code set} that contains all others there; perhaps empty. */
+    public static PlaceSet largestSiphonIn(PlaceSet set) {
+        return largest(Needs.ofSiphons(set.net()), set);
+    }
+
+    /** The trap within {@code set} that contains all others there; perhaps empty. */
+    public static PlaceSet largestTrapIn(PlaceSet set) {
+        return largest(Needs.ofTraps(set.net()), set);
+    }
+
+    private static PlaceSet largest(Needs needs, PlaceSet set) {
+        var largest = set.bits();
+        needs.shrinkToLargest(largest);
+        return new PlaceSet(set.net(), largest);
+    }
+
+    private static MinimalSets minimal(PetriNet net, Needs needs, long maxSteps) {
+        if (maxSteps < 1) {
+            throw new IllegalArgumentException("maxSteps is " + maxSteps + ", expected 1 or more");
+        }
+        var search = new MinimalSetSearch(needs);
+        var complete = search.run(maxSteps);
+        var sets = search.found().stream()
+                .map(set -> new PlaceSet(net, set))
+                .sorted(Comparator.comparingInt(PlaceSet::size).thenComparing(Siphons::indices, Arrays::compare))
+                .toList();
+        return new MinimalSets(sets, complete);
+    }
+
+    private static int[] indices(PlaceSet set) {
+        return set.places().stream().mapToInt(Place::index).toArray();
+    }
+}
