@@ -31,8 +31,10 @@ public abstract class Actor {
     }
 
     /**
-     * The proxy of this actor: what to hand to others, and to call when the call shall wait its turn behind the messages already queued.
+     * The proxy of this actor: what to hand to others, and to call when the call shall be a message, with a turn of its own.
      * ({@code this} calls at once.)
+     *
+     * <p><b>Order.</b> Behind what this actor has sent itself before. What others have sent meanwhile may come before or after it.
      */
     @SuppressWarnings("unchecked") // the caller names the type it spawned this actor as
     protected final <A> A self() {
