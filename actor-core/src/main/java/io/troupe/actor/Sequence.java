@@ -76,6 +76,9 @@ final class Sequence<T extends @Nullable Object> {
     }
 
     private void runBody() {
+        if (end.isDone()) {
+            return; // cancelled before it began
+        }
         try {
             checkOwner();
             end.resolve(body.call());

@@ -76,6 +76,14 @@ class SequentialTest {
     }
 
     @Test
+    void body_thatIsCancelledBeforeItBegins_neverBegins() {
+        Promise<Boolean> answer = test.space().sequential(() -> log.add("begun"));
+        answer.cancel();
+        test.crank();
+        assertThat(log).isEmpty();
+    }
+
+    @Test
     void await_throwsWhatThePromiseWasRejectedWith_unwrapped() {
         var failing = new Deferred<String>(test.space());
         Promise<String> answer = test.space().sequential(() -> {
