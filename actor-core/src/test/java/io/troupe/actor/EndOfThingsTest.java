@@ -7,6 +7,7 @@ import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -62,6 +63,10 @@ class EndOfThingsTest {
 
         public void end() {
             stop();
+        }
+
+        public Promise<Timer> setTimer() {
+            return Promise.of(after(Duration.ofHours(1), () -> {}));
         }
 
         public void setTimers(int number) {
@@ -229,6 +234,33 @@ class EndOfThingsTest {
         worker.end();
         test.crank();
         assertThat(test.space().metrics().timers()).isZero();
+    }
+
+    @Test
+    void timer_cancelledOnAnotherThread_throwsAndSaysWhere() {
+        Worker worker = spawn(ActorSettings.DEFAULT);
+        var timer = test.get(worker.setTimer());
+        assertThatThrownBy(timer::cancel)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("on the thread of its space only");
+        test.run(() -> assertThat(timer.cancel()).isTrue());
+    }
+
+    @Test
+    void loop_whosePromiseIsCancelled_ends() {
+        var rounds = new int[1];
+        test.run(() -> {
+            Promise<?> loop = test.space().repeatWhile(() -> rounds[0] < 1000, () -> {
+                rounds[0]++;
+            });
+            test.space().execute(loop::cancel);
+        });
+        assertThat(rounds[0]).isLessThan(1000);
+    }
+
+    @Test
+    void race_ofNothing_isRejected() {
+        assertThat(Promise.race(List.<Promise<Integer>>of()).error()).hasMessage("race of no promises");
     }
 
     @Test
