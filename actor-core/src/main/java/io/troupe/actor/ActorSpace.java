@@ -635,8 +635,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
         stopping = true; // also if an error has ended the thread
         var last = new Closing(this, dispatcher);
         refusing.set(true); // nobody else turns leftovers away before this thread has
+        int bodies = sequences.count();
         try {
-            int bodies = sequences.count();
             actors.all().forEach(ActorCell::stop);
             sequences.cancelAll();
             clockRegistration.run();
@@ -644,11 +644,11 @@ public final class ActorSpace extends Home implements AutoCloseable {
             last.dropTimers(dispatcher.timers);
             last.dropIdleActions();
             last.refuseAll();
-            leftovers = last.leftovers(bodies);
             rejections.releaseAll();
             settleRejections();
             last.refuseAll(); // what the error handler has asked of actors
         } finally {
+            leftovers = last.leftovers(bodies);
             lifeline.close();
             thread = null;
             refusing.set(false);

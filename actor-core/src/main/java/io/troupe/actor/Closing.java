@@ -72,7 +72,7 @@ final class Closing {
 
     private void refuse(Entry entry) {
         Runnable ifClosed = entry.ifClosed();
-        if (entry.isMailEntry()) {
+        if (ActorSpace.goesToMailbox(entry)) {
             tasks++;
         }
         if (ifClosed != null) {

@@ -36,10 +36,6 @@ final class Entry extends Node {
         return ifClosed;
     }
 
-    boolean isMailEntry() {
-        return mail;
-    }
-
     @Override
     protected void run() {
         task.run();

@@ -41,22 +41,16 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         return ended || isCancelled();
     }
 
-    /** Sends one result, without asking whether anybody listens; its entry runs the first of those that wait in the queue. */
-    void sendInTurn(T result, Queue<Runnable> waiting) {
-        enqueueInTurn(() -> reader.accept(result, null), waiting);
+    /** Sends one result to a reader that is known to listen. */
+    void sendTo(T result) {
+        queue(() -> reader.accept(result, null), false);
     }
 
-    /** Ends, unless it has ended, in the same manner. */
-    void endInTurn(@Nullable Throwable error, Queue<Runnable> waiting) {
-        if (!ended) {
-            ended = true;
-            enqueueInTurn(error == null ? reader::finish : () -> reader.fail(error), waiting);
+    /** Ends, unless it has ended. */
+    void endOnce(@Nullable Throwable error) {
+        if (end()) {
+            queue(error == null ? reader::finish : () -> reader.fail(error), false);
         }
-    }
-
-    private void enqueueInTurn(Runnable delivery, Queue<Runnable> waiting) {
-        waiting.add(delivery);
-        home.enqueueCallback(new Delivery(() -> waiting.remove().run(), false));
     }
 
     /** What goes wrong on the sender's side though it is the reader's. */
@@ -126,9 +120,12 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private void send(Runnable delivery, boolean evenIfClosed) {
-        if (isCancelled()) {
-            return;
+        if (!isCancelled()) {
+            queue(delivery, evenIfClosed);
         }
+    }
+
+    private void queue(Runnable delivery, boolean evenIfClosed) {
         var next = new Delivery(delivery, evenIfClosed);
         Queue<Delivery> waiting = home.isCurrent() ? line : lineUp();
         if (waiting == null) {

@@ -1,7 +1,5 @@
 package io.troupe.actor;
 
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,12 +12,6 @@ final class Subscription<T> {
     private final Object topic;
     private final ReturningCallback<T> reader;
 
-    /*
-     * A space serves what its own thread has queued before what others have queued a moment earlier. So an entry does not hold what it brings: it
-     * takes the first that waits here, and there are as many of the ones as of the others.
-     */
-    private final Queue<Runnable> waiting = new ConcurrentLinkedQueue<>();
-
     Subscription(Object topic, ReturningCallback<T> reader) {
         this.topic = topic;
         this.reader = reader;
@@ -30,12 +22,12 @@ final class Subscription<T> {
         if (isGone()) {
             return false;
         }
-        reader.sendInTurn(value, waiting);
+        reader.sendTo(value);
         return true;
     }
 
     void end(@Nullable Throwable error) {
-        reader.endInTurn(error, waiting);
+        reader.endOnce(error);
     }
 
     /** Whether nobody listens any more. A callback of somebody's own making may throw when asked: its fault, and its end. */

@@ -244,7 +244,6 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    @SuppressWarnings("ReferenceEquality")
     private void noteRejection(Rejection rejection, boolean heard) {
         Home place = home();
         if (heard) {
