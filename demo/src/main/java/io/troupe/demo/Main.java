@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.player.PlayerException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
@@ -17,7 +18,7 @@ import picocli.CommandLine.ParameterException;
         description = "Typed actors and promises on one thread, for robots.",
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
-        subcommands = RunCommand.class)
+        subcommands = {RunCommand.class, VerifyCommand.class})
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;

@@ -1,72 +1,53 @@
 package io.troupe.demo;
 
-import java.io.PrintStream;
+import io.troupe.demo.terminal.TerminalLine;
 import java.util.Locale;
-import org.jspecify.annotations.Nullable;
 
 /** A line at the bottom of a terminal that says how far a run is; nothing when there is no terminal. */
 final class ProgressBar implements AutoCloseable {
     private static final int WIDTH = 40;
 
-    private final @Nullable PrintStream terminal;
+    private final TerminalLine line;
     private final double endSeconds;
     private int shown = -1;
 
-    private ProgressBar(@Nullable PrintStream terminal, double endSeconds) {
-        this.terminal = terminal;
+    private ProgressBar(TerminalLine line, double endSeconds) {
+        this.line = line;
         this.endSeconds = endSeconds;
     }
 
     static ProgressBar onTerminal(double endSeconds) {
-        return new ProgressBar(isTerminal() ? System.err : null, endSeconds);
+        return new ProgressBar(TerminalLine.open(), endSeconds);
     }
 
     static ProgressBar hidden() {
-        return new ProgressBar(null, 1);
+        return new ProgressBar(TerminalLine.hidden(), 1);
     }
 
     void show(double seconds) {
         int permille = (int) Math.min(1000, 1000 * seconds / endSeconds);
-        if (terminal == null || permille == shown) {
+        if (!line.isVisible() || permille == shown) {
             return;
         }
         shown = permille;
         int full = permille * WIDTH / 1000;
-        terminal.printf(
+        line.show(String.format(
                 Locale.ROOT,
-                "\r[%s%s] %6.1f of %.1f s",
+                "[%s%s] %6.1f of %.1f s",
                 "#".repeat(full),
                 ".".repeat(WIDTH - full),
                 seconds,
-                endSeconds);
-        terminal.flush();
+                endSeconds));
     }
 
     /** Lets something else be printed above the bar. */
     void interrupt(Runnable print) {
-        close();
-        print.run();
+        line.interrupt(print);
+        shown = -1;
     }
 
     @Override
     public void close() {
-        if (terminal != null && shown >= 0) {
-            terminal.print("\r\033[K");
-            terminal.flush();
-            shown = -1;
-        }
-    }
-
-    /** Since Java 22 there is a console without a terminal too, and a method that tells; before, a console meant a terminal. */
-    private static boolean isTerminal() {
-        var console = System.console();
-        if (console == null) {
-            return false;
-        }
-        try {
-            return (Boolean) java.io.Console.class.getMethod("isTerminal").invoke(console);
-        } catch (ReflectiveOperationException beforeJava22) {
-            return true;
-        }
+        line.close();
     }
 }

@@ -5,11 +5,16 @@ import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 
-/** The paper's four components as declarations, in the reading in which the service gets ready by a private step. */
-final class PaperWiring {
+/**
+ * The paper's four components as declarations, in {@link io.troupe.petri.PaperNets.Reading#A}: the net derived from them is {@link
+ * io.troupe.petri.PaperNets#uncorrected} with other names.
+ *
+ * <p><b>Source.</b> Sections 5.1 to 5.4 of the paper.
+ */
+public final class PaperWiring {
     private PaperWiring() {}
 
-    static Protocol robot() {
+    public static Protocol robot() {
         return Protocol.of("robot")
                 .in("off", does("start").then("started"))
                 .in("started", requests("player.getProxies").then("driving"))
@@ -20,7 +25,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Protocol player() {
+    public static Protocol player() {
         return Protocol.of("player")
                 .in("idle", provides("getProxies").then("ready"))
                 .in("ready", provides("setValues").then("loaded"), stops())
@@ -28,7 +33,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Protocol middleware() {
+    public static Protocol middleware() {
         return Protocol.of("middleware")
                 .in("idle", provides("register").then("ready"))
                 .in("ready", provides("receive").then("loaded"), stops())
@@ -36,7 +41,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Protocol service() {
+    public static Protocol service() {
         return Protocol.of("service")
                 .in("idle", requests("middleware.register").then("registered"))
                 .in("registered", does("get ready").then("ready"), stops())
@@ -50,7 +55,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Wiring wiring() {
+    public static Wiring wiring() {
         return Wiring.of("paper")
                 .component(robot())
                 .component(player())
@@ -60,7 +65,7 @@ final class PaperWiring {
     }
 
     /** Each robot has a player session of its own; they share the middleware and the service. */
-    static Wiring robots(int count) {
+    public static Wiring robots(int count) {
         var wiring =
                 Wiring.of(count + " robots").components("robot", count, robot()).components("player", count, player());
         for (var i = 1; i <= count; i++) {

@@ -1,0 +1,76 @@
+package io.troupe.demo.verify;
+
+import io.troupe.petri.Liveness;
+import io.troupe.petri.Marking;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.Verdict;
+import io.troupe.petri.structure.MinimalSets;
+import io.troupe.petri.structure.PlaceSet;
+import io.troupe.petri.structure.SiphonAnalysis;
+import io.troupe.petri.structure.SiphonVerdict;
+import io.troupe.petri.structure.Siphons;
+import io.troupe.petri.structure.StateEquation;
+import java.util.List;
+
+/**
+ * All we compute of one net: its graph, and its siphons judged in three independent ways.
+ *
+ * @param emptied minimal siphons that are empty in some reachable marking
+ * @param leastTokens for each minimal siphon the fewest tokens in it by the state equation (linear program)
+ * @param withoutMarkedTrap minimal siphons that contain no initially marked trap
+ */
+record NetStudy(
+        PetriNet net,
+        ReachabilityGraph graph,
+        Liveness liveness,
+        MinimalSets siphons,
+        MinimalSets traps,
+        List<PlaceSet> emptied,
+        List<Double> leastTokens,
+        List<PlaceSet> withoutMarkedTrap) {
+    /** A solution of a linear program is rounded by about this much. */
+    private static final double ROUNDING = 1e-6;
+
+    static NetStudy of(PetriNet net) {
+        var graph = ReachabilityGraph.explore(net);
+        var siphons = Siphons.minimalSiphons(net);
+        var equation = new StateEquation(net);
+        return new NetStudy(
+                net,
+                graph,
+                Liveness.of(graph),
+                siphons,
+                Siphons.minimalTraps(net),
+                siphons.sets().stream()
+                        .filter(siphon -> SiphonAnalysis.confirm(siphon, graph) instanceof SiphonVerdict.Emptied)
+                        .toList(),
+                siphons.sets().stream()
+                        .map(siphon -> equation.leastTokens(siphon)
+                                .orElseThrow(() -> new IllegalStateException(
+                                        "the linear program for " + siphon + " of net " + net.name() + " failed")))
+                        .toList(),
+                siphons.sets().stream()
+                        .filter(siphon -> !Siphons.largestTrapIn(siphon).isMarked(net.initialMarking()))
+                        .toList());
+    }
+
+    int emptiedByTheStateEquation() {
+        return (int) leastTokens.stream().filter(least -> least < ROUNDING).count();
+    }
+
+    double fewestTokens() {
+        return leastTokens.stream().mapToDouble(Double::doubleValue).min().orElse(Double.POSITIVE_INFINITY);
+    }
+
+    boolean deadlockFree() {
+        return graph.deadlockFree() == Verdict.YES;
+    }
+
+    /** How many reachable markings have all these places marked. */
+    int markingsWith(Marking places) {
+        return (int) graph.states().stream()
+                .filter(state -> state.marking().covers(places))
+                .count();
+    }
+}

@@ -1,0 +1,60 @@
+package io.troupe.demo.verify;
+
+import io.troupe.petri.Composition;
+import io.troupe.petri.PaperNets;
+import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.structure.EmptySiphonProgram;
+import io.troupe.petri.structure.EmptySiphonVerdict;
+import java.time.Duration;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/**
+ * The paper's nets in one reading, and its statements about them.
+ *
+ * @param programs what one mixed-integer program over all siphons says of the uncorrected and of the corrected net
+ */
+record ReadingStudy(
+        Reading reading,
+        NetStudy uncorrected,
+        NetStudy corrected,
+        NetStudy robotAndPlayer,
+        NetStudy middlewareAndService,
+        List<EmptySiphonVerdict> programs,
+        List<Statement> statements) {
+    private static final Duration PROGRAM_LIMIT = Duration.ofSeconds(60);
+
+    static ReadingStudy of(Reading reading, Consumer<String> progress) {
+        progress.accept("reading " + reading + ": the uncorrected net");
+        var uncorrected = NetStudy.of(PaperNets.uncorrected(reading));
+        progress.accept("reading " + reading + ": the corrected net");
+        var corrected = NetStudy.of(PaperNets.corrected(reading));
+        progress.accept("reading " + reading + ": pairs of components");
+        var robotAndPlayer = NetStudy.of(Composition.compose(
+                "robot and player " + reading,
+                List.of(PaperNets.robot(), PaperNets.player()),
+                List.of(PaperNets.getProxies(), PaperNets.setValues())));
+        var middlewareAndService = NetStudy.of(Composition.compose(
+                "middleware and service " + reading,
+                List.of(PaperNets.middleware(), PaperNets.service(reading)),
+                List.of(PaperNets.register(), PaperNets.giveData())));
+        progress.accept(
+                "reading " + reading + ": one mixed-integer program over all siphons, which takes some seconds");
+        var programs = Stream.of(uncorrected, corrected)
+                .map(study -> EmptySiphonProgram.solve(study.net(), PROGRAM_LIMIT))
+                .toList();
+        progress.accept("reading " + reading + ": the statements");
+        var statements = Stream.concat(
+                        new UncorrectedStatements(reading, uncorrected).all().stream(),
+                        new CorrectedStatements(reading, corrected).all().stream())
+                .toList();
+        return new ReadingStudy(
+                reading, uncorrected, corrected, robotAndPlayer, middlewareAndService, programs, statements);
+    }
+
+    PetriNet lowPriority() {
+        return PaperNets.lowPriorityStops(reading);
+    }
+}

@@ -1,0 +1,109 @@
+package io.troupe.demo.verify;
+
+import static io.troupe.petri.wiring.Protocol.does;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+
+import io.troupe.petri.wiring.Protocol;
+import io.troupe.petri.wiring.ProtocolBuilder;
+import io.troupe.petri.wiring.Wiring;
+import java.util.function.IntFunction;
+
+/**
+ * What {@code troupe run} is made of, as declarations: the world in lock step, the service in charge of each robot, the promise
+ * of its colour, and the arbitrator.
+ *
+ * <p>Whether a service follows a wall or wanders is left open: each may see a colour after any reading, or none. A service that has
+ * ended itself looks to others like one that waits for readings: telling it to stop is answered at once. A colour always leads
+ * to another state, as in the paper's table. Closing a world or an actor space is no call, and so not part of this.
+ *
+ * <p><b>Source.</b> The classes {@code Simulation}, {@code ServiceLoop}, {@code RobotServices} and {@code Arbitrator}; ADR 0003 says when an actor
+ * space has answered a reading.
+ */
+public final class TroupeWiring {
+    private TroupeWiring() {}
+
+    /** As it is: a service fulfils a promise, and does not wait until the arbitrator has time for it. */
+    public static Wiring withPromises(int robots) {
+        var wiring = Wiring.of(robots + " robots, colours by promise")
+                .component(world(robots, true))
+                .components("service", robots, service("promise.fulfil"))
+                .components("promise", robots, promise())
+                .component(arbitrator(robots));
+        for (int i = 1; i <= robots; i++) {
+            wiring.bind("service" + i, "promise", "promise" + i);
+        }
+        return wiring.build();
+    }
+
+    /** As it must not be: a service calls the arbitrator and waits until it has taken the colour. */
+    public static Wiring withDirectCalls(int robots) {
+        return Wiring.of(robots + " robots, colours by a call that is waited for")
+                .component(world(robots, false))
+                .components("service", robots, service("arbitrator.colour"))
+                .component(arbitrator(robots))
+                .build();
+    }
+
+    /** Gives each service its reading, then waits until the actor space is idle: until no colour is on its way. */
+    private static Protocol world(int robots, boolean promises) {
+        var world = Protocol.of("world").in("new", requests("arbitrator.idle").then("reading 1"));
+        chain(world, "reading ", robots, i -> "service" + i + ".data", "waiting 1");
+        chain(world, "waiting ", robots, i -> "service" + i + ".answered", promises ? "promised 1" : "settled");
+        if (promises) {
+            chain(world, "promised ", robots, i -> "promise" + i + ".idle", "settled");
+        }
+        return world.in("settled", requests("arbitrator.idle").then("reading 1"))
+                .build();
+    }
+
+    private static Protocol service(String reportsTo) {
+        return Protocol.of("service")
+                .in("free", provides("begin").then("in charge"))
+                .in(
+                        "in charge",
+                        provides("data").then("deciding"),
+                        provides("answered").then("in charge"),
+                        provides("stop").then("free"))
+                .in(
+                        "deciding",
+                        does("drive on").then("in charge"),
+                        does("see a colour").then("ending"))
+                .in("ending", requests(reportsTo).then("in charge"))
+                .build();
+    }
+
+    private static Protocol promise() {
+        return Protocol.of("promise")
+                .in(
+                        "pending",
+                        provides("fulfil").then("fulfilled"),
+                        provides("idle").then("pending"))
+                .in("fulfilled", requests("arbitrator.colour").then("pending"))
+                .build();
+    }
+
+    private static Protocol arbitrator(int robots) {
+        var arbitrator = Protocol.of("arbitrator").in("new", does("live").then("beginning 1"));
+        chain(arbitrator, "beginning ", robots, i -> "service" + i + ".begin", "watching");
+        arbitrator
+                .in(
+                        "watching",
+                        provides("colour").then("judging"),
+                        provides("idle").then("watching"))
+                .in(
+                        "judging",
+                        does("drop a colour of the state before").then("watching"),
+                        does("change the state").then("stopping 1"));
+        chain(arbitrator, "stopping ", robots, i -> "service" + i + ".stop", "beginning 1");
+        return arbitrator.build();
+    }
+
+    /** One request after the other, to each of the robots' components. */
+    private static void chain(
+            ProtocolBuilder protocol, String state, int robots, IntFunction<String> request, String last) {
+        for (int i = 1; i <= robots; i++) {
+            protocol.in(state + i, requests(request.apply(i)).then(i < robots ? state + (i + 1) : last));
+        }
+    }
+}

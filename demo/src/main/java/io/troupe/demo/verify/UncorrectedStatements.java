@@ -1,0 +1,200 @@
+package io.troupe.demo.verify;
+
+import io.troupe.petri.Composition;
+import io.troupe.petri.Liveness;
+import io.troupe.petri.PaperNets;
+import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.PermanentBlock;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Place;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.ReachabilityGraph.State;
+import io.troupe.petri.Transition;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/** What the paper says about the net whose components stop when they like, and about giving their stops low priority. */
+final class UncorrectedStatements {
+    private static final int SIPHONS_IN_THE_PAPER = 44;
+    private static final List<String> STOPS = List.of("Tr6", "Tr7", "Tp4", "Tm4", "Ts7");
+
+    private final Reading reading;
+    private final NetStudy study;
+    private final List<PermanentBlock> blocks;
+
+    UncorrectedStatements(Reading reading, NetStudy study) {
+        this.reading = reading;
+        this.study = study;
+        blocks = study.liveness().permanentBlocks(2);
+    }
+
+    List<Statement> all() {
+        return List.of(
+                melding(),
+                siphons(),
+                emptiedSiphons(),
+                deadlock(),
+                robotAndPlayer(),
+                middlewareAndService(),
+                lowPriority());
+    }
+
+    private Statement melding() {
+        var parts = List.of(PaperNets.robot(), PaperNets.player(), PaperNets.middleware(), PaperNets.service(reading));
+        var details = new ArrayList<String>();
+        boolean holds = true;
+        PetriNet net = Composition.compose("components", parts, List.of());
+        for (var meld : PaperNets.melds()) {
+            PetriNet melded = Composition.meld(net, List.of(meld));
+            var places = added(names(net.places(), Place::name), names(melded.places(), Place::name));
+            var transitions =
+                    added(names(net.transitions(), Transition::name), names(melded.transitions(), Transition::name));
+            details.add(
+                    "%s + %s: places %s, transitions %s".formatted(meld.request(), meld.offer(), places, transitions));
+            holds &= places.size() == 4 && transitions.size() == 3;
+            net = melded;
+        }
+        return new Statement(
+                "5.5",
+                "each common transition gives 4 new places and 3 new transitions",
+                "so it is for each of the " + details.size()
+                        + " melds (the text names no S3'' at the registration, but the" + " rule asks for it)",
+                holds,
+                details);
+    }
+
+    private static <T> List<String> names(List<T> parts, Function<T, String> name) {
+        return parts.stream().map(name).toList();
+    }
+
+    private static List<String> added(List<String> before, List<String> after) {
+        return after.stream().filter(each -> !before.contains(each)).toList();
+    }
+
+    private Statement siphons() {
+        int count = study.siphons().sets().size();
+        var details = new ArrayList<String>();
+        details.add("This number does not identify the net: other nets that one could read out of the text have");
+        OtherReadings.all()
+                .forEach(other -> details.add(
+                        "  %-72s %3d minimal siphons".formatted(other.description(), other.minimalSiphons())));
+        return new Statement(
+                "5.5.4",
+                "there are 44 minimal siphons",
+                count + " minimal siphons, the largest with "
+                        + study.siphons().sets().stream()
+                                .mapToInt(each -> each.size())
+                                .max()
+                                .orElse(0) + " places",
+                count == SIPHONS_IN_THE_PAPER,
+                details);
+    }
+
+    private Statement emptiedSiphons() {
+        var smallest = study.emptied().stream()
+                .min(Comparator.comparingInt(each -> each.size()))
+                .map(siphon -> List.of("a smallest one: " + siphon))
+                .orElse(List.of());
+        return new Statement(
+                "5.5.4",
+                "linear programs find minimal siphons that can lose all their tokens",
+                "%d of them: by the linear programs %d, by visiting all markings %d, and %d contain no marked trap"
+                        .formatted(
+                                study.emptied().size(),
+                                study.emptiedByTheStateEquation(),
+                                study.emptied().size(),
+                                study.withoutMarkedTrap().size()),
+                study.emptiedByTheStateEquation() > 0,
+                smallest);
+    }
+
+    private Statement deadlock() {
+        var dead = study.graph().dead();
+        var details = new ArrayList<String>();
+        dead.forEach(state -> details.add(
+                "%s after %d firings".formatted(state, state.shortestTrace().size())));
+        if (!dead.isEmpty()) {
+            details.add("the way to the first:");
+            details.addAll(PaperWords.steps(dead.get(0).shortestTrace()));
+        }
+        blocks.forEach(block -> details.add("never left again once marked together: " + block.places() + ", in "
+                + block.markings() + " markings, first after "
+                + block.nearest().shortestTrace().size() + " firings"));
+        partial().forEach(details::add);
+        return new Statement(
+                "5.5.4",
+                "the net has a deadlock",
+                dead.size() + " of " + study.graph().size() + " reachable markings are dead",
+                !dead.isEmpty(),
+                details);
+    }
+
+    /** Ends without a dead marking, in which something still has stopped for ever. */
+    private Stream<String> partial() {
+        return study.liveness().terminalComponents().stream()
+                .filter(end -> !end.isDead() && !end.neverFired().isEmpty())
+                .map(end -> "besides, a partial deadlock: " + end.size()
+                        + " markings that are never left again, in which these never fire: " + end.neverFired());
+    }
+
+    private Statement robotAndPlayer() {
+        return circularWait(
+                "player may stop at P4 instead of waiting for values: it waits at Trp1'' and robot at Trp3'' for ever",
+                "P1",
+                "R7''");
+    }
+
+    private Statement middlewareAndService() {
+        return circularWait(
+                "after Tms2'' service may stop and middleware go on by Tpm1'': service waits at Tms1'' and middleware at"
+                        + " Tms3'' for ever",
+                "S2''",
+                "M8''");
+    }
+
+    private Statement circularWait(String claim, String one, String other) {
+        var both = study.net().marking(one, other);
+        var block = blocks.stream()
+                .filter(each -> each.places().equals(both.marked()))
+                .findFirst();
+        var details = new ArrayList<String>();
+        block.ifPresent(found -> details.addAll(PaperWords.steps(found.nearest().shortestTrace())));
+        List<State> dead = study.graph().dead();
+        String ours = block.map(found ->
+                        "%s and %s are marked together in %d markings and never lose their tokens again; first after %d firings; in %d of the %d dead markings"
+                                .formatted(
+                                        one,
+                                        other,
+                                        found.markings(),
+                                        found.nearest().shortestTrace().size(),
+                                        dead.stream()
+                                                .filter(state -> state.marking().covers(both))
+                                                .count(),
+                                        dead.size()))
+                .orElse("no such wait found");
+        return new Statement("5.5.4", claim, ours, block.isPresent(), details);
+    }
+
+    private Statement lowPriority() {
+        var graph = ReachabilityGraph.explore(PaperNets.lowPriorityStops(reading));
+        List<String> fired = STOPS.stream()
+                .filter(stop -> !graph.neverFired().contains(graph.net().transition(stop)))
+                .toList();
+        boolean neverWantsTo = graph.neverMarked().contains(graph.net().place("R10"));
+        return new Statement(
+                "5.5.4",
+                "stops of lower priority remove the deadlock, but robot never stops",
+                "%d markings, %d dead; stops that ever fire: %s; R10 is %s marked; terminal components: %s"
+                        .formatted(
+                                graph.size(),
+                                graph.dead().size(),
+                                fired.isEmpty() ? "none" : fired,
+                                neverWantsTo ? "never" : "sometimes",
+                                Liveness.of(graph).terminalComponents().size()),
+                graph.dead().isEmpty() && fired.isEmpty() && neverWantsTo,
+                List.of());
+    }
+}

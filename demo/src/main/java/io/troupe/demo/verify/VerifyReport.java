@@ -1,0 +1,187 @@
+package io.troupe.demo.verify;
+
+import io.troupe.petri.structure.EmptySiphonVerdict;
+import io.troupe.petri.structure.SiphonAnalysis;
+import io.troupe.petri.structure.SiphonVerdict;
+import java.util.List;
+import java.util.StringJoiner;
+import java.util.function.Function;
+import java.util.stream.Stream;
+
+/** The results as Markdown, and in short for the terminal. */
+final class VerifyReport {
+    private final List<ReadingStudy> readings;
+    private final List<TeamStudy> teams;
+    private final List<WiringStudy> wirings;
+
+    VerifyReport(List<ReadingStudy> readings, List<TeamStudy> teams, List<WiringStudy> wirings) {
+        this.readings = List.copyOf(readings);
+        this.teams = List.copyOf(teams);
+        this.wirings = List.copyOf(wirings);
+    }
+
+    /** A line for each statement and its result; the traces are in the Markdown. */
+    String summary() {
+        var text = new StringBuilder();
+        for (var study : readings) {
+            text.append("Reading ")
+                    .append(study.reading())
+                    .append(explanation(study))
+                    .append('\n');
+            for (var statement : study.statements()) {
+                text.append(statement.holds() ? "  holds   " : "  DIFFERS ");
+                text.append(statement.section())
+                        .append(": ")
+                        .append(statement.claim())
+                        .append('\n');
+                text.append("          ours: ").append(statement.ours()).append('\n');
+            }
+            text.append('\n');
+        }
+        text.append(
+                "More robots, each with a player of its own: without correction, stopping together, stopping one by one\n");
+        teams.forEach(team -> text.append("  ")
+                .append(team.robots())
+                .append(team.robots() == 1 ? " robot:  " : " robots: ")
+                .append(String.join(", ", cells(team)))
+                .append('\n'));
+        text.append("\nWirings declared component by component\n");
+        for (var wiring : wirings) {
+            text.append("  ")
+                    .append(wiring.name())
+                    .append(": ")
+                    .append(wiring.verdict())
+                    .append('\n');
+        }
+        return text.toString();
+    }
+
+    private static List<String> cells(TeamStudy team) {
+        return Stream.of(team.uncorrected(), team.stoppingTogether(), team.stoppingOneByOne())
+                .map(TeamStudy::cell)
+                .toList();
+    }
+
+    private static String explanation(ReadingStudy study) {
+        return switch (study.reading()) {
+            case A -> ": service gets ready for data by a step of its own";
+            case B -> ": service waits for data at once";
+        };
+    }
+
+    String markdown() {
+        var text = new StringBuilder("# The paper's Petri nets, verified again\n\n");
+        text.append("""
+                The figures with the nets are lost; the text names the places and transitions that composition adds, and the \
+                rest is our reconstruction, in two readings. Every number below was computed by this run. A siphon that can lose \
+                its tokens proves nothing by itself: a deadlock is only said to exist where a firing sequence leads to it.
+
+                """);
+        text.append("## The nets\n\n");
+        text.append(table());
+        readings.forEach(study -> statements(text, study));
+        text.append(
+                "\n## More robots\n\nReading A; each robot has a player of its own, and all share one middleware and one service. Dead markings by stubborn sets.\n\n");
+        text.append(
+                "| robots | without correction | stopping together | each robot with its player |\n|---|---|---|---|\n");
+        teams.forEach(team -> text.append("| ")
+                .append(team.robots())
+                .append(" | ")
+                .append(String.join(" | ", cells(team)))
+                .append(" |\n"));
+        text.append("\n## The wirings\n\n");
+        wirings.forEach(wiring -> text.append("### ")
+                .append(wiring.name())
+                .append("\n\n```\n")
+                .append(wiring.result())
+                .append("\n```\n\n"));
+        return text.toString();
+    }
+
+    private String table() {
+        List<NetStudy> nets = readings.stream()
+                .flatMap(each -> List.of(each.uncorrected(), each.corrected()).stream())
+                .toList();
+        var programs = readings.stream()
+                .flatMap(each -> Stream.of(
+                        word(each.programs().get(0), each.uncorrected()),
+                        word(each.programs().get(1), each.corrected())))
+                .toList();
+        var table = new StringJoiner("\n", "", "\n");
+        table.add(row("", nets, study -> study.net().name()));
+        table.add("|---".repeat(nets.size() + 1) + "|");
+        table.add(row(
+                "places / transitions / arcs",
+                nets,
+                study -> study.net().places().size() + " / "
+                        + study.net().transitions().size() + " / " + study.net().arcCount()));
+        table.add(row(
+                "reachable markings / edges",
+                nets,
+                study -> study.graph().size() + " / " + study.graph().edgeCount()));
+        table.add(row("most tokens on a place", nets, study -> study.graph().mostTokens()));
+        table.add(row("dead markings", nets, study -> study.graph().dead().size()));
+        table.add(row("minimal siphons", nets, study -> study.siphons().sets().size()));
+        table.add(row(
+                "of them emptied in a reachable marking",
+                nets,
+                study -> study.emptied().size()));
+        table.add(row("of them emptied by the state equation", nets, NetStudy::emptiedByTheStateEquation));
+        table.add(row(
+                "of them without a marked trap",
+                nets,
+                study -> study.withoutMarkedTrap().size()));
+        table.add(row("fewest tokens by the state equation", nets, study -> Math.round(study.fewestTokens())));
+        table.add(row("minimal traps", nets, study -> study.traps().sets().size()));
+        table.add(row(
+                "terminal components (sizes)",
+                nets,
+                study -> study.liveness().terminalComponents().stream()
+                        .map(component -> Integer.toString(component.size()))
+                        .toList()));
+        table.add(row(
+                "live / reversible",
+                nets,
+                study -> study.liveness().live() + " / " + study.liveness().reversible()));
+        table.add("| one mixed-integer program: can a siphon be emptied? | " + String.join(" | ", programs) + " |");
+        return table.toString();
+    }
+
+    private static String word(EmptySiphonVerdict verdict, NetStudy study) {
+        return switch (verdict) {
+            case EmptySiphonVerdict.NoneCanBeEmptied none -> "no";
+            case EmptySiphonVerdict.MayBeEmptied some ->
+                SiphonAnalysis.confirm(some.siphon(), study.graph()) instanceof SiphonVerdict.Emptied
+                        ? "perhaps; one it finds is really emptied"
+                        : "perhaps; the one it finds is not";
+            case EmptySiphonVerdict.Undecided undecided -> undecided.reason();
+        };
+    }
+
+    private static String row(String title, List<NetStudy> nets, Function<NetStudy, Object> cell) {
+        var row = new StringJoiner(" | ", "| ", " |");
+        row.add(title);
+        nets.forEach(study -> row.add(cell.apply(study).toString()));
+        return row.toString();
+    }
+
+    private static void statements(StringBuilder text, ReadingStudy study) {
+        text.append("\n## Reading ")
+                .append(study.reading())
+                .append(explanation(study))
+                .append("\n");
+        for (var statement : study.statements()) {
+            text.append("\n### ").append(statement.holds() ? "Holds: " : "Differs: ");
+            text.append(statement.claim())
+                    .append(" (section ")
+                    .append(statement.section())
+                    .append(")\n\n");
+            text.append("Ours: ").append(statement.ours()).append(".\n");
+            if (!statement.details().isEmpty()) {
+                text.append("\n```\n");
+                statement.details().forEach(line -> text.append(line).append('\n'));
+                text.append("```\n");
+            }
+        }
+    }
+}

@@ -1,0 +1,115 @@
+package io.troupe.demo.verify;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.petri.PaperNets.Reading;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Every statement of section 5, with the numbers we stand for. */
+class ReadingStudyTest {
+    private static final ReadingStudy A = ReadingStudy.of(Reading.A, progress -> {});
+    private static final ReadingStudy B = ReadingStudy.of(Reading.B, progress -> {});
+
+    private static Statement statement(ReadingStudy study, String claim) {
+        return study.statements().stream()
+                .filter(each -> each.claim().contains(claim))
+                .reduce((one, other) -> {
+                    throw new AssertionError("two statements with " + claim);
+                })
+                .orElseThrow();
+    }
+
+    @Test
+    void readingA_allStatementsHold() {
+        assertThat(A.statements()).hasSize(12).allMatch(Statement::holds);
+    }
+
+    @Test
+    void readingB_allStatementsHoldButTheNumberOfSiphons() {
+        assertThat(B.statements())
+                .filteredOn(each -> !each.holds())
+                .singleElement()
+                .satisfies(each -> assertThat(each.ours()).startsWith("36 minimal siphons"));
+    }
+
+    @Test
+    void siphons_otherReadingsWithTheSameNumber_areNamed() {
+        assertThat(statement(A, "44 minimal siphons").ours()).startsWith("44 minimal siphons");
+        assertThat(OtherReadings.all())
+                .extracting(OtherReadings::minimalSiphons)
+                .isEqualTo(List.of(44, 44, 44, 44, 32, 40, 36));
+    }
+
+    @Test
+    void emptiedSiphons_threeRoutesAgree() {
+        for (var study : List.of(A.uncorrected(), A.corrected(), B.uncorrected(), B.corrected())) {
+            assertThat(study.emptiedByTheStateEquation())
+                    .isEqualTo(study.emptied().size());
+            assertThat(study.withoutMarkedTrap()).isEqualTo(study.emptied());
+        }
+        assertThat(A.uncorrected().emptied()).hasSize(20);
+        assertThat(B.uncorrected().emptied()).hasSize(12);
+        assertThat(A.corrected().emptied()).isEmpty();
+        assertThat(A.corrected().fewestTokens()).isEqualTo(1);
+    }
+
+    @Test
+    void deadlock_ofReadingA_isToldInWords() {
+        var statement = statement(A, "has a deadlock");
+
+        assertThat(statement.ours()).isEqualTo("6 of 1264 reachable markings are dead");
+        assertThat(statement.details())
+                .contains("{P1, M1, S10, R7''} after 14 firings", " 7. Tp4     player stops")
+                .contains("never left again once marked together: [M1, S10], in 36 markings, first after 6 firings")
+                .noneMatch(line -> line.contains("partial deadlock"));
+    }
+
+    @Test
+    void deadlock_ofReadingB_tellsOfThePartialOneToo() {
+        assertThat(statement(B, "has a deadlock").details())
+                .anyMatch(line -> line.startsWith("besides, a partial deadlock: 8 markings"));
+    }
+
+    @Test
+    void causes_haveTheirShortestWays() {
+        var player = statement(A, "player may stop at P4");
+        assertThat(player.ours()).contains("in 32 markings", "first after 8 firings", "in 2 of the 6 dead");
+        assertThat(player.details()).hasSize(8).last().isEqualTo(" 8. Tr4''   robot asks player to set values");
+        var service = statement(A, "after Tms2'' service may stop");
+        assertThat(service.ours()).contains("in 36 markings", "first after 21 firings", "in 3 of the 6 dead");
+        assertThat(service.details()).hasSize(21);
+    }
+
+    @Test
+    void lowPriority_removesTheDeadlockAndTheStop() {
+        assertThat(statement(A, "lower priority").ours())
+                .isEqualTo(
+                        "360 markings, 0 dead; stops that ever fire: none; R10 is never marked; terminal components: 1");
+    }
+
+    @Test
+    void correctedNet_mustStopOnceRobotWantsTo() {
+        assertThat(statement(A, "no other path").ours())
+                .isEqualTo(
+                        "R10 is marked in 69 markings, and Tstop may fire in 1 of all; from R10 every way leads to it,"
+                                + " after at most 21 other firings");
+        assertThat(statement(A, "no other path").details())
+                .singleElement()
+                .asString()
+                .contains("after 27 firings");
+    }
+
+    @Test
+    void inevitability_ofANetInWhichRobotNeedNotStop_doesNotHold() {
+        // Tstop is the only way on from R10; with a circle beside it nothing forces it
+        var net = A.corrected().net().toBuilder()
+                .transition("idle", List.of("R10", "M4"), List.of("R10", "M4"))
+                .build();
+
+        var statements = new CorrectedStatements(Reading.A, NetStudy.of(net)).all();
+
+        assertThat(statements.get(0).holds()).isFalse();
+        assertThat(statements.get(0).ours()).endsWith("there is a way round in circles that avoids it");
+    }
+}
