@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The samples of the documentation occur in a source that the build compiles, and tests run. */
 class SamplesTest {
     @ParameterizedTest
-    @ValueSource(strings = {"README.md", "docs/guide/01-actors.md"})
+    @ValueSource(strings = {"README.md", "docs/guide/01-actors.md", "docs/guide/03-proving-a-wiring.md"})
     void samples_occurInCompiledSources(String page) throws IOException {
         var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));
         assertThat(samples).extracting(Samples.Sample::language).contains("java");
