@@ -2,6 +2,7 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.State;
 import java.util.ArrayDeque;
@@ -24,21 +25,30 @@ final class Search {
     private final ReachabilityGraph graph;
     private final Stories stories;
 
-    Search(Wiring wiring, Set<String> chosen, int maxMarkings) {
-        net = new WiringNet(wiring, chosen);
-        graph = ReachabilityGraph.explore(net.net(), maxMarkings);
+    /** The graph is that of {@code net}, or of one that differs from it in names only. */
+    Search(Wiring wiring, WiringNet net, ReachabilityGraph graph) {
+        this.net = net;
+        this.graph = graph;
         stories = new Stories(wiring, net);
     }
 
     Figures figures() {
-        return Figures.of(graph);
+        return Figures.of(net.net(), graph);
     }
 
     /** Of the dead markings, nearest first. */
     List<Story> deadlocks() {
         return graph.dead().stream()
                 .limit(MAX_STORIES)
-                .map(state -> stories.tell(state, net.chosen()))
+                .map(state -> stories.tell(state.marking(), state.shortestTrace(), net.chosen()))
+                .toList();
+    }
+
+    /** Of these dead markings, in their order. */
+    List<Story> deadlocks(List<DeadlockSearch.Deadlock> dead) {
+        return dead.stream()
+                .limit(MAX_STORIES)
+                .map(deadlock -> stories.tell(deadlock.marking(), deadlock.trace(), net.chosen()))
                 .toList();
     }
 
@@ -62,7 +72,10 @@ final class Search {
         });
         var told = new ArrayList<Story>();
         var states = nearest.isEmpty() ? List.<State>of() : graph.states();
-        nearest.forEach((index, stuck) -> told.add(stories.tell(states.get(index), stuck)));
+        nearest.forEach((index, stuck) -> {
+            var state = states.get(index);
+            told.add(stories.tell(state.marking(), state.shortestTrace(), stuck));
+        });
         return withCircles(told);
     }
 
@@ -94,7 +107,7 @@ final class Search {
         var states = graph.states();
         var moves = new LinkedHashMap<String, boolean[]>();
         net.chosen().forEach(component -> moves.put(component, new boolean[size]));
-        var movedBy = graph.net().transitions().stream()
+        var movedBy = net.net().transitions().stream()
                 .map(transition -> net.event(transition).who().stream()
                         .map(component -> requireNonNull(moves.get(component)))
                         .toList())

@@ -1,7 +1,9 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ReachabilityGraph;
-import java.util.ArrayList;
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -10,8 +12,10 @@ import java.util.Optional;
 /**
  * Tells whether the components of a {@link Wiring} can come to wait for each other for ever.
  *
- * <p>The nets of the components are melded, first of every two that call each other, then of all, and each is searched
- * breadth first. In a unit test:
+ * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
+ * full. Of the whole, a search by stubborn sets finds all dead markings, with a shortest way to each, among a small part
+ * of the markings; where the full graph is within the limit too, it tells whether some components can be blocked while
+ * others go on, and how that begins. What was beyond the limit, the result says. In a unit test:
  *
  * {@snippet :
  * @Test
@@ -24,68 +28,71 @@ import java.util.Optional;
  * When this fails, its message is the story of the deadlock.
  *
  * <p><b>Threads.</b> Any.
- * <p><b>Cost.</b> That of {@link ReachabilityGraph#explore}, for each pair, the whole, and the repaired whole; the
- * markings of the whole grow exponentially with the number of components.
+ * <p><b>Cost.</b> That of {@link DeadlockSearch#run} and of {@link ReachabilityGraph#explore}, for each pair (alike
+ * ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with the number of
+ * components. After a deadlock the graph is not followed beyond 200,000 markings.
  * <p><b>Errors.</b> A limit below 1, and a wiring that {@link Wiring#withSynchronisedStop} made with more than 1000
  * combinations of states to stop in, throw {@link IllegalArgumentException}.
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
  */
 public final class WiringCheck {
+    /** The limit of {@link #check(Wiring)}: a second or two for each search, and some 100 MiB. */
+    public static final int DEFAULT_MAX_MARKINGS = 500_000;
+
+    /** With the verdict known, the graph tells only how it begins; so it must not take longer than the verdict did. */
+    private static final int MAX_MARKINGS_FOR_CAUSES = 200_000;
+
     private WiringCheck() {}
 
-    /** Visits up to {@link ReachabilityGraph#DEFAULT_MAX_MARKINGS} markings of each net. */
+    /** Visits up to {@link #DEFAULT_MAX_MARKINGS} markings in each search. */
     public static WiringResult check(Wiring wiring) {
-        return check(wiring, ReachabilityGraph.DEFAULT_MAX_MARKINGS);
+        return check(wiring, DEFAULT_MAX_MARKINGS);
+    }
+
+    /** Visits up to {@code maxMarkings} (1 or more) markings in each search. */
+    public static WiringResult check(Wiring wiring, int maxMarkings) {
+        return check(wiring, SearchLimits.markings(maxMarkings));
     }
 
     /**
-     * Visits up to {@code maxMarkings} (1 or more) markings of each net. A deadlock within the limit is a real one; if
-     * none was met and the limit was, the result is {@link WiringResult.Unknown}.
+     * Searches as far as {@code limits} allow; they hold for each search, and each search reports from its own
+     * beginning. Once cancelled, the result says what was found until then.
      */
-    public static WiringResult check(Wiring wiring, int maxMarkings) {
-        var pairs = pairs(wiring, maxMarkings);
-        var whole = new Search(wiring, new LinkedHashSet<>(wiring.components()), maxMarkings);
+    public static WiringResult check(Wiring wiring, SearchLimits limits) {
+        var pairs = new PairCheck(wiring, limits).results();
+        var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
+        var reduced = DeadlockSearch.run(net.net(), limits);
+        var dead = reduced.deadlocks();
+        var isSettled = !dead.isEmpty() && reduced.end() == SearchEnd.COMPLETE;
+        var graph = ReachabilityGraph.explore(net.net(), isSettled ? atMost(limits, MAX_MARKINGS_FOR_CAUSES) : limits);
+        var whole = new Search(wiring, net, graph);
         var figures = whole.figures();
-        var deadlocks = whole.deadlocks();
+        var reducedFigures = ReducedFigures.of(reduced);
+        var deadlocks = dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead);
         var blocks = whole.blocks();
         if (!deadlocks.isEmpty()) {
-            return new WiringResult.Deadlock(figures, pairs, deadlocks, blocks, repair(wiring, maxMarkings));
+            return new WiringResult.Deadlock(figures, reducedFigures, pairs, deadlocks, blocks, repair(wiring, limits));
         }
-        if (!figures.isComplete()) {
-            return new WiringResult.Unknown(figures, pairs);
+        if (!blocks.isEmpty()) {
+            return new WiringResult.Blocked(figures, reducedFigures, pairs, blocks, repair(wiring, limits));
         }
-        return blocks.isEmpty()
-                ? new WiringResult.Proved(figures, pairs)
-                : new WiringResult.Blocked(figures, pairs, blocks, repair(wiring, maxMarkings));
-    }
-
-    private static List<PairResult> pairs(Wiring wiring, int maxMarkings) {
-        var results = new ArrayList<PairResult>();
-        var components = wiring.components();
-        for (var i = 0; i < components.size(); i++) {
-            for (var other : components.subList(i + 1, components.size())) {
-                var one = components.get(i);
-                if (calls(wiring, one, other) || calls(wiring, other, one)) {
-                    results.add(pair(wiring, one, other, maxMarkings));
-                }
-            }
+        if (figures.isComplete()) {
+            return new WiringResult.Proved(figures, reducedFigures, pairs);
         }
-        return List.copyOf(results);
+        return reducedFigures.isComplete()
+                ? new WiringResult.DeadlockFree(figures, reducedFigures, pairs)
+                : new WiringResult.Unknown(figures, reducedFigures, pairs);
     }
 
-    private static boolean calls(Wiring wiring, String caller, String provider) {
-        return wiring.protocol(caller).requests().stream()
-                .anyMatch(request -> wiring.provider(caller, request).equals(provider));
+    private static SearchLimits atMost(SearchLimits limits, int markings) {
+        return new SearchLimits(
+                Math.min(limits.maxMarkings(), markings),
+                limits.cancelled(),
+                limits.markingsPerReport(),
+                limits.report());
     }
 
-    private static PairResult pair(Wiring wiring, String one, String other, int maxMarkings) {
-        var chosen = new LinkedHashSet<>(List.of(one, other));
-        var search = new Search(wiring, chosen, maxMarkings);
-        var deadlocks = search.deadlocks();
-        return new PairResult(one, other, search.figures(), deadlocks.isEmpty() ? search.blocks() : deadlocks);
-    }
-
-    private static Optional<Repair> repair(Wiring wiring, int maxMarkings) {
+    private static Optional<Repair> repair(Wiring wiring, SearchLimits limits) {
         var together = wiring.withSynchronisedStop();
         var stops = new LinkedHashMap<String, List<String>>();
         for (var component : wiring.components()) {
@@ -94,10 +101,9 @@ public final class WiringCheck {
                 stops.put(component, states);
             }
         }
-        var combinations = stops.values().stream().mapToDouble(List::size).reduce(1, (a, b) -> a * b);
-        if (wiring.stopsTogether() || stops.isEmpty() || combinations > WiringNet.MAX_COMBINATIONS) {
+        if (wiring.stopsTogether() || stops.isEmpty() || !SynchronisedStop.isFeasible(together)) {
             return Optional.empty();
         }
-        return Optional.of(new Repair(together, stops, check(together, maxMarkings)));
+        return Optional.of(new Repair(together, stops, check(together, limits)));
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.petri.Arc;
 import io.troupe.petri.Composition;
 import io.troupe.petri.Meld;
 import io.troupe.petri.PetriNet;
@@ -12,7 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /*
  * The net of some components of a wiring. What they call or offer outside of these stays a private transition, as if it
@@ -20,8 +21,6 @@ import java.util.TreeSet;
  * read.
  */
 final class WiringNet {
-    static final int MAX_COMBINATIONS = 1000;
-
     /** Who takes part in a transition, and for whom it is a stop. */
     record Event(Set<String> who, Set<String> stopping) {}
 
@@ -47,7 +46,7 @@ final class WiringNet {
         this.wiring = wiring;
         this.chosen = chosen;
         var components = new ArrayList<PetriNet>();
-        var stops = wiring.stopsTogether() ? combinations() : List.<Map<String, String>>of();
+        var stops = SynchronisedStop.of(wiring, chosen);
         for (var component : wiring.components()) {
             if (chosen.contains(component)) {
                 components.add(component(component, stops));
@@ -56,12 +55,12 @@ final class WiringNet {
         var whole = Composition.compose(wiring.name(), components, melds);
         for (var i = 0; i < stops.size(); i++) {
             var number = i;
-            var together = stops.size() == 1 ? "all stop" : "all stop: " + stops.get(i);
-            var parts = stops.get(i).keySet().stream()
+            var who = stops.get(i).states().keySet();
+            var parts = who.stream()
                     .map(component -> component + " stops #" + number)
                     .toList();
-            whole = Composition.fuse(whole, together, parts);
-            events.put(together, new Event(stops.get(i).keySet(), stops.get(i).keySet()));
+            whole = Composition.fuse(whole, stops.get(i).name(), parts);
+            events.put(stops.get(i).name(), new Event(who, who));
         }
         net = whole;
     }
@@ -70,19 +69,41 @@ final class WiringNet {
         return net;
     }
 
+    /** As the net here calls it: the transition may be of one that differs from it in names only. */
+    String name(Transition transition) {
+        return net.transitions().get(transition.index()).name();
+    }
+
     Event event(Transition transition) {
-        return requireNonNull(events.get(transition.name()));
+        return requireNonNull(events.get(name(transition)));
     }
 
     Spot spot(Place place) {
-        return requireNonNull(spots.get(place.name()));
+        return requireNonNull(spots.get(net.places().get(place.index()).name()));
+    }
+
+    /** Equal for nets that differ in names only: the tokens of each place, the arcs of each transition. */
+    List<List<Integer>> shape() {
+        var shape = new ArrayList<List<Integer>>();
+        shape.add(net.places().stream().map(Place::tokens).toList());
+        for (var transition : net.transitions()) {
+            shape.add(arcs(transition.inputs()));
+            shape.add(arcs(transition.outputs()));
+        }
+        return shape;
+    }
+
+    private static List<Integer> arcs(List<Arc> arcs) {
+        return arcs.stream()
+                .flatMap(arc -> Stream.of(arc.place().index(), arc.weight()))
+                .toList();
     }
 
     Set<String> chosen() {
         return chosen;
     }
 
-    private PetriNet component(String component, List<Map<String, String>> together) {
+    private PetriNet component(String component, List<SynchronisedStop> together) {
         var protocol = wiring.protocol(component);
         var builder = PetriNet.builder(component);
         var first = protocol.states().get(0);
@@ -103,7 +124,7 @@ final class WiringNet {
             events.put(label, new Event(Set.of(component), stopping));
         }
         for (var i = 0; i < together.size(); i++) {
-            var state = together.get(i).get(component);
+            var state = together.get(i).states().get(component);
             if (state != null) {
                 builder.transition(
                         component + " stops #" + i, List.of(place(component, state)), List.of(place(component, first)));
@@ -146,41 +167,6 @@ final class WiringNet {
         spots.put(meld.before(), new Spot.Serving(provider));
         spots.put(meld.after(), new Spot.Serving(provider));
         return meld;
-    }
-
-    /** The places of a component that stops together with the others: one for each, in every combination. */
-    private List<Map<String, String>> combinations() {
-        List<Map<String, String>> all = List.of(new LinkedHashMap<>());
-        for (var component : wiring.components()) {
-            var states = chosen.contains(component) ? wiring.stops(component) : List.<String>of();
-            if (states.isEmpty()) {
-                continue;
-            }
-            if ((long) all.size() * states.size() > MAX_COMBINATIONS) {
-                throw new IllegalArgumentException("wiring " + wiring.name() + ": a synchronised stop would need more"
-                        + " than " + MAX_COMBINATIONS + " combinations of states; expected fewer states to stop in");
-            }
-            all = all.stream()
-                    .flatMap(one -> states.stream().map(state -> {
-                        Map<String, String> more = new LinkedHashMap<>(one);
-                        more.put(component, state);
-                        return more;
-                    }))
-                    .toList();
-        }
-        return all.get(0).isEmpty() ? List.of() : all;
-    }
-
-    /** Those that stop together with {@code component} and are not ready to do so in these states. */
-    Set<String> missingToStop(Map<String, String> states) {
-        var missing = new TreeSet<String>();
-        for (var component : chosen) {
-            var stops = wiring.stops(component);
-            if (!stops.isEmpty() && !stops.contains(states.getOrDefault(component, ""))) {
-                missing.add(component);
-            }
-        }
-        return missing;
     }
 
     private static boolean isUnique(Protocol protocol, Step.Does does) {

@@ -5,6 +5,9 @@ import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 
+import java.util.Set;
+import java.util.stream.IntStream;
+
 /** The paper's four components as declarations, in the reading in which the service gets ready by a private step. */
 final class PaperWiring {
     private PaperWiring() {}
@@ -67,5 +70,13 @@ final class PaperWiring {
             wiring.bind("robot" + i, "player", "player" + i);
         }
         return wiring.component(middleware()).component(service()).build();
+    }
+
+    /** Each robot stops together with its own player; the middleware and the service never stop. */
+    static Wiring robotsStoppingOneByOne(int count) {
+        return robots(count)
+                .withSynchronisedStops(IntStream.rangeClosed(1, count)
+                        .mapToObj(i -> Set.of("robot" + i, "player" + i))
+                        .toList());
     }
 }
