@@ -126,7 +126,8 @@ public final class ProgressSearch {
     @Override
     public String toString() {
         var known = switch (end) {
-            case COMPLETE -> losses.isEmpty() ? "all transitions are live" : losses.size() + " ways to lose transitions";
+            case COMPLETE ->
+                losses.isEmpty() ? "all transitions are live" : losses.size() + " ways to lose transitions";
             case LIMIT -> "stopped at the limit";
             case CANCELLED -> "cancelled";
         };

@@ -35,7 +35,7 @@ public record Repair(Wiring wiring, Map<String, List<String>> stops, WiringResul
     @Override
     public String toString() {
         var verdict = switch (result) {
-            case WiringResult.Proved proved -> "proved free of deadlock, " + proved.figures();
+            case WiringResult.Proved proved -> proved.toString();
             case WiringResult.DeadlockFree free -> free.toString();
             case WiringResult.Blocked blocked ->
                 "not proved, a component can wait for ever, " + blocked.story().sentence() + "; " + blocked.figures();

@@ -3,6 +3,7 @@ package io.troupe.petri.wiring;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.State;
 import java.util.ArrayDeque;
@@ -40,7 +41,7 @@ final class Search {
     List<Story> deadlocks() {
         return graph.dead().stream()
                 .limit(MAX_STORIES)
-                .map(state -> stories.tell(state.marking(), state.shortestTrace(), net.chosen()))
+                .map(state -> stories.tell(state.marking(), state.shortestTrace(), true, net.chosen()))
                 .toList();
     }
 
@@ -48,7 +49,7 @@ final class Search {
     List<Story> deadlocks(List<DeadlockSearch.Deadlock> dead) {
         return dead.stream()
                 .limit(MAX_STORIES)
-                .map(deadlock -> stories.tell(deadlock.marking(), deadlock.trace(), net.chosen()))
+                .map(deadlock -> stories.tell(deadlock.marking(), deadlock.trace(), true, net.chosen()))
                 .toList();
     }
 
@@ -74,9 +75,24 @@ final class Search {
         var states = nearest.isEmpty() ? List.<State>of() : graph.states();
         nearest.forEach((index, stuck) -> {
             var state = states.get(index);
-            told.add(stories.tell(state.marking(), state.shortestTrace(), stuck));
+            told.add(stories.tell(state.marking(), state.shortestTrace(), true, stuck));
         });
         return withCircles(told);
+    }
+
+    /** Of the losses after which a component never takes a step again. */
+    List<Story> blocks(List<ProgressSearch.Loss> losses) {
+        var told = new LinkedHashMap<Set<String>, Story>();
+        for (var loss : losses) {
+            var stuck = new LinkedHashSet<>(net.chosen());
+            net.net().transitions().stream()
+                    .filter(transition -> !loss.lost().contains(transition))
+                    .forEach(transition -> stuck.removeAll(net.event(transition).who()));
+            if (!stuck.isEmpty() && !told.containsKey(stuck)) {
+                told.put(stuck, stories.tell(loss.marking(), loss.trace(), false, stuck));
+            }
+        }
+        return told.values().stream().limit(MAX_STORIES).toList();
     }
 
     /** Without those who wait alone before they come to stand in a circle, which explains more. */

@@ -27,13 +27,14 @@ final class Stories {
     }
 
     /** Of the components {@code stuck}, which never take a step again after {@code marking}. */
-    Story tell(Marking marking, List<Transition> trace, Set<String> stuck) {
+    Story tell(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
         var waits = waits(marking, stuck);
         var circle = circle(waits);
         var told = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
         return new Story(
                 sentence(told, stopped(trace)),
                 trace.stream().map(net::name).toList(),
+                isShortest,
                 List.copyOf(waits.values()),
                 circle);
     }

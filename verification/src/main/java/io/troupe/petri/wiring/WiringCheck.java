@@ -1,6 +1,7 @@
 package io.troupe.petri.wiring;
 
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
@@ -14,8 +15,9 @@ import java.util.Optional;
  *
  * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
  * full. Of the whole, a search by stubborn sets finds all dead markings, with a shortest way to each, among a small part
- * of the markings; where the full graph is within the limit too, it tells whether some components can be blocked while
- * others go on, and how that begins. What was beyond the limit, the result says. In a unit test:
+ * of the markings; if there are none, another one finds out whether some components can be blocked while others go on.
+ * The full graph, as far as it is within the limit, adds its figures and how a block begins, and decides what the others
+ * could not. What was beyond all limits, the result says. In a unit test:
  *
  * {@snippet :
  * @Test
@@ -28,9 +30,9 @@ import java.util.Optional;
  * When this fails, its message is the story of the deadlock.
  *
  * <p><b>Threads.</b> Any.
- * <p><b>Cost.</b> That of {@link DeadlockSearch#run} and of {@link ReachabilityGraph#explore}, for each pair (alike
- * ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with the number of
- * components. After a deadlock the graph is not followed beyond 200,000 markings.
+ * <p><b>Cost.</b> That of {@link DeadlockSearch#run}, {@link ProgressSearch#run} and {@link ReachabilityGraph#explore},
+ * for each pair (alike ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with
+ * the number of components. Once the verdict is known, the full graph is not followed beyond 300,000 markings.
  * <p><b>Errors.</b> A limit below 1, and a wiring that {@link Wiring#withSynchronisedStop} made with more than 1000
  * combinations of states to stop in, throw {@link IllegalArgumentException}.
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
@@ -39,8 +41,8 @@ public final class WiringCheck {
     /** The limit of {@link #check(Wiring)}: a second or two for each search, and some 100 MiB. */
     public static final int DEFAULT_MAX_MARKINGS = 500_000;
 
-    /** With the verdict known, the graph tells only how it begins; so it must not take longer than the verdict did. */
-    private static final int MAX_MARKINGS_FOR_CAUSES = 200_000;
+    /** With the verdict known, the full graph only adds figures and causes, and is not worth more than a second. */
+    private static final int MAX_MARKINGS_IF_KNOWN = 300_000;
 
     private WiringCheck() {}
 
@@ -61,27 +63,33 @@ public final class WiringCheck {
     public static WiringResult check(Wiring wiring, SearchLimits limits) {
         var pairs = new PairCheck(wiring, limits).results();
         var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
-        var reduced = DeadlockSearch.run(net.net(), limits);
-        var dead = reduced.deadlocks();
-        var isSettled = !dead.isEmpty() && reduced.end() == SearchEnd.COMPLETE;
-        var graph = ReachabilityGraph.explore(net.net(), isSettled ? atMost(limits, MAX_MARKINGS_FOR_CAUSES) : limits);
+        var search = DeadlockSearch.run(net.net(), limits);
+        var dead = search.deadlocks();
+        var mayBeFree = dead.isEmpty() && search.end() == SearchEnd.COMPLETE;
+        var progress =
+                mayBeFree ? Optional.of(ProgressSearch.run(net.net(), limits)) : Optional.<ProgressSearch>empty();
+        var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
+        var isKnown = settled.isPresent() || !dead.isEmpty();
+        var graph = ReachabilityGraph.explore(net.net(), isKnown ? atMost(limits, MAX_MARKINGS_IF_KNOWN) : limits);
         var whole = new Search(wiring, net, graph);
         var figures = whole.figures();
-        var reducedFigures = ReducedFigures.of(reduced);
+        var reduced = settled.map(ReducedFigures::of).orElse(ReducedFigures.of(search));
         var deadlocks = dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead);
-        var blocks = whole.blocks();
+        var blocks = figures.isComplete()
+                ? whole.blocks()
+                : whole.blocks(settled.map(ProgressSearch::losses).orElse(List.of()));
         if (!deadlocks.isEmpty()) {
-            return new WiringResult.Deadlock(figures, reducedFigures, pairs, deadlocks, blocks, repair(wiring, limits));
+            return new WiringResult.Deadlock(figures, reduced, pairs, deadlocks, blocks, repair(wiring, limits));
         }
         if (!blocks.isEmpty()) {
-            return new WiringResult.Blocked(figures, reducedFigures, pairs, blocks, repair(wiring, limits));
+            return new WiringResult.Blocked(figures, reduced, pairs, blocks, repair(wiring, limits));
         }
-        if (figures.isComplete()) {
-            return new WiringResult.Proved(figures, reducedFigures, pairs);
+        if (figures.isComplete() || settled.isPresent()) {
+            return new WiringResult.Proved(figures, reduced, pairs);
         }
-        return reducedFigures.isComplete()
-                ? new WiringResult.DeadlockFree(figures, reducedFigures, pairs)
-                : new WiringResult.Unknown(figures, reducedFigures, pairs);
+        return reduced.isComplete()
+                ? new WiringResult.DeadlockFree(figures, reduced, pairs)
+                : new WiringResult.Unknown(figures, reduced, pairs);
     }
 
     private static SearchLimits atMost(SearchLimits limits, int markings) {

@@ -16,7 +16,7 @@ public sealed interface WiringResult {
 
     /**
      * No reachable marking is dead, and from every one each component can still go on. That it does so some day, and is
-     * not passed over for ever, is not said.
+     * not passed over for ever, is not said. This is known from all markings, or from those of the {@link #reduced} search.
      */
     record Proved(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public Proved {
@@ -25,13 +25,13 @@ public sealed interface WiringResult {
 
         @Override
         public String toString() {
-            return "proved free of deadlock: " + figures;
+            return "proved free of deadlock: " + figures + (figures.isComplete() ? "" : "; " + reduced);
         }
     }
 
     /**
      * No reachable marking is dead. Whether one component can come to wait for ever while others go on is not known,
-     * since the search of all markings ended early.
+     * since the searches for that ended early.
      */
     record DeadlockFree(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public DeadlockFree {
@@ -83,7 +83,7 @@ public sealed interface WiringResult {
     /**
      * No reachable marking is dead, but a component can come to wait for ever while others go on.
      *
-     * @param stories the nearest ways to this
+     * @param stories ways to this; the nearest ones if the search of all markings is complete
      * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
      * more than 1000 combinations of states
      */
@@ -99,14 +99,15 @@ public sealed interface WiringResult {
             stories = List.copyOf(stories);
         }
 
-        /** The shortest one. */
+        /** The first one. */
         public Story story() {
             return stories.get(0);
         }
 
         @Override
         public String toString() {
-            return "a component can wait for ever: " + figures + "\n" + story() + suspects(pairs)
+            return "a component can wait for ever: " + figures + (figures.isComplete() ? "" : "; " + reduced) + "\n"
+                    + story() + suspects(pairs)
                     + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
         }
     }
