@@ -136,19 +136,19 @@ class RobotTeamWiringTest {
 
     @Test
     void limits_thatEndBothSearches_leaveItUnknown() {
-        var result = WiringCheck.check(PaperWiring.robots(6), 100);
+        var result = WiringCheck.check(PaperWiring.robots(6), 50);
 
         assertThat(result).isInstanceOf(Unknown.class);
         assertThat(result.reduced().end()).isEqualTo(SearchEnd.LIMIT);
-        assertThat(result.figures().markings()).isEqualTo(100);
-        assertThat(result.toString()).contains("not known", "100 markings (stopped at this limit)");
+        assertThat(result.figures().markings()).isEqualTo(50);
+        assertThat(result.toString()).contains("not known", "50 markings (stopped at this limit)");
     }
 
     @Test
     void check_reportsAndCanBeCancelled() {
         var stop = new AtomicBoolean();
         var heard = new AtomicInteger();
-        var limits = SMALL.cancelledBy(stop::get).reporting(100, progress -> {
+        var limits = SMALL.cancelledBy(stop::get).reporting(50, progress -> {
             heard.incrementAndGet();
             stop.set(true);
         });

@@ -8,11 +8,16 @@ import static io.troupe.petri.wiring.Protocol.stops;
 import java.util.Set;
 import java.util.stream.IntStream;
 
-/** The paper's four components as declarations, in the reading in which the service gets ready by a private step. */
-final class PaperWiring {
+/**
+ * The paper's four components as declarations, in the reading in which the service gets ready by a private step.
+ *
+ * <p><b>Errors.</b> Fewer than one robot throws {@link IllegalArgumentException}.
+ * <p><b>Source.</b> Section 5 of the paper.
+ */
+public final class PaperWiring {
     private PaperWiring() {}
 
-    static Protocol robot() {
+    public static Protocol robot() {
         return Protocol.of("robot")
                 .in("off", does("start").then("started"))
                 .in("started", requests("player.getProxies").then("driving"))
@@ -23,7 +28,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Protocol player() {
+    public static Protocol player() {
         return Protocol.of("player")
                 .in("idle", provides("getProxies").then("ready"))
                 .in("ready", provides("setValues").then("loaded"), stops())
@@ -31,7 +36,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Protocol middleware() {
+    public static Protocol middleware() {
         return Protocol.of("middleware")
                 .in("idle", provides("register").then("ready"))
                 .in("ready", provides("receive").then("loaded"), stops())
@@ -39,7 +44,7 @@ final class PaperWiring {
                 .build();
     }
 
-    static Protocol service() {
+    public static Protocol service() {
         return Protocol.of("service")
                 .in("idle", requests("middleware.register").then("registered"))
                 .in("registered", does("get ready").then("ready"), stops())
@@ -53,7 +58,8 @@ final class PaperWiring {
                 .build();
     }
 
-    static Wiring wiring() {
+    /** One of each. */
+    public static Wiring wiring() {
         return Wiring.of("paper")
                 .component(robot())
                 .component(player())
@@ -63,7 +69,7 @@ final class PaperWiring {
     }
 
     /** Each robot has a player session of its own; they share the middleware and the service. */
-    static Wiring robots(int count) {
+    public static Wiring robots(int count) {
         var wiring =
                 Wiring.of(count + " robots").components("robot", count, robot()).components("player", count, player());
         for (var i = 1; i <= count; i++) {
@@ -73,7 +79,7 @@ final class PaperWiring {
     }
 
     /** Each robot stops together with its own player; the middleware and the service never stop. */
-    static Wiring robotsStoppingOneByOne(int count) {
+    public static Wiring robotsStoppingOneByOne(int count) {
         return robots(count)
                 .withSynchronisedStops(IntStream.rangeClosed(1, count)
                         .mapToObj(i -> Set.of("robot" + i, "player" + i))
