@@ -33,8 +33,8 @@ import java.util.Optional;
  * <p><b>Cost.</b> That of {@link DeadlockSearch#run}, {@link ProgressSearch#run} and {@link ReachabilityGraph#explore},
  * for each pair (alike ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with
  * the number of components. Once the verdict is known, the full graph is not followed beyond 300,000 markings.
- * <p><b>Errors.</b> A limit below 1, and a wiring that {@link Wiring#withSynchronisedStop} made with more than 1000
- * combinations of states to stop in, throw {@link IllegalArgumentException}.
+ * <p><b>Errors.</b> A limit below 1, and a wiring whose {@link Wiring#withSynchronisedStop synchronised stop} could be
+ * taken in more than 1000 combinations of states, throw {@link IllegalArgumentException}.
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
  */
 public final class WiringCheck {

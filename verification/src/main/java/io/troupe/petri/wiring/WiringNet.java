@@ -36,6 +36,7 @@ final class WiringNet {
     }
 
     private final Wiring wiring;
+    private final Labels labels;
     private final Set<String> chosen;
     private final Map<String, Event> events = new LinkedHashMap<>();
     private final Map<String, Spot> spots = new LinkedHashMap<>();
@@ -44,6 +45,7 @@ final class WiringNet {
 
     WiringNet(Wiring wiring, Set<String> chosen) {
         this.wiring = wiring;
+        labels = new Labels(wiring);
         this.chosen = chosen;
         var components = new ArrayList<PetriNet>();
         var stops = SynchronisedStop.of(wiring, chosen);
@@ -108,8 +110,8 @@ final class WiringNet {
         var builder = PetriNet.builder(component);
         var first = protocol.states().get(0);
         for (var state : protocol.states()) {
-            builder.place(place(component, state), state.equals(first) ? 1 : 0);
-            spots.put(place(component, state), new Spot.At(component, state));
+            builder.place(Labels.place(component, state), state.equals(first) ? 1 : 0);
+            spots.put(Labels.place(component, state), new Spot.At(component, state));
         }
         for (var step : protocol.steps()) {
             if (step instanceof Step.Requests request && chosen.contains(wiring.provider(component, request))) {
@@ -118,8 +120,9 @@ final class WiringNet {
             if (step instanceof Step.Stops && wiring.stopsTogether()) {
                 continue;
             }
-            var label = label(component, protocol, step);
-            builder.transition(label, List.of(place(component, step.from())), List.of(place(component, step.to())));
+            var label = labels.label(component, protocol, step);
+            builder.transition(
+                    label, List.of(Labels.place(component, step.from())), List.of(Labels.place(component, step.to())));
             var stopping = step instanceof Step.Stops ? Set.of(component) : Set.<String>of();
             events.put(label, new Event(Set.of(component), stopping));
         }
@@ -127,30 +130,21 @@ final class WiringNet {
             var state = together.get(i).states().get(component);
             if (state != null) {
                 builder.transition(
-                        component + " stops #" + i, List.of(place(component, state)), List.of(place(component, first)));
+                        component + " stops #" + i,
+                        List.of(Labels.place(component, state)),
+                        List.of(Labels.place(component, first)));
             }
         }
         return builder.build();
     }
 
-    private String label(String component, Protocol protocol, Step step) {
-        return switch (step) {
-            case Step.Does does ->
-                component + ": " + does.label() + (isUnique(protocol, does) ? "" : " (in " + step.from() + ")");
-            case Step.Requests request -> request(component, request);
-            case Step.Provides offer -> component + " does " + offer.call();
-            case Step.Stops stop ->
-                component + " stops" + (protocol.stopStates().size() == 1 ? "" : " in " + stop.from());
-        };
-    }
-
     private Meld meld(String component, Step.Requests request) {
         var provider = wiring.provider(component, request);
         var offer = provider + " does " + request.call();
-        var where = where(component, request);
+        var where = labels.where(component, request);
         var target = provider + "." + request.call();
         var meld = new Meld(
-                request(component, request),
+                labels.request(component, request),
                 offer,
                 component + " asks " + target + where,
                 component + " waits for " + target + where,
@@ -167,32 +161,5 @@ final class WiringNet {
         spots.put(meld.before(), new Spot.Serving(provider));
         spots.put(meld.after(), new Spot.Serving(provider));
         return meld;
-    }
-
-    private static boolean isUnique(Protocol protocol, Step.Does does) {
-        return protocol.steps().stream()
-                        .filter(step ->
-                                step instanceof Step.Does other && other.label().equals(does.label()))
-                        .count()
-                == 1;
-    }
-
-    private String request(String component, Step.Requests request) {
-        return component + " requests " + wiring.provider(component, request) + "." + request.call()
-                + where(component, request);
-    }
-
-    /** Told only if the same call is made in several states. */
-    private String where(String component, Step.Requests request) {
-        var provider = wiring.provider(component, request);
-        var same = wiring.protocol(component).requests().stream()
-                .filter(other -> other.call().equals(request.call())
-                        && wiring.provider(component, other).equals(provider))
-                .count();
-        return same == 1 ? "" : " (in " + request.from() + ")";
-    }
-
-    private static String place(String component, String state) {
-        return component + "." + state;
     }
 }
