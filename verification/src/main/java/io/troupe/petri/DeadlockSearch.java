@@ -9,7 +9,8 @@ import java.util.List;
  * <p><b>Role.</b> Made by {@link #run}; the quick way to the question that {@link ReachabilityGraph#dead} answers too. It
  * tells nothing of liveness, bounds or dead transitions.
  * <p><b>Threads.</b> Immutable.
- * <p><b>Order.</b> Breadth first over the markings that are visited.
+ * <p><b>Order.</b> Breadth first over the markings that are visited. Every way to a dead marking has a permutation that
+ * is followed, so the first way that is found is a shortest one of all.
  * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited; never more than all, and
  * of components that mostly work on their own about as few as the square root of their number. A net with priorities is searched in full.
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989.
@@ -39,7 +40,7 @@ public final class DeadlockSearch {
      * A dead marking.
      *
      * @param marking where nothing may fire
-     * @param trace a firing sequence from the initial marking; a shorter one may exist
+     * @param trace a shortest firing sequence from the initial marking
      */
     public record Deadlock(Marking marking, List<Transition> trace) {
         public Deadlock {

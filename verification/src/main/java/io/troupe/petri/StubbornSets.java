@@ -27,6 +27,7 @@ final class StubbornSets implements Expansion {
     private final boolean[] isReady;
     private final boolean[] isMember;
     private int size;
+    private int readyCount;
 
     StubbornSets(PetriNet net) {
         rules = new FiringRules(net);
@@ -71,6 +72,7 @@ final class StubbornSets implements Expansion {
     @Override
     public int choose(int[] tokens, int[] chosen) {
         var count = rules.choose(tokens, ready);
+        readyCount = count;
         if (rules.isPrioritised() || count <= 1) {
             System.arraycopy(ready, 0, chosen, 0, count);
             return count;
@@ -89,6 +91,34 @@ final class StubbornSets implements Expansion {
         }
         Arrays.sort(chosen, 0, fewest);
         return fewest;
+    }
+
+    /**
+     * After {@link #choose}, unless something was chosen that is not {@code looping}: adds the smallest stubborn set that
+     * has such a transition, if any is ready. A union of stubborn sets is one.
+     */
+    int widen(int[] tokens, int[] chosen, int count, boolean[] looping) {
+        if (rules.isPrioritised() || count == readyCount) {
+            return count;
+        }
+        for (var i = 0; i < count; i++) {
+            if (!looping[chosen[i]]) {
+                return count;
+            }
+        }
+        var added = new int[0];
+        for (var i = 0; i < readyCount; i++) {
+            if (!looping[ready[i]]) {
+                var closed = close(ready[i], tokens, added.length == 0 ? Integer.MAX_VALUE : added.length);
+                added = added.length == 0 || closed < added.length ? Arrays.copyOf(readyMembers, closed) : added;
+            }
+        }
+        var union = IntStream.concat(IntStream.of(chosen).limit(count), IntStream.of(added))
+                .distinct()
+                .sorted()
+                .toArray();
+        System.arraycopy(union, 0, chosen, 0, union.length);
+        return union.length;
     }
 
     /** Fills {@code readyMembers} from the closure of {@code start}; gives up once there are {@code enough} of them. */

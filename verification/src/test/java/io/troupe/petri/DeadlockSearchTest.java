@@ -111,6 +111,13 @@ class DeadlockSearchTest {
                     .extracting(DeadlockSearch.Deadlock::marking)
                     .containsExactlyInAnyOrderElementsOf(fullSearch(graph));
             assertThat(search.deadlocks())
+                    .as("shortest traces of seed %d", seed)
+                    .allMatch(dead -> dead.trace().size()
+                            == graph.find(dead.marking())
+                                    .orElseThrow()
+                                    .shortestTrace()
+                                    .size());
+            assertThat(search.deadlocks())
                     .as("seed %d", seed)
                     .allMatch(
                             dead -> net.fire(net.initialMarking(), dead.trace()).equals(dead.marking()));

@@ -1,11 +1,12 @@
 package io.troupe.petri.wiring;
 
-import io.troupe.petri.Place;
+import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.SearchEnd;
 import java.util.List;
 
 /**
- * What a search saw.
+ * What a search of all markings saw.
  *
  * @param places of the net
  * @param transitions of the net
@@ -13,7 +14,7 @@ import java.util.List;
  * @param markings that were visited
  * @param edges between these
  * @param deadMarkings among these
- * @param isComplete whether these are all reachable markings
+ * @param end why the search ended; {@link SearchEnd#COMPLETE} if these are all reachable markings
  * @param neverReached the places that no visited marking marks, states of a component as {@code component.state}
  */
 public record Figures(
@@ -23,14 +24,14 @@ public record Figures(
         int markings,
         int edges,
         int deadMarkings,
-        boolean isComplete,
+        SearchEnd end,
         List<String> neverReached) {
     public Figures {
         neverReached = List.copyOf(neverReached);
     }
 
-    static Figures of(ReachabilityGraph graph) {
-        var net = graph.net();
+    /** Of the graph of {@code net}, or of one that differs from it in names only. */
+    static Figures of(PetriNet net, ReachabilityGraph graph) {
         return new Figures(
                 net.places().size(),
                 net.transitions().size(),
@@ -38,15 +39,36 @@ public record Figures(
                 graph.size(),
                 graph.edgeCount(),
                 graph.dead().size(),
-                graph.isComplete(),
-                graph.neverMarked().stream().map(Place::name).toList());
+                graph.end(),
+                graph.neverMarked().stream()
+                        .map(place -> net.places().get(place.index()).name())
+                        .toList());
+    }
+
+    /** Whether these are all reachable markings. */
+    public boolean isComplete() {
+        return end == SearchEnd.COMPLETE;
     }
 
     /** In one line. */
     @Override
     public String toString() {
         var text = places + " places, " + transitions + " transitions, " + arcs + " arcs; " + markings + " markings"
-                + (isComplete ? "" : " (stopped at this limit)") + ", " + edges + " edges, " + deadMarkings + " dead";
-        return neverReached.isEmpty() ? text : text + "; never reached: " + String.join(", ", neverReached);
+                + told(end) + ", " + edges + " edges, " + deadMarkings + " dead";
+        if (neverReached.isEmpty()) {
+            return text;
+        }
+        return text
+                + (isComplete()
+                        ? "; never reached: " + String.join(", ", neverReached)
+                        : "; " + neverReached.size() + " places not reached so far");
+    }
+
+    static String told(SearchEnd end) {
+        return switch (end) {
+            case COMPLETE -> "";
+            case LIMIT -> " (stopped at this limit)";
+            case CANCELLED -> " (cancelled)";
+        };
     }
 }

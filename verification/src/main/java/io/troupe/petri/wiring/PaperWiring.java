@@ -5,11 +5,14 @@ import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 
+import java.util.Set;
+import java.util.stream.IntStream;
+
 /**
- * The paper's four components as declarations, in {@link io.troupe.petri.PaperNets.Reading#A}: the net derived from them is {@link
- * io.troupe.petri.PaperNets#uncorrected} with other names.
+ * The paper's four components as declarations, in the reading in which the service gets ready by a private step.
  *
- * <p><b>Source.</b> Sections 5.1 to 5.4 of the paper.
+ * <p><b>Errors.</b> Fewer than one robot throws {@link IllegalArgumentException}.
+ * <p><b>Source.</b> Section 5 of the paper.
  */
 public final class PaperWiring {
     private PaperWiring() {}
@@ -55,6 +58,7 @@ public final class PaperWiring {
                 .build();
     }
 
+    /** One of each. */
     public static Wiring wiring() {
         return Wiring.of("paper")
                 .component(robot())
@@ -72,5 +76,13 @@ public final class PaperWiring {
             wiring.bind("robot" + i, "player", "player" + i);
         }
         return wiring.component(middleware()).component(service()).build();
+    }
+
+    /** Each robot stops together with its own player; the middleware and the service never stop. */
+    public static Wiring robotsStoppingOneByOne(int count) {
+        return robots(count)
+                .withSynchronisedStops(IntStream.rangeClosed(1, count)
+                        .mapToObj(i -> Set.of("robot" + i, "player" + i))
+                        .toList());
     }
 }

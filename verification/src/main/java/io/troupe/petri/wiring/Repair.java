@@ -20,14 +20,29 @@ public record Repair(Wiring wiring, Map<String, List<String>> stops, WiringResul
         requireNonNull(result, "result");
     }
 
-    /** Whether the changed wiring is proved to be free of deadlock. */
+    /** Whether in the changed wiring, as {@link WiringResult.Proved} says, every component can always go on. */
     public boolean isProved() {
         return result instanceof WiringResult.Proved;
     }
 
+    /** Whether the changed wiring is proved to have no dead marking; a component may still be blocked by itself. */
+    public boolean isDeadlockFree() {
+        return result instanceof WiringResult.Proved
+                || result instanceof WiringResult.DeadlockFree
+                || result instanceof WiringResult.Blocked;
+    }
+
     @Override
     public String toString() {
-        return "fuse the stops into one, taken together in the states " + new TreeMap<>(stops) + ": "
-                + (isProved() ? "proved free of deadlock, " : "not proved, ") + result.figures();
+        var verdict = switch (result) {
+            case WiringResult.Proved proved -> proved.toString();
+            case WiringResult.DeadlockFree free -> free.toString();
+            case WiringResult.Blocked blocked ->
+                "not proved, a component can wait for ever, " + blocked.story().sentence() + "; " + blocked.figures();
+            case WiringResult.Deadlock deadlock ->
+                "not proved, can deadlock, " + deadlock.story().sentence() + "; " + deadlock.figures();
+            case WiringResult.Unknown unknown -> "not proved, " + unknown;
+        };
+        return "fuse the stops into one, taken together in the states " + new TreeMap<>(stops) + ": " + verdict;
     }
 }

@@ -2,6 +2,8 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.State;
 import java.util.ArrayDeque;
@@ -24,21 +26,30 @@ final class Search {
     private final ReachabilityGraph graph;
     private final Stories stories;
 
-    Search(Wiring wiring, Set<String> chosen, int maxMarkings) {
-        net = new WiringNet(wiring, chosen);
-        graph = ReachabilityGraph.explore(net.net(), maxMarkings);
+    /** The graph is that of {@code net}, or of one that differs from it in names only. */
+    Search(Wiring wiring, WiringNet net, ReachabilityGraph graph) {
+        this.net = net;
+        this.graph = graph;
         stories = new Stories(wiring, net);
     }
 
     Figures figures() {
-        return Figures.of(graph);
+        return Figures.of(net.net(), graph);
     }
 
     /** Of the dead markings, nearest first. */
     List<Story> deadlocks() {
         return graph.dead().stream()
                 .limit(MAX_STORIES)
-                .map(state -> stories.tell(state, net.chosen()))
+                .map(state -> stories.tell(state.marking(), state.shortestTrace(), true, net.chosen()))
+                .toList();
+    }
+
+    /** Of these dead markings, in their order. */
+    List<Story> deadlocks(List<DeadlockSearch.Deadlock> dead) {
+        return dead.stream()
+                .limit(MAX_STORIES)
+                .map(deadlock -> stories.tell(deadlock.marking(), deadlock.trace(), true, net.chosen()))
                 .toList();
     }
 
@@ -62,8 +73,26 @@ final class Search {
         });
         var told = new ArrayList<Story>();
         var states = nearest.isEmpty() ? List.<State>of() : graph.states();
-        nearest.forEach((index, stuck) -> told.add(stories.tell(states.get(index), stuck)));
+        nearest.forEach((index, stuck) -> {
+            var state = states.get(index);
+            told.add(stories.tell(state.marking(), state.shortestTrace(), true, stuck));
+        });
         return withCircles(told);
+    }
+
+    /** Of the losses after which a component never takes a step again. */
+    List<Story> blocks(List<ProgressSearch.Loss> losses) {
+        var told = new LinkedHashMap<Set<String>, Story>();
+        for (var loss : losses) {
+            var stuck = new LinkedHashSet<>(net.chosen());
+            net.net().transitions().stream()
+                    .filter(transition -> !loss.lost().contains(transition))
+                    .forEach(transition -> stuck.removeAll(net.event(transition).who()));
+            if (!stuck.isEmpty() && !told.containsKey(stuck)) {
+                told.put(stuck, stories.tell(loss.marking(), loss.trace(), false, stuck));
+            }
+        }
+        return told.values().stream().limit(MAX_STORIES).toList();
     }
 
     /** Without those who wait alone before they come to stand in a circle, which explains more. */
@@ -94,7 +123,7 @@ final class Search {
         var states = graph.states();
         var moves = new LinkedHashMap<String, boolean[]>();
         net.chosen().forEach(component -> moves.put(component, new boolean[size]));
-        var movedBy = graph.net().transitions().stream()
+        var movedBy = net.net().transitions().stream()
                 .map(transition -> net.event(transition).who().stream()
                         .map(component -> requireNonNull(moves.get(component)))
                         .toList())

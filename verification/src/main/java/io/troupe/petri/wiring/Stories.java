@@ -2,7 +2,7 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
-import io.troupe.petri.ReachabilityGraph.State;
+import io.troupe.petri.Marking;
 import io.troupe.petri.Transition;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -26,23 +26,23 @@ final class Stories {
         this.net = net;
     }
 
-    /** Of the components {@code stuck}, which never take a step again after {@code state}. */
-    Story tell(State state, Set<String> stuck) {
-        var trace = state.shortestTrace();
-        var waits = waits(state, stuck);
+    /** Of the components {@code stuck}, which never take a step again after {@code marking}. */
+    Story tell(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
+        var waits = waits(marking, stuck);
         var circle = circle(waits);
         var told = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
         return new Story(
                 sentence(told, stopped(trace)),
-                trace.stream().map(Transition::name).toList(),
+                trace.stream().map(net::name).toList(),
+                isShortest,
                 List.copyOf(waits.values()),
                 circle);
     }
 
-    private Map<String, Wait> waits(State state, Set<String> stuck) {
+    private Map<String, Wait> waits(Marking marking, Set<String> stuck) {
         var at = new LinkedHashMap<String, String>();
         var asking = new HashMap<String, Wait>();
-        for (var place : state.marking().marked()) {
+        for (var place : marking.marked()) {
             switch (net.spot(place)) {
                 case WiringNet.Spot.At(var component, var where) -> at.put(component, where);
                 case WiringNet.Spot.Asking(var component, var request) ->
@@ -75,7 +75,7 @@ final class Stories {
                 .map(call -> new Wait.Offer(call, wiring.callers(component, call, net.chosen())))
                 .toList();
         return offers.isEmpty()
-                ? new Wait.Stop(component, List.copyOf(net.missingToStop(at)))
+                ? new Wait.Stop(component, List.copyOf(SynchronisedStop.missing(wiring, component, net.chosen(), at)))
                 : new Wait.Call(component, state, offers);
     }
 

@@ -3,17 +3,16 @@ package io.troupe.petri.wiring;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.PetriNet;
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
  * An application: named components, each with its {@link Protocol}, and who calls whom.
  *
- * <p>A request {@code player.setValues} goes to the component called {@code player}, unless {@link Builder#bind} says
+ * <p>A request {@code player.setValues} goes to the component called {@code player}, unless {@link WiringBuilder#bind} says
  * otherwise. Several components may call the same one; it serves them one at a time.
  *
  * {@snippet :
@@ -25,7 +24,7 @@ import java.util.Set;
  *
  * <p><b>Role.</b> Asked whether it can deadlock by {@link WiringCheck}.
  * <p><b>Threads.</b> Immutable.
- * <p><b>Errors.</b> {@link Builder#build} throws {@link IllegalArgumentException} for a request to an unknown
+ * <p><b>Errors.</b> {@link WiringBuilder#build} throws {@link IllegalArgumentException} for a request to an unknown
  * component, for a call that the other side never offers, and for an offer that nobody calls and that is not declared
  * open; the message has the nearest known name.
  */
@@ -34,24 +33,25 @@ public final class Wiring {
     private final Map<String, Protocol> components;
     private final Map<String, String> bindings;
     private final Set<String> open;
-    private final boolean stopsTogether;
+    /** Those that stop in one step; none if each stops by itself. */
+    private final Optional<List<Set<String>>> stopGroups;
 
-    private Wiring(
+    Wiring(
             String name,
             Map<String, Protocol> components,
             Map<String, String> bindings,
             Set<String> open,
-            boolean stopsTogether) {
+            Optional<List<Set<String>>> stopGroups) {
         this.name = name;
         this.components = components;
         this.bindings = bindings;
         this.open = open;
-        this.stopsTogether = stopsTogether;
+        this.stopGroups = stopGroups;
     }
 
     /** Starts a wiring without components. */
-    public static Builder of(String name) {
-        return new Builder(name);
+    public static WiringBuilder of(String name) {
+        return new WiringBuilder(name);
     }
 
     public String name() {
@@ -73,9 +73,9 @@ public final class Wiring {
         return found;
     }
 
-    /** Whether all components that stop do so in one synchronised step. */
+    /** Whether components stop in synchronised steps; otherwise each that stops does so by itself. */
     public boolean stopsTogether() {
-        return stopsTogether;
+        return stopGroups.isPresent();
     }
 
     /**
@@ -84,7 +84,50 @@ public final class Wiring {
      * takes part in any of them.
      */
     public Wiring withSynchronisedStop() {
-        return new Wiring(name + " with a synchronised stop", components, bindings, open, true);
+        return new Wiring(
+                name + " with a synchronised stop",
+                components,
+                bindings,
+                open,
+                Optional.of(List.of(Set.copyOf(components.keySet()))));
+    }
+
+    /**
+     * The same components, of which each of {@code groups} stops in a step of its own, as all do in {@link
+     * #withSynchronisedStop}. What is in no group never stops: for example robots that leave one by one, each with its
+     * session, while what they share stays up.
+     *
+     * @throws IllegalArgumentException for an unknown component, one in two groups, a group in which nobody stops, and a
+     * component in no group that has a state in which it can only stop
+     */
+    public Wiring withSynchronisedStops(List<? extends Set<String>> groups) {
+        var seen = new HashSet<String>();
+        for (var group : groups) {
+            for (var component : group) {
+                protocol(component);
+                require(seen.add(component), component + " stops in two groups of " + groups + ", expected one");
+            }
+            require(
+                    group.stream()
+                            .anyMatch(component ->
+                                    !protocol(component).stopStates().isEmpty()),
+                    "nobody stops in group " + group + "; expected a component that declares a stop");
+        }
+        components.forEach((component, protocol) -> {
+            for (var state : seen.contains(component) ? List.<String>of() : protocol.stopStates()) {
+                require(
+                        protocol.out(state).size() > 1,
+                        component + " is in no group that stops, but can do nothing else in state " + state);
+            }
+        });
+        List<Set<String>> copies = groups.stream().<Set<String>>map(Set::copyOf).toList();
+        return new Wiring(name + " with stops by groups", components, bindings, open, Optional.of(copies));
+    }
+
+    private void require(boolean condition, String message) {
+        if (!condition) {
+            throw new IllegalArgumentException("wiring " + name + ": " + message);
+        }
     }
 
     /** The net of the whole: the components' nets and a meld for each request; names are words of the declaration. */
@@ -107,150 +150,24 @@ public final class Wiring {
                 .toList();
     }
 
-    /** The states in which a component may stop. */
+    /** Those that stop in one step, in order; none if each stops by itself. */
+    List<Set<String>> stopGroups() {
+        return stopGroups.orElse(List.of());
+    }
+
+    /** The states in which a component may stop, by itself or with its group. */
     List<String> stops(String component) {
         var protocol = protocol(component);
-        return stopsTogether ? protocol.synchronisedStops() : protocol.stopStates();
+        if (stopGroups.isEmpty()) {
+            return protocol.stopStates();
+        }
+        var isGrouped = stopGroups().stream().anyMatch(group -> group.contains(component));
+        return isGrouped ? protocol.synchronisedStops() : List.of();
     }
 
     /** The components and the name. */
     @Override
     public String toString() {
         return name + " " + components.keySet();
-    }
-
-    /** Collects components and bindings; for one thread. */
-    public static final class Builder {
-        private final String name;
-        private final Map<String, Protocol> components = new LinkedHashMap<>();
-        private final Map<String, String> bindings = new LinkedHashMap<>();
-        private final Set<String> open = new LinkedHashSet<>();
-
-        private Builder(String name) {
-            this.name = requireNonNull(name, "name");
-        }
-
-        /** Adds a component that is called as its protocol. */
-        public Builder component(Protocol protocol) {
-            return component(protocol.name(), protocol);
-        }
-
-        /** Adds a component. */
-        public Builder component(String component, Protocol protocol) {
-            Names.requireWord("wiring " + name + ": the name of a component", requireNonNull(component, "component"));
-            requireNonNull(protocol, "protocol");
-            require(!components.containsKey(component), "there are two components called " + component);
-            components.put(component, protocol);
-            return this;
-        }
-
-        /** Adds {@code count} (1 or more) components called {@code prefix} with 1, 2, .. behind it. */
-        public Builder components(String prefix, int count, Protocol protocol) {
-            require(count > 0, "there are " + count + " components " + prefix + ", expected 1 or more");
-            for (var i = 1; i <= count; i++) {
-                component(prefix + i, protocol);
-            }
-            return this;
-        }
-
-        /** Sends what {@code component} requests of {@code role} to {@code provider}. */
-        public Builder bind(String component, String role, String provider) {
-            var key = requireNonNull(component, "component") + "." + requireNonNull(role, "role");
-            requireNonNull(provider, "provider");
-            var old = bindings.put(key, provider);
-            require(old == null, key + " is bound twice, to " + old + " and to " + provider);
-            return this;
-        }
-
-        /**
-         * Declares that a call, written {@code component.call}, is made from outside at any time, and so need not be
-         * requested by a component.
-         */
-        public Builder open(String target) {
-            open.add(requireNonNull(target, "target"));
-            return this;
-        }
-
-        /** The wiring, checked. */
-        public Wiring build() {
-            require(!components.isEmpty(), "there are no components; expected 1 or more");
-            bindings.forEach(this::requireBinding);
-            var wiring = new Wiring(
-                    name, new LinkedHashMap<>(components), Map.copyOf(bindings), new LinkedHashSet<>(open), false);
-            components.forEach((component, protocol) ->
-                    protocol.requests().forEach(request -> requireAnswered(wiring, component, request)));
-            var offers = new ArrayList<String>();
-            components.forEach(
-                    (component, protocol) -> protocol.provided().forEach(call -> offers.add(component + "." + call)));
-            for (var target : open) {
-                require(
-                        offers.contains(target),
-                        "open call " + target + " is not offered; " + Names.hint(target, offers));
-            }
-            components.forEach((component, protocol) ->
-                    protocol.provided().forEach(call -> requireCalled(wiring, component, call)));
-            return wiring;
-        }
-
-        private void requireBinding(String key, String provider) {
-            var component = key.substring(0, key.indexOf('.'));
-            var role = key.substring(key.indexOf('.') + 1);
-            var protocol = components.get(component);
-            if (protocol == null) {
-                throw error(key + " is bound, but there is no component " + component + "; "
-                        + Names.hint(component, components.keySet()));
-            }
-            var roles = protocol.requests().stream()
-                    .map(Step.Requests::role)
-                    .distinct()
-                    .toList();
-            require(
-                    roles.contains(role),
-                    key + " is bound, but " + component + " requests nothing of " + role + "; "
-                            + Names.hint(role, roles));
-            require(
-                    components.containsKey(provider),
-                    key + " is bound to the unknown component " + provider + "; "
-                            + Names.hint(provider, components.keySet()));
-        }
-
-        private void requireAnswered(Wiring wiring, String component, Step.Requests request) {
-            var provider = wiring.provider(component, request);
-            var target =
-                    component + " requests " + request.role() + "." + request.call() + " in state " + request.from();
-            var protocol = components.get(provider);
-            if (protocol == null) {
-                throw error(target + ", but there is no component " + provider + "; "
-                        + Names.hint(provider, components.keySet()));
-            }
-            require(!provider.equals(component), target + " of itself; expected another component");
-            require(
-                    protocol.offers(request.call()),
-                    target + ", but " + provider + " never offers " + request.call() + "; "
-                            + Names.hint(request.call(), protocol.provided()));
-        }
-
-        private void requireCalled(Wiring wiring, String component, String call) {
-            var called = !wiring.callers(component, call, components.keySet()).isEmpty();
-            var declaredOpen = open.contains(component + "." + call);
-            require(
-                    called || declaredOpen,
-                    component + " offers " + call + ", but nobody requests it; request it, or declare " + component
-                            + "." + call + " open");
-            require(
-                    !(called && declaredOpen),
-                    component + "." + call + " is declared open and requested by "
-                            + wiring.callers(component, call, components.keySet()) + "; expected one of the two");
-        }
-
-        private void require(boolean condition, String message) {
-            if (!condition) {
-                throw error(message);
-            }
-        }
-
-        private IllegalArgumentException error(String message) {
-            return new IllegalArgumentException("wiring " + name + ": " + message);
-        }
     }
 }

@@ -1,7 +1,10 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
-import java.util.ArrayList;
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -10,8 +13,11 @@ import java.util.Optional;
 /**
  * Tells whether the components of a {@link Wiring} can come to wait for each other for ever.
  *
- * <p>The nets of the components are melded, first of every two that call each other, then of all, and each is searched
- * breadth first. In a unit test:
+ * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
+ * full. Of the whole, a search by stubborn sets finds all dead markings, with a shortest way to each, among a small part
+ * of the markings; if there are none, another one finds out whether some components can be blocked while others go on.
+ * The full graph, as far as it is within the limit, adds its figures and how a block begins, and decides what the others
+ * could not. What was beyond all limits, the result says. In a unit test:
  *
  * {@snippet :
  * @Test
@@ -24,68 +30,77 @@ import java.util.Optional;
  * When this fails, its message is the story of the deadlock.
  *
  * <p><b>Threads.</b> Any.
- * <p><b>Cost.</b> That of {@link ReachabilityGraph#explore}, for each pair, the whole, and the repaired whole; the
- * markings of the whole grow exponentially with the number of components.
- * <p><b>Errors.</b> A limit below 1, and a wiring that {@link Wiring#withSynchronisedStop} made with more than 1000
- * combinations of states to stop in, throw {@link IllegalArgumentException}.
+ * <p><b>Cost.</b> That of {@link DeadlockSearch#run}, {@link ProgressSearch#run} and {@link ReachabilityGraph#explore},
+ * for each pair (alike ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with
+ * the number of components. Once the verdict is known, the full graph is not followed beyond 300,000 markings.
+ * <p><b>Errors.</b> A limit below 1, and a wiring whose {@link Wiring#withSynchronisedStop synchronised stop} could be
+ * taken in more than 1000 combinations of states, throw {@link IllegalArgumentException}.
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
  */
 public final class WiringCheck {
+    /** The limit of {@link #check(Wiring)}: a second or two for each search, and some 100 MiB. */
+    public static final int DEFAULT_MAX_MARKINGS = 500_000;
+
+    /** With the verdict known, the full graph only adds figures and causes, and is not worth more than a second. */
+    private static final int MAX_MARKINGS_IF_KNOWN = 300_000;
+
     private WiringCheck() {}
 
-    /** Visits up to {@link ReachabilityGraph#DEFAULT_MAX_MARKINGS} markings of each net. */
+    /** Visits up to {@link #DEFAULT_MAX_MARKINGS} markings in each search. */
     public static WiringResult check(Wiring wiring) {
-        return check(wiring, ReachabilityGraph.DEFAULT_MAX_MARKINGS);
+        return check(wiring, DEFAULT_MAX_MARKINGS);
+    }
+
+    /** Visits up to {@code maxMarkings} (1 or more) markings in each search. */
+    public static WiringResult check(Wiring wiring, int maxMarkings) {
+        return check(wiring, SearchLimits.markings(maxMarkings));
     }
 
     /**
-     * Visits up to {@code maxMarkings} (1 or more) markings of each net. A deadlock within the limit is a real one; if
-     * none was met and the limit was, the result is {@link WiringResult.Unknown}.
+     * Searches as far as {@code limits} allow; they hold for each search, and each search reports from its own
+     * beginning. Once cancelled, the result says what was found until then.
      */
-    public static WiringResult check(Wiring wiring, int maxMarkings) {
-        var pairs = pairs(wiring, maxMarkings);
-        var whole = new Search(wiring, new LinkedHashSet<>(wiring.components()), maxMarkings);
+    public static WiringResult check(Wiring wiring, SearchLimits limits) {
+        var pairs = new PairCheck(wiring, limits).results();
+        var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
+        var search = DeadlockSearch.run(net.net(), limits);
+        var dead = search.deadlocks();
+        var mayBeFree = dead.isEmpty() && search.end() == SearchEnd.COMPLETE;
+        var progress =
+                mayBeFree ? Optional.of(ProgressSearch.run(net.net(), limits)) : Optional.<ProgressSearch>empty();
+        var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
+        var isKnown = settled.isPresent() || !dead.isEmpty();
+        var graph = ReachabilityGraph.explore(net.net(), isKnown ? atMost(limits, MAX_MARKINGS_IF_KNOWN) : limits);
+        var whole = new Search(wiring, net, graph);
         var figures = whole.figures();
-        var deadlocks = whole.deadlocks();
-        var blocks = whole.blocks();
+        var reduced = settled.map(ReducedFigures::of).orElse(ReducedFigures.of(search));
+        var deadlocks = dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead);
+        var blocks = figures.isComplete()
+                ? whole.blocks()
+                : whole.blocks(settled.map(ProgressSearch::losses).orElse(List.of()));
         if (!deadlocks.isEmpty()) {
-            return new WiringResult.Deadlock(figures, pairs, deadlocks, blocks, repair(wiring, maxMarkings));
+            return new WiringResult.Deadlock(figures, reduced, pairs, deadlocks, blocks, repair(wiring, limits));
         }
-        if (!figures.isComplete()) {
-            return new WiringResult.Unknown(figures, pairs);
+        if (!blocks.isEmpty()) {
+            return new WiringResult.Blocked(figures, reduced, pairs, blocks, repair(wiring, limits));
         }
-        return blocks.isEmpty()
-                ? new WiringResult.Proved(figures, pairs)
-                : new WiringResult.Blocked(figures, pairs, blocks, repair(wiring, maxMarkings));
-    }
-
-    private static List<PairResult> pairs(Wiring wiring, int maxMarkings) {
-        var results = new ArrayList<PairResult>();
-        var components = wiring.components();
-        for (var i = 0; i < components.size(); i++) {
-            for (var other : components.subList(i + 1, components.size())) {
-                var one = components.get(i);
-                if (calls(wiring, one, other) || calls(wiring, other, one)) {
-                    results.add(pair(wiring, one, other, maxMarkings));
-                }
-            }
+        if (figures.isComplete() || settled.isPresent()) {
+            return new WiringResult.Proved(figures, reduced, pairs);
         }
-        return List.copyOf(results);
+        return reduced.isComplete()
+                ? new WiringResult.DeadlockFree(figures, reduced, pairs)
+                : new WiringResult.Unknown(figures, reduced, pairs);
     }
 
-    private static boolean calls(Wiring wiring, String caller, String provider) {
-        return wiring.protocol(caller).requests().stream()
-                .anyMatch(request -> wiring.provider(caller, request).equals(provider));
+    private static SearchLimits atMost(SearchLimits limits, int markings) {
+        return new SearchLimits(
+                Math.min(limits.maxMarkings(), markings),
+                limits.cancelled(),
+                limits.markingsPerReport(),
+                limits.report());
     }
 
-    private static PairResult pair(Wiring wiring, String one, String other, int maxMarkings) {
-        var chosen = new LinkedHashSet<>(List.of(one, other));
-        var search = new Search(wiring, chosen, maxMarkings);
-        var deadlocks = search.deadlocks();
-        return new PairResult(one, other, search.figures(), deadlocks.isEmpty() ? search.blocks() : deadlocks);
-    }
-
-    private static Optional<Repair> repair(Wiring wiring, int maxMarkings) {
+    private static Optional<Repair> repair(Wiring wiring, SearchLimits limits) {
         var together = wiring.withSynchronisedStop();
         var stops = new LinkedHashMap<String, List<String>>();
         for (var component : wiring.components()) {
@@ -94,10 +109,9 @@ public final class WiringCheck {
                 stops.put(component, states);
             }
         }
-        var combinations = stops.values().stream().mapToDouble(List::size).reduce(1, (a, b) -> a * b);
-        if (wiring.stopsTogether() || stops.isEmpty() || combinations > WiringNet.MAX_COMBINATIONS) {
+        if (wiring.stopsTogether() || stops.isEmpty() || !SynchronisedStop.isFeasible(together)) {
             return Optional.empty();
         }
-        return Optional.of(new Repair(together, stops, check(together, maxMarkings)));
+        return Optional.of(new Repair(together, stops, check(together, limits)));
     }
 }

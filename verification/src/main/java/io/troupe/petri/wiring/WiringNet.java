@@ -2,6 +2,7 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.petri.Arc;
 import io.troupe.petri.Composition;
 import io.troupe.petri.Meld;
 import io.troupe.petri.PetriNet;
@@ -12,7 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /*
  * The net of some components of a wiring. What they call or offer outside of these stays a private transition, as if it
@@ -20,8 +21,6 @@ import java.util.TreeSet;
  * read.
  */
 final class WiringNet {
-    static final int MAX_COMBINATIONS = 1000;
-
     /** Who takes part in a transition, and for whom it is a stop. */
     record Event(Set<String> who, Set<String> stopping) {}
 
@@ -37,6 +36,7 @@ final class WiringNet {
     }
 
     private final Wiring wiring;
+    private final Labels labels;
     private final Set<String> chosen;
     private final Map<String, Event> events = new LinkedHashMap<>();
     private final Map<String, Spot> spots = new LinkedHashMap<>();
@@ -45,9 +45,10 @@ final class WiringNet {
 
     WiringNet(Wiring wiring, Set<String> chosen) {
         this.wiring = wiring;
+        labels = new Labels(wiring);
         this.chosen = chosen;
         var components = new ArrayList<PetriNet>();
-        var stops = wiring.stopsTogether() ? combinations() : List.<Map<String, String>>of();
+        var stops = SynchronisedStop.of(wiring, chosen);
         for (var component : wiring.components()) {
             if (chosen.contains(component)) {
                 components.add(component(component, stops));
@@ -56,12 +57,12 @@ final class WiringNet {
         var whole = Composition.compose(wiring.name(), components, melds);
         for (var i = 0; i < stops.size(); i++) {
             var number = i;
-            var together = stops.size() == 1 ? "all stop" : "all stop: " + stops.get(i);
-            var parts = stops.get(i).keySet().stream()
+            var who = stops.get(i).states().keySet();
+            var parts = who.stream()
                     .map(component -> component + " stops #" + number)
                     .toList();
-            whole = Composition.fuse(whole, together, parts);
-            events.put(together, new Event(stops.get(i).keySet(), stops.get(i).keySet()));
+            whole = Composition.fuse(whole, stops.get(i).name(), parts);
+            events.put(stops.get(i).name(), new Event(who, who));
         }
         net = whole;
     }
@@ -70,25 +71,47 @@ final class WiringNet {
         return net;
     }
 
+    /** As the net here calls it: the transition may be of one that differs from it in names only. */
+    String name(Transition transition) {
+        return net.transitions().get(transition.index()).name();
+    }
+
     Event event(Transition transition) {
-        return requireNonNull(events.get(transition.name()));
+        return requireNonNull(events.get(name(transition)));
     }
 
     Spot spot(Place place) {
-        return requireNonNull(spots.get(place.name()));
+        return requireNonNull(spots.get(net.places().get(place.index()).name()));
+    }
+
+    /** Equal for nets that differ in names only: the tokens of each place, the arcs of each transition. */
+    List<List<Integer>> shape() {
+        var shape = new ArrayList<List<Integer>>();
+        shape.add(net.places().stream().map(Place::tokens).toList());
+        for (var transition : net.transitions()) {
+            shape.add(arcs(transition.inputs()));
+            shape.add(arcs(transition.outputs()));
+        }
+        return shape;
+    }
+
+    private static List<Integer> arcs(List<Arc> arcs) {
+        return arcs.stream()
+                .flatMap(arc -> Stream.of(arc.place().index(), arc.weight()))
+                .toList();
     }
 
     Set<String> chosen() {
         return chosen;
     }
 
-    private PetriNet component(String component, List<Map<String, String>> together) {
+    private PetriNet component(String component, List<SynchronisedStop> together) {
         var protocol = wiring.protocol(component);
         var builder = PetriNet.builder(component);
         var first = protocol.states().get(0);
         for (var state : protocol.states()) {
-            builder.place(place(component, state), state.equals(first) ? 1 : 0);
-            spots.put(place(component, state), new Spot.At(component, state));
+            builder.place(Labels.place(component, state), state.equals(first) ? 1 : 0);
+            spots.put(Labels.place(component, state), new Spot.At(component, state));
         }
         for (var step : protocol.steps()) {
             if (step instanceof Step.Requests request && chosen.contains(wiring.provider(component, request))) {
@@ -97,39 +120,31 @@ final class WiringNet {
             if (step instanceof Step.Stops && wiring.stopsTogether()) {
                 continue;
             }
-            var label = label(component, protocol, step);
-            builder.transition(label, List.of(place(component, step.from())), List.of(place(component, step.to())));
+            var label = labels.label(component, protocol, step);
+            builder.transition(
+                    label, List.of(Labels.place(component, step.from())), List.of(Labels.place(component, step.to())));
             var stopping = step instanceof Step.Stops ? Set.of(component) : Set.<String>of();
             events.put(label, new Event(Set.of(component), stopping));
         }
         for (var i = 0; i < together.size(); i++) {
-            var state = together.get(i).get(component);
+            var state = together.get(i).states().get(component);
             if (state != null) {
                 builder.transition(
-                        component + " stops #" + i, List.of(place(component, state)), List.of(place(component, first)));
+                        component + " stops #" + i,
+                        List.of(Labels.place(component, state)),
+                        List.of(Labels.place(component, first)));
             }
         }
         return builder.build();
     }
 
-    private String label(String component, Protocol protocol, Step step) {
-        return switch (step) {
-            case Step.Does does ->
-                component + ": " + does.label() + (isUnique(protocol, does) ? "" : " (in " + step.from() + ")");
-            case Step.Requests request -> request(component, request);
-            case Step.Provides offer -> component + " does " + offer.call();
-            case Step.Stops stop ->
-                component + " stops" + (protocol.stopStates().size() == 1 ? "" : " in " + stop.from());
-        };
-    }
-
     private Meld meld(String component, Step.Requests request) {
         var provider = wiring.provider(component, request);
         var offer = provider + " does " + request.call();
-        var where = where(component, request);
+        var where = labels.where(component, request);
         var target = provider + "." + request.call();
         var meld = new Meld(
-                request(component, request),
+                labels.request(component, request),
                 offer,
                 component + " asks " + target + where,
                 component + " waits for " + target + where,
@@ -146,67 +161,5 @@ final class WiringNet {
         spots.put(meld.before(), new Spot.Serving(provider));
         spots.put(meld.after(), new Spot.Serving(provider));
         return meld;
-    }
-
-    /** The places of a component that stops together with the others: one for each, in every combination. */
-    private List<Map<String, String>> combinations() {
-        List<Map<String, String>> all = List.of(new LinkedHashMap<>());
-        for (var component : wiring.components()) {
-            var states = chosen.contains(component) ? wiring.stops(component) : List.<String>of();
-            if (states.isEmpty()) {
-                continue;
-            }
-            if ((long) all.size() * states.size() > MAX_COMBINATIONS) {
-                throw new IllegalArgumentException("wiring " + wiring.name() + ": a synchronised stop would need more"
-                        + " than " + MAX_COMBINATIONS + " combinations of states; expected fewer states to stop in");
-            }
-            all = all.stream()
-                    .flatMap(one -> states.stream().map(state -> {
-                        Map<String, String> more = new LinkedHashMap<>(one);
-                        more.put(component, state);
-                        return more;
-                    }))
-                    .toList();
-        }
-        return all.get(0).isEmpty() ? List.of() : all;
-    }
-
-    /** Those that stop together with {@code component} and are not ready to do so in these states. */
-    Set<String> missingToStop(Map<String, String> states) {
-        var missing = new TreeSet<String>();
-        for (var component : chosen) {
-            var stops = wiring.stops(component);
-            if (!stops.isEmpty() && !stops.contains(states.getOrDefault(component, ""))) {
-                missing.add(component);
-            }
-        }
-        return missing;
-    }
-
-    private static boolean isUnique(Protocol protocol, Step.Does does) {
-        return protocol.steps().stream()
-                        .filter(step ->
-                                step instanceof Step.Does other && other.label().equals(does.label()))
-                        .count()
-                == 1;
-    }
-
-    private String request(String component, Step.Requests request) {
-        return component + " requests " + wiring.provider(component, request) + "." + request.call()
-                + where(component, request);
-    }
-
-    /** Told only if the same call is made in several states. */
-    private String where(String component, Step.Requests request) {
-        var provider = wiring.provider(component, request);
-        var same = wiring.protocol(component).requests().stream()
-                .filter(other -> other.call().equals(request.call())
-                        && wiring.provider(component, other).equals(provider))
-                .count();
-        return same == 1 ? "" : " (in " + request.from() + ")";
-    }
-
-    private static String place(String component, String state) {
-        return component + "." + state;
     }
 }

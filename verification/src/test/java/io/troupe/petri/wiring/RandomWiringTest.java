@@ -6,6 +6,11 @@ import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.ProgressSearch;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.WiringResult.Blocked;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
@@ -14,6 +19,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
@@ -226,6 +232,38 @@ class RandomWiringTest {
         }
         assertThat(kinds).containsOnlyKeys(Proved.class, Blocked.class, Deadlock.class);
         assertThat(kinds.values()).as("%s", kinds).allMatch(number -> number > 10);
+    }
+
+    /** The searches by stubborn sets and the full graph tell the same: all dead markings, and who can be blocked. */
+    @Test
+    void reducedSearches_ofRandomWirings_agreeWithTheFullGraph() {
+        var withDead = 0;
+        var withBlocks = 0;
+        for (var seed = 0L; seed < 3 * WIRINGS; seed++) {
+            var wiring = random(seed);
+            var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
+            var graph = ReachabilityGraph.explore(net.net());
+            var limits = SearchLimits.markings(graph.size());
+
+            var reduced = DeadlockSearch.run(net.net(), limits);
+            var progress = ProgressSearch.run(net.net(), limits);
+
+            assertThat(reduced.deadlocks())
+                    .as("dead markings of seed %d", seed)
+                    .extracting(DeadlockSearch.Deadlock::marking)
+                    .containsExactlyInAnyOrderElementsOf(graph.dead().stream()
+                            .map(ReachabilityGraph.State::marking)
+                            .toList());
+            assertThat(progress.end()).as("seed %d", seed).isEqualTo(SearchEnd.COMPLETE);
+            var search = new Search(wiring, net, graph);
+            assertThat(search.blocks(progress.losses()).isEmpty())
+                    .as("no blocks in seed %d", seed)
+                    .isEqualTo(search.blocks().isEmpty());
+            withDead += graph.dead().isEmpty() ? 0 : 1;
+            withBlocks += graph.dead().isEmpty() && !search.blocks().isEmpty() ? 1 : 0;
+        }
+        assertThat(withDead).isGreaterThan(30);
+        assertThat(withBlocks).isGreaterThan(30);
     }
 
     /** In a deadlock all wait, and each in the circle waits for the next. */

@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.petri.SearchEnd;
 import io.troupe.petri.wiring.WiringResult.Blocked;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
@@ -185,7 +186,7 @@ class WiringCheckTest {
         var result = WiringCheck.check(wiring);
 
         assertThat(result).isInstanceOf(Proved.class);
-        assertThat(result.figures()).isEqualTo(new Figures(1, 2, 4, 1, 2, 0, true, List.of()));
+        assertThat(result.figures()).isEqualTo(new Figures(1, 2, 4, 1, 2, 0, SearchEnd.COMPLETE, List.of()));
     }
 
     @Test

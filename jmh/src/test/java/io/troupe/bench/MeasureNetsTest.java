@@ -1,0 +1,44 @@
+package io.troupe.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+
+class MeasureNetsTest {
+    @Test
+    void row_hasWhatWasFound_afterWarmUpsRunsAndOneForTheHeap() {
+        var runs = new AtomicInteger();
+        var task = new NetTask("count", () -> {
+            runs.incrementAndGet();
+            return new NetTask.Found(12_345, "markings", "none dead", runs);
+        });
+
+        var row = MeasureNets.measure(task, 2);
+
+        assertThat(runs).hasValue(3 + 2 + 1);
+        assertThat(row).startsWith("| count | 12,345 markings; none dead | ");
+    }
+
+    @Test
+    void tasks_findTheKnownNumbers() {
+        assertThat(NetTask.all())
+                .filteredOn(task -> !task.name().contains("full graph"))
+                .extracting(task -> task.work().get())
+                .extracting(found -> found.items() + " " + found.unit() + "; " + found.text())
+                .contains("78130 markings; 1458 dead, COMPLETE", "44 siphons; all of them", "48 siphons; all of them")
+                .anyMatch(text -> text.endsWith("Deadlock, 1458 dead; proposal Proved"));
+    }
+
+    @Test
+    void arguments_thatAreWrong_areRefused() {
+        assertThat(MeasureNets.repetitions("--repetitions", "3")).isEqualTo(3);
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> MeasureNets.repetitions("--repetitions", "0"))
+                .withMessage("--repetitions is 0, expected 1 or more");
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> MeasureNets.repetitions("--runs"))
+                .withMessage("arguments are [--runs], expected none or --repetitions and a number");
+    }
+}
