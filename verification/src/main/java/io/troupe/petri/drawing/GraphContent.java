@@ -85,4 +85,27 @@ final class GraphContent {
                 + (isDead(state) ? ", dead" : "")
                 + (state.isOpen() ? ", successors missing" : "");
     }
+
+    String title(State state) {
+        return "marking " + state.index() + ": " + state + remarks(state);
+    }
+
+    String title(Edge edge) {
+        return edge.transition().name() + ": " + states.get(edge.from()) + " → " + states.get(edge.to());
+    }
+
+    String classes(State state) {
+        return "state"
+                + (isInitial(state) ? " initial" : "")
+                + (isDead(state) ? " dead" : "")
+                + (state.isOpen() ? " open" : "")
+                + (isOnPath(state) ? " path" : "");
+    }
+
+    String fill(State state) {
+        if (isDead(state)) {
+            return Colours.DEAD_FILL;
+        }
+        return isOnPath(state) ? Colours.PATH_FILL : "white";
+    }
 }

@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
  * if wanted, a shortest path in colour.
  *
  * <p>Up to {@link #MOST_WRITTEN_MARKINGS} markings are written out, and the edges have the names of their transitions; in a
- * larger graph the markings are dots, and only the edges of the path have names.
+ * larger graph the markings are dots in rows, each row a firing farther from the initial marking, and of the edges only those of
+ * the path have names, at the left of their rows.
  *
  * <p><b>Role.</b> {@code GraphDrawing.of(graph).pathTo(graph.dead().getFirst()).svg()}.
  * <p><b>Threads.</b> Immutable.
@@ -66,7 +67,8 @@ public final class GraphDrawing {
     public String svg() {
         require(graph.size(), MOST_SVG_MARKINGS, "markings");
         require(graph.edgeCount(), MOST_SVG_EDGES, "edges");
-        return new GraphSvg(content()).write();
+        var content = content();
+        return content.written ? new GraphSvg(content).write() : new GraphMapSvg(content).write();
     }
 
     private GraphContent content() {

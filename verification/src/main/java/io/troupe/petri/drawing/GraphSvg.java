@@ -2,17 +2,14 @@ package io.troupe.petri.drawing;
 
 import io.troupe.petri.ReachabilityGraph.State;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
-/** Lays out and writes one reachability graph. */
+/** Lays out and writes a reachability graph that is small enough to name all markings and edges. */
 final class GraphSvg {
     private static final double FONT_PX = 12;
     private static final double EDGE_FONT_PX = 11;
     private static final double WRAP_PX = 90;
-    private static final double DOT_PX = 10;
     private static final double GAP_PX = 3;
-    private static final Sketch.Style WRITTEN = new Sketch.Style(Sketch.Routes.ORTHOGONAL, true, 16, 18, 8);
-    private static final Sketch.Style DOTS = new Sketch.Style(Sketch.Routes.POLYLINE, true, 5, 16, 2);
+    private static final Sketch.Style STYLE = new Sketch.Style(true, false, true, 16, 18, 8);
 
     private final GraphContent content;
     private final Layout layout;
@@ -25,7 +22,7 @@ final class GraphSvg {
     }
 
     private Sketch sketch() {
-        var sketch = new Sketch(content.written ? WRITTEN : DOTS);
+        var sketch = new Sketch(STYLE);
         content.states.forEach(state -> sketch.node(size(state), null));
         content.edges.forEach(edge -> sketch.edge(edge.from(), edge.to(), label(edge)));
         return sketch;
@@ -33,9 +30,6 @@ final class GraphSvg {
 
     private Size size(State state) {
         var border = content.isInitial(state) ? 2 * GAP_PX : 0;
-        if (!content.written) {
-            return new Size(DOT_PX + border, DOT_PX + border);
-        }
         var text = Lettering.size(lines(state), FONT_PX);
         return new Size(Math.max(30, text.width() + 10) + border, text.height() + 8 + border);
     }
@@ -44,8 +38,8 @@ final class GraphSvg {
         return Lettering.wrapped(GraphContent.words(state), FONT_PX, WRAP_PX);
     }
 
-    private @Nullable Size label(GraphContent.Edge edge) {
-        return content.isNamed(edge) ? Lettering.size(List.of(edge.transition().name()), EDGE_FONT_PX) : null;
+    private static Size label(GraphContent.Edge edge) {
+        return Lettering.size(List.of(edge.transition().name()), EDGE_FONT_PX);
     }
 
     String write() {
@@ -63,11 +57,9 @@ final class GraphSvg {
 
     private void edge(int number) {
         var edge = content.edges.get(number);
-        var colour = edge.onPath() ? Colours.PATH : content.written ? Colours.LINE : Colours.FAINT;
-        var arrow = edge.onPath() ? "arrow-path" : content.written ? "arrow" : "arrow-faint";
+        var colour = edge.onPath() ? Colours.PATH : Colours.LINE;
         svg.open("g", "class", edge.onPath() ? "edge path" : "edge");
-        svg.title(edge.transition().name() + ": " + content.states.get(edge.from()) + " → "
-                + content.states.get(edge.to()));
+        svg.title(content.title(edge));
         svg.empty(
                 "path",
                 "d",
@@ -77,12 +69,12 @@ final class GraphSvg {
                 "stroke",
                 colour,
                 "stroke-width",
-                edge.onPath() ? 2 : content.written ? 1 : 0.5,
+                edge.onPath() ? 2 : 1,
                 "marker-end",
-                "url(#" + arrow + ")");
+                edge.onPath() ? "url(#arrow-path)" : "url(#arrow)");
         var corner = layout.label(number);
         var label = label(edge);
-        if (corner != null && label != null) {
+        if (corner != null) {
             var centre = new Point(corner.x() + label.width() / 2, corner.y() + label.height() / 2);
             svg.lines(List.of(edge.transition().name()), centre, EDGE_FONT_PX, colour);
         }
@@ -92,8 +84,8 @@ final class GraphSvg {
     private void state(State state) {
         var corner = layout.node(state.index());
         var size = size(state);
-        svg.open("g", "class", "state" + classes(state));
-        svg.title("marking " + state.index() + ": " + state + content.remarks(state));
+        svg.open("g", "class", content.classes(state));
+        svg.title(content.title(state));
         border(state, corner, size);
         if (content.isInitial(state)) {
             border(
@@ -101,10 +93,8 @@ final class GraphSvg {
                     new Point(corner.x() + GAP_PX, corner.y() + GAP_PX),
                     new Size(size.width() - 2 * GAP_PX, size.height() - 2 * GAP_PX));
         }
-        if (content.written) {
-            var centre = new Point(corner.x() + size.width() / 2, corner.y() + size.height() / 2);
-            svg.lines(lines(state), centre, FONT_PX, "black");
-        }
+        var centre = new Point(corner.x() + size.width() / 2, corner.y() + size.height() / 2);
+        svg.lines(lines(state), centre, FONT_PX, "black");
         svg.close("g");
     }
 
@@ -120,28 +110,14 @@ final class GraphSvg {
                 "height",
                 size.height(),
                 "rx",
-                content.written ? 6 : size.width() / 2,
+                6,
                 "fill",
-                fill(state),
+                content.fill(state),
                 "stroke",
                 content.isOnPath(state) ? Colours.PATH : Colours.LINE,
                 "stroke-width",
                 content.isOnPath(state) ? 2 : 1,
                 "stroke-dasharray",
                 state.isOpen() ? "4 2" : "none");
-    }
-
-    private String classes(State state) {
-        return (content.isInitial(state) ? " initial" : "")
-                + (content.isDead(state) ? " dead" : "")
-                + (state.isOpen() ? " open" : "")
-                + (content.isOnPath(state) ? " path" : "");
-    }
-
-    private String fill(State state) {
-        if (content.isDead(state)) {
-            return Colours.DEAD_FILL;
-        }
-        return content.isOnPath(state) ? Colours.PATH_FILL : "white";
     }
 }

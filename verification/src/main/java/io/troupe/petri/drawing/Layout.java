@@ -7,6 +7,7 @@ import org.eclipse.elk.alg.layered.LayeredLayoutProvider;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.LayeredOptions;
 import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
+import org.eclipse.elk.alg.layered.options.WrappingStrategy;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
 import org.eclipse.elk.core.math.ElkPadding;
 import org.eclipse.elk.core.options.Direction;
@@ -25,6 +26,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class Layout {
     private static final int SEED = 1;
+    private static final double ASPECT_RATIO = 1.6;
+
+    /** What a label says does not matter here, but ELK passes over empty ones. */
+    private static final String TEXT = "label";
 
     private final Size size;
     private final List<Point> nodes = new ArrayList<>();
@@ -55,9 +60,7 @@ final class Layout {
     private static void configure(ElkNode graph, Sketch.Style style) {
         graph.setProperty(LayeredOptions.RANDOM_SEED, SEED);
         graph.setProperty(LayeredOptions.DIRECTION, style.downwards() ? Direction.DOWN : Direction.RIGHT);
-        graph.setProperty(
-                LayeredOptions.EDGE_ROUTING,
-                style.routes() == Sketch.Routes.ORTHOGONAL ? EdgeRouting.ORTHOGONAL : EdgeRouting.POLYLINE);
+        graph.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         graph.setProperty(LayeredOptions.SPACING_NODE_NODE, style.nodeSpacing());
         graph.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, style.layerSpacing());
         graph.setProperty(LayeredOptions.SPACING_EDGE_NODE, style.edgeSpacing());
@@ -65,14 +68,14 @@ final class Layout {
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE, style.edgeSpacing());
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, style.edgeSpacing());
         graph.setProperty(LayeredOptions.PADDING, new ElkPadding(12));
-        var cyc = System.getProperty("cyc");
-        if (cyc != null) graph.setProperty(LayeredOptions.CYCLE_BREAKING_STRATEGY, CycleBreakingStrategy.valueOf(cyc));
-        var npl = System.getProperty("npl");
-        if (npl != null) graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.valueOf(npl));
-        var th = System.getProperty("th");
-        if (th != null) graph.setProperty(LayeredOptions.THOROUGHNESS, Integer.valueOf(th));
-        var lay = System.getProperty("lay");
-        if (lay != null) graph.setProperty(LayeredOptions.LAYERING_STRATEGY, org.eclipse.elk.alg.layered.options.LayeringStrategy.valueOf(lay));
+        graph.setProperty(
+                LayeredOptions.CYCLE_BREAKING_STRATEGY,
+                style.inOrder() ? CycleBreakingStrategy.MODEL_ORDER : CycleBreakingStrategy.DEPTH_FIRST);
+        graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
+        if (style.wrapped()) {
+            graph.setProperty(LayeredOptions.WRAPPING_STRATEGY, WrappingStrategy.MULTI_EDGE);
+            graph.setProperty(LayeredOptions.ASPECT_RATIO, ASPECT_RATIO);
+        }
     }
 
     private static ElkNode add(ElkNode graph, Sketch.Node sketched) {
@@ -84,7 +87,7 @@ final class Layout {
                     LayeredOptions.NODE_LABELS_PLACEMENT,
                     EnumSet.of(
                             NodeLabelPlacement.OUTSIDE, NodeLabelPlacement.V_BOTTOM, NodeLabelPlacement.H_CENTER));
-            ElkGraphUtil.createLabel(node).setDimensions(caption.width(), caption.height());
+            ElkGraphUtil.createLabel(TEXT, node).setDimensions(caption.width(), caption.height());
         }
         return node;
     }
@@ -92,7 +95,7 @@ final class Layout {
     private static ElkEdge add(ElkNode from, ElkNode to, @Nullable Size label) {
         var edge = ElkGraphUtil.createSimpleEdge(from, to);
         if (label != null) {
-            ElkGraphUtil.createLabel(edge).setDimensions(label.width(), label.height());
+            ElkGraphUtil.createLabel(TEXT, edge).setDimensions(label.width(), label.height());
         }
         return edge;
     }

@@ -17,7 +17,8 @@ final class NetSvg {
     private static final double BOX_HEIGHT = 22;
     private static final double BOX_WIDTH = 26;
     private static final int MOST_DOTS = 4;
-    private static final Sketch.Style STYLE = new Sketch.Style(Sketch.Routes.ORTHOGONAL, Boolean.getBoolean("down"), 14, 22, 9);
+    /** More nodes than this are drawn in rows. */
+    private static final int ONE_ROW = 24;
 
     /** An arc as it is drawn. */
     private record Drawn(Transition transition, Place place, boolean input, int weight) {
@@ -41,19 +42,23 @@ final class NetSvg {
         this.net = net;
         this.marking = marking;
         this.highlighted = highlighted;
+        for (var transition : net.transitions()) {
+            transition.inputs().forEach(arc -> arcs.add(new Drawn(transition, arc.place(), true, arc.weight())));
+            transition.outputs().forEach(arc -> arcs.add(new Drawn(transition, arc.place(), false, arc.weight())));
+        }
         layout = Layout.of(sketch());
         svg = new Svg(layout.size(), net + " in " + marking, FONT_PX);
     }
 
     private Sketch sketch() {
-        var sketch = new Sketch(STYLE);
+        var nodes = net.places().size() + net.transitions().size();
+        var wrapped = nodes > ONE_ROW && arcs.stream().allMatch(arc -> arc.weight == 1);
+        var sketch = new Sketch(new Sketch.Style(false, wrapped, false, 14, 22, 9));
         for (var place : net.places()) {
             sketch.node(new Size(2 * RADIUS, 2 * RADIUS), Lettering.size(List.of(place.name()), FONT_PX));
         }
         for (var transition : net.transitions()) {
             sketch.node(size(transition), null);
-            transition.inputs().forEach(arc -> arcs.add(new Drawn(transition, arc.place(), true, arc.weight())));
-            transition.outputs().forEach(arc -> arcs.add(new Drawn(transition, arc.place(), false, arc.weight())));
         }
         for (var arc : arcs) {
             var label = arc.weight == 1 ? null : Lettering.size(List.of(String.valueOf(arc.weight)), FONT_PX);

@@ -12,16 +12,20 @@ final class Sketch {
     /** An edge between two nodes, given by their numbers. */
     record Edge(int from, int to, @Nullable Size label) {}
 
-    /** How edges run. */
-    enum Routes {
-        /** Horizontal and vertical stretches. */
-        ORTHOGONAL,
-        /** Straight lines with bends; drawn in the shortest time. */
-        POLYLINE
-    }
-
-    /** What differs between the drawings; spacings in pixels. */
-    record Style(Routes routes, boolean downwards, double nodeSpacing, double layerSpacing, double edgeSpacing) {}
+    /**
+     * What differs between the drawings; spacings in pixels.
+     *
+     * @param downwards from top to bottom, not from left to right
+     * @param wrapped goes on in a new row where one row would be too long; ELK cannot do that with labels of edges
+     * @param inOrder an edge to a node added later goes forward, all others back
+     */
+    record Style(
+            boolean downwards,
+            boolean wrapped,
+            boolean inOrder,
+            double nodeSpacing,
+            double layerSpacing,
+            double edgeSpacing) {}
 
     final Style style;
     final List<Node> nodes = new ArrayList<>();

@@ -29,17 +29,18 @@ final class Svg {
                 fontPx);
         title(title);
         text.append("<defs>");
-        arrowHead("arrow", Colours.LINE);
-        arrowHead("arrow-faint", Colours.FAINT);
-        arrowHead("arrow-path", Colours.PATH);
+        arrowHead("arrow", Colours.LINE, 8);
+        arrowHead("arrow-faint", Colours.FAINT, 4);
+        arrowHead("arrow-back", Colours.BACK, 4);
+        arrowHead("arrow-path", Colours.PATH, 8);
         text.append("</defs>\n");
         empty("rect", "width", "100%", "height", "100%", "fill", "white");
     }
 
-    private void arrowHead(String id, String colour) {
+    private void arrowHead(String id, String colour, double lengthPx) {
         open(
-                "marker", "id", id, "viewBox", "0 0 8 6", "refX", 7.5, "refY", 3, "markerWidth", 8, "markerHeight",
-                6, "markerUnits", "userSpaceOnUse", "orient", "auto");
+                "marker", "id", id, "viewBox", "0 0 8 6", "refX", 7.5, "refY", 3, "markerWidth", lengthPx, "markerHeight",
+                lengthPx * 0.75, "markerUnits", "userSpaceOnUse", "orient", "auto");
         empty("path", "d", "M0,0 L8,3 L0,6 z", "fill", colour);
         close("marker");
     }
@@ -103,6 +104,11 @@ final class Svg {
             data.append(' ').append(pair(towards(corner, route.get(i + 1))));
         }
         return data.append(" L").append(pair(route.getLast())).toString();
+    }
+
+    /** The data of a cubic curve. */
+    static String curve(Point from, Point first, Point second, Point to) {
+        return "M" + pair(from) + " C" + pair(first) + " " + pair(second) + " " + pair(to);
     }
 
     /** A point a little from the corner, at most half of the way, so that two corners do not meet. */
