@@ -34,7 +34,8 @@ final class GraphContent {
         for (var state : states) {
             for (var edge : state.successors()) {
                 var coloured = edge.transition().equals(firings[state.index()]);
-                edges.add(new Edge(state.index(), edge.transition(), edge.target().index(), coloured));
+                edges.add(
+                        new Edge(state.index(), edge.transition(), edge.target().index(), coloured));
             }
         }
     }

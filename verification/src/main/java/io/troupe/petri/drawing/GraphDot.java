@@ -29,7 +29,9 @@ final class GraphDot {
     private void state(State state) {
         dot.append("  s").append(state.index()).append(" [");
         if (content.written) {
-            dot.append("label=").append(Dot.quoted(String.join(" ", GraphContent.words(state)))).append(' ');
+            dot.append("label=")
+                    .append(Dot.quoted(String.join(" ", GraphContent.words(state))))
+                    .append(' ');
         }
         dot.append("tooltip=").append(Dot.quoted(state + content.remarks(state)));
         dot.append(content.isInitial(state) ? " peripheries=2" : "");
@@ -41,7 +43,8 @@ final class GraphDot {
 
     private void edge(GraphContent.Edge edge) {
         dot.append("  s").append(edge.from()).append(" -> s").append(edge.to()).append(" [");
-        dot.append(content.isNamed(edge) ? "label=" + Dot.quoted(edge.transition().name()) + " " : "");
+        dot.append(
+                content.isNamed(edge) ? "label=" + Dot.quoted(edge.transition().name()) + " " : "");
         dot.append(edge.onPath() ? "color=\"" + Colours.PATH + "\" penwidth=2" : "");
         dot.append("];\n");
     }

@@ -77,8 +77,9 @@ public final class GraphDrawing {
 
     private void require(int count, int most, String what) {
         if (count > most) {
-            throw new IllegalArgumentException("the reachability graph of " + graph.net().name() + " has " + count + " "
-                    + what + ", expected at most " + most + " for an SVG drawing; dot() has no limit");
+            throw new IllegalArgumentException(
+                    "the reachability graph of " + graph.net().name() + " has " + count + " " + what
+                            + ", expected at most " + most + " for an SVG drawing; dot() has no limit");
         }
     }
 }

@@ -63,9 +63,7 @@ final class GraphMapSvg {
     private Sketch sketch() {
         var sketch = new Sketch(STYLE);
         content.states.forEach(state -> sketch.node(new Size(2 * RADIUS, 2 * RADIUS), null));
-        content.edges.stream()
-                .filter(this::isForward)
-                .forEach(edge -> sketch.edge(edge.from(), edge.to(), null));
+        content.edges.stream().filter(this::isForward).forEach(edge -> sketch.edge(edge.from(), edge.to(), null));
         return sketch;
     }
 
@@ -79,7 +77,9 @@ final class GraphMapSvg {
         content.edges.stream()
                 .filter(edge -> isForward(edge) && !edge.onPath())
                 .forEach(edge -> edge(edge, Colours.FAINT, "arrow-faint"));
-        content.edges.stream().filter(GraphContent.Edge::onPath).forEach(edge -> edge(edge, Colours.PATH, "arrow-path"));
+        content.edges.stream()
+                .filter(GraphContent.Edge::onPath)
+                .forEach(edge -> edge(edge, Colours.PATH, "arrow-path"));
         content.states.forEach(this::state);
         return svg.end();
     }

@@ -85,8 +85,7 @@ final class Layout {
         if (caption != null) {
             node.setProperty(
                     LayeredOptions.NODE_LABELS_PLACEMENT,
-                    EnumSet.of(
-                            NodeLabelPlacement.OUTSIDE, NodeLabelPlacement.V_BOTTOM, NodeLabelPlacement.H_CENTER));
+                    EnumSet.of(NodeLabelPlacement.OUTSIDE, NodeLabelPlacement.V_BOTTOM, NodeLabelPlacement.H_CENTER));
             ElkGraphUtil.createLabel(TEXT, node).setDimensions(caption.width(), caption.height());
         }
         return node;

@@ -7,7 +7,6 @@ import io.troupe.petri.Transition;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
 
 /** Lays out and writes one net. */
 final class NetSvg {

@@ -39,8 +39,23 @@ final class Svg {
 
     private void arrowHead(String id, String colour, double lengthPx) {
         open(
-                "marker", "id", id, "viewBox", "0 0 8 6", "refX", 7.5, "refY", 3, "markerWidth", lengthPx, "markerHeight",
-                lengthPx * 0.75, "markerUnits", "userSpaceOnUse", "orient", "auto");
+                "marker",
+                "id",
+                id,
+                "viewBox",
+                "0 0 8 6",
+                "refX",
+                7.5,
+                "refY",
+                3,
+                "markerWidth",
+                lengthPx,
+                "markerHeight",
+                lengthPx * 0.75,
+                "markerUnits",
+                "userSpaceOnUse",
+                "orient",
+                "auto");
         empty("path", "d", "M0,0 L8,3 L0,6 z", "fill", colour);
         close("marker");
     }

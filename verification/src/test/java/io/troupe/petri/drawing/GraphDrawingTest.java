@@ -58,10 +58,12 @@ class GraphDrawingTest {
                         .map(state -> state.toString().replaceAll("[{},]", ""))
                         .toList());
         assertThat(picture.titles("edge")).containsExactlyInAnyOrderElementsOf(edges(PAIR));
-        assertThat(picture.groups("edge")).allSatisfy(edge -> assertThat(Picture.title(edge))
-                .startsWith(Picture.texts(edge).getFirst() + ": "));
+        assertThat(picture.groups("edge"))
+                .allSatisfy(edge -> assertThat(Picture.title(edge))
+                        .startsWith(Picture.texts(edge).getFirst() + ": "));
         assertThat(picture.titles("initial")).containsExactly("marking 0: {R1, P1}, initial");
-        assertThat(Picture.elements(picture.groups("initial").getFirst(), "rect")).hasSize(2);
+        assertThat(Picture.elements(picture.groups("initial").getFirst(), "rect"))
+                .hasSize(2);
         assertThat(picture.titles("dead")).singleElement().asString().endsWith(": {P1, R7''}, dead");
         assertThat(picture.groups("path")).isEmpty();
         Overlaps.requireApart(picture, picture.groups("state"), "pair");
@@ -73,9 +75,7 @@ class GraphDrawingTest {
 
         var picture = new Picture(GraphDrawing.of(PAIR).pathTo(dead).svg());
 
-        assertThat(coloured(picture, "edge"))
-                .hasSize(8)
-                .containsExactlyInAnyOrderElementsOf(path(PAIR, dead));
+        assertThat(coloured(picture, "edge")).hasSize(8).containsExactlyInAnyOrderElementsOf(path(PAIR, dead));
         assertThat(coloured(picture, "state")).hasSize(9);
         assertThat(picture.titles("edge")).containsExactlyInAnyOrderElementsOf(edges(PAIR));
     }
@@ -91,8 +91,7 @@ class GraphDrawingTest {
         assertThat(picture.titles("edge")).containsExactlyInAnyOrderElementsOf(edges(graph));
         assertThat(picture.groups("dead")).hasSize(6);
         assertThat(coloured(picture, "edge")).containsExactlyElementsOf(path(graph, dead));
-        assertThat(picture.groups("edge").stream()
-                        .flatMap(edge -> Picture.texts(edge).stream()))
+        assertThat(picture.groups("edge").stream().flatMap(edge -> Picture.texts(edge).stream()))
                 .containsExactlyElementsOf(
                         dead.shortestTrace().stream().map(Object::toString).toList());
         Overlaps.requireApart(picture, picture.groups("state"), "whole net");
@@ -103,11 +102,15 @@ class GraphDrawingTest {
         var statements = DotReader.read(
                 GraphDrawing.of(PAIR).pathTo(PAIR.dead().getFirst()).dot());
 
-        var states = statements.stream().filter(s -> s.nodes().size() == 1).skip(3).toList();
+        var states =
+                statements.stream().filter(s -> s.nodes().size() == 1).skip(3).toList();
         var edges = statements.stream().filter(s -> s.nodes().size() == 2).toList();
         assertThat(states).hasSize(28);
-        assertThat(states.getFirst().attributes()).containsEntry("label", "R1 P1").containsEntry("peripheries", "2");
-        assertThat(states.stream().filter(s -> s.attributes().containsKey("color"))).hasSize(9);
+        assertThat(states.getFirst().attributes())
+                .containsEntry("label", "R1 P1")
+                .containsEntry("peripheries", "2");
+        assertThat(states.stream().filter(s -> s.attributes().containsKey("color")))
+                .hasSize(9);
         assertThat(edges).hasSize(43).doesNotHaveDuplicates();
         assertThat(edges.stream()
                         .filter(edge -> edge.attributes().containsKey("color"))
@@ -161,7 +164,9 @@ class GraphDrawingTest {
             var picture = new Picture(GraphDrawing.of(graph).pathTo(end).svg());
 
             assertThat(picture.titles("edge")).as("seed " + seed).containsExactlyInAnyOrderElementsOf(edges(graph));
-            assertThat(coloured(picture, "edge")).as("seed " + seed).containsExactlyInAnyOrderElementsOf(path(graph, end));
+            assertThat(coloured(picture, "edge"))
+                    .as("seed " + seed)
+                    .containsExactlyInAnyOrderElementsOf(path(graph, end));
             assertThat(picture.groups("state")).hasSize(graph.size());
             assertThat(picture.groups("open")).hasSize(graph.openCount());
             Overlaps.requireApart(picture, picture.groups("state"), "seed " + seed);

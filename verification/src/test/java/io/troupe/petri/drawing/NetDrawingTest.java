@@ -48,9 +48,8 @@ class NetDrawingTest {
                         UNCORRECTED.places().stream().map(Place::name).toList());
         assertThat(picture.groups("transition"))
                 .flatExtracting(Picture::texts)
-                .containsExactlyElementsOf(UNCORRECTED.transitions().stream()
-                        .map(Transition::name)
-                        .toList());
+                .containsExactlyElementsOf(
+                        UNCORRECTED.transitions().stream().map(Transition::name).toList());
         assertThat(picture.titles("arc")).containsExactlyInAnyOrderElementsOf(arcs(UNCORRECTED, t -> true));
         assertThat(picture.groups("path")).isEmpty();
         assertThat(picture.title()).contains("uncorrected A").contains("{R1, P1, M1, S1}");
@@ -88,8 +87,8 @@ class NetDrawingTest {
 
         assertThat(Picture.elements(place, "circle")).hasSize(1 + (tokens <= 4 ? tokens : 0));
         assertThat(Picture.texts(place)).isEqualTo(tokens <= 4 ? List.of("p") : List.of("" + tokens, "p"));
-        assertThat(Picture.elements(place, "circle")).allMatch(dot -> Picture.box(place)
-                .contains(Picture.box(wrapped(dot))));
+        assertThat(Picture.elements(place, "circle"))
+                .allMatch(dot -> Picture.box(place).contains(Picture.box(wrapped(dot))));
     }
 
     /** A circle as if it were the first of a group. */
@@ -113,9 +112,7 @@ class NetDrawingTest {
         var picture = new Picture(NetDrawing.of(net).svg());
 
         assertThat(picture.groups("arc")).flatExtracting(Picture::texts).containsExactly("2");
-        assertThat(picture.groups("transition"))
-                .flatExtracting(Picture::texts)
-                .containsExactly("t", "priority -3");
+        assertThat(picture.groups("transition")).flatExtracting(Picture::texts).containsExactly("t", "priority -3");
         assertThat(NetDrawing.of(net).dot())
                 .contains("p0 -> t0 [label=\"2\" ];")
                 .contains("t0 -> p1 [];")
@@ -130,7 +127,8 @@ class NetDrawingTest {
                 DotReader.read(NetDrawing.of(UNCORRECTED).highlighting(trace).dot());
 
         var nodes = statements.stream().filter(s -> s.nodes().size() == 1).skip(3);
-        assertThat(nodes.map(node -> node.attributes().get("label").lines().findFirst().orElseThrow()))
+        assertThat(nodes.map(node ->
+                        node.attributes().get("label").lines().findFirst().orElseThrow()))
                 .containsExactlyElementsOf(java.util.stream.Stream.concat(
                                 UNCORRECTED.places().stream().map(Place::name),
                                 UNCORRECTED.transitions().stream().map(Transition::name))
@@ -143,7 +141,8 @@ class NetDrawingTest {
 
     @ParameterizedTest
     @ValueSource(
-            strings = {"Tr2''", "say \"hi\"", "a\\", "\\N", "x\\\"y", "a<b>&lt;&amp;", "-> ; } [", "Größe 机器人 🤖", "]]>"})
+            strings = {"Tr2''", "say \"hi\"", "a\\", "\\N", "x\\\"y", "a<b>&lt;&amp;", "-> ; } [", "Größe 机器人 🤖", "]]>"
+            })
     void nastyNames_areShownAsTheyAre(String name) {
         var net = PetriNet.builder(name)
                 .place(name, 1)
@@ -198,8 +197,8 @@ class NetDrawingTest {
 
     @Test
     void net_withoutAnything_isDrawn() {
-        var picture = new Picture(
-                NetDrawing.of(PetriNet.builder("nothing").build()).svg());
+        var picture =
+                new Picture(NetDrawing.of(PetriNet.builder("nothing").build()).svg());
 
         assertThat(picture.groups("place")).isEmpty();
     }
@@ -211,7 +210,9 @@ class NetDrawingTest {
 
             var picture = new Picture(NetDrawing.of(net).svg());
 
-            assertThat(picture.titles("arc")).as("seed " + seed).containsExactlyInAnyOrderElementsOf(arcs(net, t -> true));
+            assertThat(picture.titles("arc"))
+                    .as("seed " + seed)
+                    .containsExactlyInAnyOrderElementsOf(arcs(net, t -> true));
             var nodes = new ArrayList<>(picture.groups("place"));
             nodes.addAll(picture.groups("transition"));
             assertThat(nodes).hasSize(net.places().size() + net.transitions().size());
