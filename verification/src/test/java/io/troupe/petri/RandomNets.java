@@ -4,11 +4,11 @@ import java.util.LinkedHashSet;
 import java.util.Random;
 
 /** Small nets for tests; the same random numbers give the same net. */
-final class RandomNets {
+public final class RandomNets {
     private RandomNets() {}
 
     /** One of the two kinds below. */
-    static PetriNet any(Random random) {
+    public static PetriNet any(Random random) {
         return random.nextInt(3) == 0 ? tangle(random, random.nextInt(3) == 0) : components(random);
     }
 

@@ -28,6 +28,14 @@ class LibrariesTest {
     }
 
     @Test
+    void elkAndWhatItBrings_stayInTheDrawingRoom() {
+        for (String library :
+                List.of("org.eclipse.elk..", "org.eclipse.emf..", "org.eclipse.xtext..", "com.google.common..")) {
+            library(library, "io.troupe.petri.drawing");
+        }
+    }
+
+    @Test
     void peers_stayInTheBenchmarks() {
         for (String peer : List.of("org.jctools..", "io.vertx..", "org.apache.pekko..", "org.nustaq..")) {
             library(peer, "io.troupe.bench..");

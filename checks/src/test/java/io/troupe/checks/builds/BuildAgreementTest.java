@@ -51,6 +51,15 @@ class BuildAgreementTest {
     }
 
     @Test
+    void difference_inWhatIsLeftOut_isNamed() {
+        var asm = SAMPLE.dependencies().getFirst();
+        assertDifference(
+                module(asm.excluding(List.of("a:b"))),
+                "core: dependency is \"compile org.ow2.asm:asm:9.9\" in Gradle, "
+                        + "\"compile org.ow2.asm:asm:9.9 without [a:b]\" in Maven");
+    }
+
+    @Test
     void dependency_inOneBuildOnly_isNamed() {
         assertDifference(module(), "core: only Gradle has compile org.ow2.asm:asm:9.9");
     }

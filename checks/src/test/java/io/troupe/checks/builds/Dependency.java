@@ -1,7 +1,22 @@
 package io.troupe.checks.builds;
 
-/** One library or module that a module asks for; {@code coordinates} are {@code group:artifact}. */
-record Dependency(Scope scope, String coordinates, String version) {
+import java.util.Collection;
+import java.util.SortedSet;
+import java.util.TreeSet;
+
+/**
+ * One library or module that a module asks for; {@code coordinates} are {@code group:artifact}, and so are those of what it
+ * would bring and must not.
+ */
+record Dependency(Scope scope, String coordinates, String version, SortedSet<String> without) {
+    Dependency(Scope scope, String coordinates, String version) {
+        this(scope, coordinates, version, new TreeSet<>());
+    }
+
+    Dependency excluding(Collection<String> excluded) {
+        return new Dependency(scope, coordinates, version, new TreeSet<>(excluded));
+    }
+
     /** What makes two entries the same dependency: a library may also be its own annotation processor. */
     String key() {
         return scope == Scope.PROCESSOR ? coordinates + " (processor)" : coordinates;
@@ -9,6 +24,6 @@ record Dependency(Scope scope, String coordinates, String version) {
 
     @Override
     public String toString() {
-        return scope + " " + coordinates + ":" + version;
+        return scope + " " + coordinates + ":" + version + (without.isEmpty() ? "" : " without " + without);
     }
 }

@@ -25,6 +25,8 @@ final class GradleReader {
     private static final Pattern DESCRIPTION = Pattern.compile("description = \"([^\"]*)\"");
     private static final Pattern ON_MODULE = Pattern.compile("(\\w+)\\(project\\(\":([\\w-]+)\"\\)\\)");
     private static final Pattern ON_LIBRARY = Pattern.compile("(\\w+)\\(libs\\.([\\w.]+)\\)");
+    private static final Pattern EXCLUDE =
+            Pattern.compile("exclude\\(group = \"([\\w.-]+)\", module = \"([\\w.-]+)\"\\)");
     private static final Pattern ON_LIBRARY_FOR_ALL =
             Pattern.compile("\"(\\w+)\"\\(libs\\.findLibrary\\(\"([\\w-]+)\"\\)\\.get\\(\\)\\)");
     private static final Pattern MANIFEST =
@@ -163,10 +165,24 @@ final class GradleReader {
             return new Dependency(scope(onModule.group(1)), coordinates, property("version"));
         }
         var onLibrary = ON_LIBRARY.matcher(statement.head());
-        if (!statement.block() && onLibrary.matches()) {
-            return catalog.library(scope(onLibrary.group(1)), onLibrary.group(2));
+        if (onLibrary.matches()) {
+            return catalog.library(scope(onLibrary.group(1)), onLibrary.group(2))
+                    .excluding(excluded(file, statement));
         }
         throw notUnderstood(file, statement);
+    }
+
+    /** What the block behind a library leaves out of all that the library would bring. */
+    private static List<String> excluded(String file, Statement statement) {
+        List<String> excluded = new ArrayList<>();
+        for (var inner : statement.inner(file)) {
+            var match = EXCLUDE.matcher(inner.head());
+            if (!match.matches()) {
+                throw notUnderstood(file, inner);
+            }
+            excluded.add(match.group(1) + ":" + match.group(2));
+        }
+        return excluded;
     }
 
     /** JUnit's launcher has no twin: Surefire brings its own. */

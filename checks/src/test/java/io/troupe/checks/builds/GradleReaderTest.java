@@ -76,13 +76,29 @@ class GradleReaderTest {
                         new Dependency(Scope.PROCESSOR, "org.ow2.asm:asm", "9.9"));
     }
 
+    @Test
+    void exclusions_areRead() throws IOException {
+        write("core/build.gradle.kts", """
+                dependencies {
+                    api(libs.my.asm) { // why
+                        exclude(group = "c", module = "d.e")
+                        exclude(group = "a", module = "b")
+                    }
+                }
+                """);
+        var module = GradleReader.read(root).modules().get("core");
+        assertThat(module.dependencies().getLast()).hasToString("compile org.ow2.asm:asm:9.9 without [a:b, c:d.e]");
+    }
+
     @ParameterizedTest
     @CsvSource(
             delimiter = '|',
             quoteCharacter = '\'',
             value = {
                 "implementation(\"a:b:1\")          | core/build.gradle.kts: not understood: implementation(\"a:b:1\")",
-                "implementation(libs.asm) { a = 1 } | core/build.gradle.kts: not understood: implementation(libs.asm) {..}",
+                "api(libs.my.asm) { a = 1 }         | core/build.gradle.kts: not understood: a = 1",
+                "api(libs.my.asm) { exclude(\"a\") } | core/build.gradle.kts: not understood: exclude(\"a\")",
+                "api(project(\":core\")) { a = 1 }   | core/build.gradle.kts: not understood: api(project(\":core\")) {..}",
                 "implementation(libs.asm).a()       | core/build.gradle.kts: not understood: implementation(libs.asm).a()",
                 "implementation(libs.gone)          | libs.versions.toml: no library gone; there are",
                 "kapt(libs.my.asm)                  | configuration kapt is not understood",

@@ -43,7 +43,7 @@ final class PomReader {
             "dependencies",
             "build",
             "profiles");
-    private static final Set<String> IN_DEPENDENCY = Set.of("groupId", "artifactId", "version", "scope");
+    private static final Set<String> IN_DEPENDENCY = Set.of("groupId", "artifactId", "version", "scope", "exclusions");
     private static final Set<String> IN_PROFILE = Set.of("id", "activation", "properties");
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
@@ -109,7 +109,10 @@ final class PomReader {
         var group = interpolate(text(dependency, "groupId"), properties);
         var artifact = interpolate(text(dependency, "artifactId"), properties);
         var version = interpolate(text(dependency, "version"), properties);
-        return new Dependency(scope(text(dependency, "scope")), group + ":" + artifact, version);
+        var excluded = all(dependency, "exclusions", "exclusion").stream()
+                .map(each -> text(each, "groupId") + ":" + text(each, "artifactId"))
+                .toList();
+        return new Dependency(scope(text(dependency, "scope")), group + ":" + artifact, version).excluding(excluded);
     }
 
     private static Scope scope(String text) {

@@ -43,6 +43,14 @@ class PomReaderTest {
     }
 
     @Test
+    void exclusions_areRead() {
+        var module = read("<dependencies><dependency><groupId>a</groupId><artifactId>b</artifactId><version>2</version>"
+                + "<exclusions><exclusion><groupId>c</groupId><artifactId>d</artifactId></exclusion></exclusions>"
+                + "</dependency></dependencies>");
+        assertThat(module.dependencies().getLast()).hasToString("compile a:b:2 without [c:d]");
+    }
+
+    @Test
     void module_withItsOwnReleaseLevel_hasIt() {
         var module = read("<properties><maven.compiler.release>17</maven.compiler.release></properties>");
         assertThat(module.release()).isEqualTo("17");

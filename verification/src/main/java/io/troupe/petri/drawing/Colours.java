@@ -1,0 +1,14 @@
+package io.troupe.petri.drawing;
+
+/** The colours of both kinds of drawing; they stay apart in grey and for the colour-blind. */
+final class Colours {
+    static final String LINE = "#333333";
+    static final String FAINT = "#9a9a9a";
+    static final String BACK = "#8db3d9";
+    static final String PATH = "#c4161c";
+    static final String PATH_FILL = "#fde3e1";
+    static final String DEAD_FILL = "#f4b183";
+    static final String MARKED_FILL = "#fff4cc";
+
+    private Colours() {}
+}

@@ -1,0 +1,170 @@
+package io.troupe.petri.drawing;
+
+import io.troupe.petri.ReachabilityGraph.State;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * Writes a reachability graph too large for names as dots in rows, one row for each distance from the initial marking.
+ *
+ * <p>Only the edges to the next row take part in the layout: the others, bent and in another colour, would pull it apart.
+ */
+final class GraphMapSvg {
+    private static final double FONT_PX = 12;
+    private static final double RADIUS = 4;
+    private static final double MARGIN = 14;
+    private static final double FLATTEST_ROWS = 26;
+    private static final double STEEPEST_ROWS = 70;
+    /** Height over width, as far as the rows allow. */
+    private static final double SHAPE = 0.75;
+
+    private static final Sketch.Style STYLE = new Sketch.Style(true, false, true, 5, 10, 1);
+
+    private final GraphContent content;
+    private final int[] distances;
+    private final Point[] centres;
+    private final double left;
+    private final double row;
+    private final Size size;
+    private final Svg svg;
+
+    GraphMapSvg(GraphContent content) {
+        this.content = content;
+        distances = distances();
+        var layout = Layout.of(sketch());
+        var rows = Arrays.stream(distances).max().orElse(0) + 1;
+        var width = layout.size().width();
+        row = Math.clamp(width * SHAPE / rows, FLATTEST_ROWS, STEEPEST_ROWS);
+        left = MARGIN
+                + content.edges.stream()
+                        .filter(GraphContent.Edge::onPath)
+                        .mapToDouble(edge -> Lettering.width(edge.transition().name(), FONT_PX))
+                        .max()
+                        .orElse(0);
+        centres = content.states.stream()
+                .map(state -> new Point(
+                        left + layout.node(state.index()).x() + RADIUS, MARGIN + row * distances[state.index()]))
+                .toArray(Point[]::new);
+        size = new Size(left + width, 2 * MARGIN + row * (rows - 1));
+        svg = new Svg(size, content.graph.toString(), FONT_PX);
+    }
+
+    /** The graph is in breadth-first order, so the first edge into a marking comes from the row above. */
+    private int[] distances() {
+        var found = new int[content.states.size()];
+        for (var edge : content.edges) {
+            if (edge.to() != 0 && found[edge.to()] == 0) {
+                found[edge.to()] = found[edge.from()] + 1;
+            }
+        }
+        return found;
+    }
+
+    private Sketch sketch() {
+        var sketch = new Sketch(STYLE);
+        content.states.forEach(state -> sketch.node(new Size(2 * RADIUS, 2 * RADIUS), null));
+        content.edges.stream().filter(this::isForward).forEach(edge -> sketch.edge(edge.from(), edge.to(), null));
+        return sketch;
+    }
+
+    private boolean isForward(GraphContent.Edge edge) {
+        return distances[edge.to()] == distances[edge.from()] + 1;
+    }
+
+    String write() {
+        // back first, path last: what matters more lies on top
+        content.edges.stream().filter(edge -> !isForward(edge)).forEach(edge -> edge(edge, Colours.BACK, "arrow-back"));
+        content.edges.stream()
+                .filter(edge -> isForward(edge) && !edge.onPath())
+                .forEach(edge -> edge(edge, Colours.FAINT, "arrow-faint"));
+        content.edges.stream()
+                .filter(GraphContent.Edge::onPath)
+                .forEach(edge -> edge(edge, Colours.PATH, "arrow-path"));
+        content.states.forEach(this::state);
+        return svg.end();
+    }
+
+    private void edge(GraphContent.Edge edge, String colour, String arrow) {
+        svg.open("g", "class", edge.onPath() ? "edge path" : isForward(edge) ? "edge" : "edge back");
+        svg.title(content.title(edge));
+        svg.empty(
+                "path",
+                "d",
+                isForward(edge) ? straight(edge) : bent(edge),
+                "fill",
+                "none",
+                "stroke",
+                colour,
+                "stroke-width",
+                edge.onPath() ? 2 : 0.5,
+                "marker-end",
+                "url(#" + arrow + ")");
+        if (edge.onPath()) {
+            var middle = (centres[edge.from()].y() + centres[edge.to()].y()) / 2;
+            svg.text(edge.transition().name(), "x", MARGIN / 2, "y", middle + FONT_PX * 0.35, "fill", colour);
+        }
+        svg.close("g");
+    }
+
+    private String straight(GraphContent.Edge edge) {
+        var from = centres[edge.from()];
+        var to = centres[edge.to()];
+        return Svg.along(List.of(towards(from, to), towards(to, from)));
+    }
+
+    /** A curve that leaves the straight way by a tenth, so that edges there and back stay apart; a loop from a marking to itself. */
+    private String bent(GraphContent.Edge edge) {
+        var from = centres[edge.from()];
+        var to = centres[edge.to()];
+        if (edge.from() == edge.to()) {
+            var side = from.x() + RADIUS;
+            return Svg.curve(
+                    new Point(side, from.y() - 1),
+                    new Point(side + 2 * RADIUS, from.y() - 2 * RADIUS),
+                    new Point(side + 2 * RADIUS, from.y() + 2 * RADIUS),
+                    new Point(side, from.y() + 1));
+        }
+        var x = (from.x() + to.x()) / 2 + (to.y() - from.y()) * 0.1;
+        var y = (from.y() + to.y()) / 2 - (to.x() - from.x()) * 0.1;
+        var bend = new Point(Math.clamp(x, left, size.width()), Math.clamp(y, 0, size.height()));
+        return Svg.curve(towards(from, bend), bend, bend, towards(to, bend));
+    }
+
+    /** Where the way from the centre of a dot to another point leaves the dot. */
+    private static Point towards(Point centre, Point other) {
+        var dx = other.x() - centre.x();
+        var dy = other.y() - centre.y();
+        var length = Math.max(Math.hypot(dx, dy), RADIUS);
+        return new Point(centre.x() + dx / length * RADIUS, centre.y() + dy / length * RADIUS);
+    }
+
+    private void state(State state) {
+        svg.open("g", "class", content.classes(state));
+        svg.title(content.title(state));
+        dot(state, RADIUS);
+        if (content.isInitial(state)) {
+            dot(state, RADIUS - 2);
+        }
+        svg.close("g");
+    }
+
+    private void dot(State state, double radius) {
+        var centre = centres[state.index()];
+        svg.empty(
+                "circle",
+                "cx",
+                centre.x(),
+                "cy",
+                centre.y(),
+                "r",
+                radius,
+                "fill",
+                content.fill(state),
+                "stroke",
+                content.isOnPath(state) ? Colours.PATH : Colours.LINE,
+                "stroke-width",
+                content.isOnPath(state) ? 1.5 : 0.8,
+                "stroke-dasharray",
+                state.isOpen() ? "2 1" : "none");
+    }
+}

@@ -1,0 +1,123 @@
+package io.troupe.petri.drawing;
+
+import io.troupe.petri.ReachabilityGraph.State;
+import java.util.List;
+
+/** Lays out and writes a reachability graph that is small enough to name all markings and edges. */
+final class GraphSvg {
+    private static final double FONT_PX = 12;
+    private static final double EDGE_FONT_PX = 11;
+    private static final double WRAP_PX = 90;
+    private static final double GAP_PX = 3;
+    private static final Sketch.Style STYLE = new Sketch.Style(true, false, true, 16, 18, 8);
+
+    private final GraphContent content;
+    private final Layout layout;
+    private final Svg svg;
+
+    GraphSvg(GraphContent content) {
+        this.content = content;
+        layout = Layout.of(sketch());
+        svg = new Svg(layout.size(), content.graph.toString(), FONT_PX);
+    }
+
+    private Sketch sketch() {
+        var sketch = new Sketch(STYLE);
+        content.states.forEach(state -> sketch.node(size(state), null));
+        content.edges.forEach(edge -> sketch.edge(edge.from(), edge.to(), label(edge)));
+        return sketch;
+    }
+
+    private Size size(State state) {
+        var border = content.isInitial(state) ? 2 * GAP_PX : 0;
+        var text = Lettering.size(lines(state), FONT_PX);
+        return new Size(Math.max(30, text.width() + 10) + border, text.height() + 8 + border);
+    }
+
+    private static List<String> lines(State state) {
+        return Lettering.wrapped(GraphContent.words(state), FONT_PX, WRAP_PX);
+    }
+
+    private static Size label(GraphContent.Edge edge) {
+        return Lettering.size(List.of(edge.transition().name()), EDGE_FONT_PX);
+    }
+
+    String write() {
+        // coloured edges last, so that they lie on top
+        for (var coloured : List.of(false, true)) {
+            for (var i = 0; i < content.edges.size(); i++) {
+                if (content.edges.get(i).onPath() == coloured) {
+                    edge(i);
+                }
+            }
+        }
+        content.states.forEach(this::state);
+        return svg.end();
+    }
+
+    private void edge(int number) {
+        var edge = content.edges.get(number);
+        var colour = edge.onPath() ? Colours.PATH : Colours.LINE;
+        svg.open("g", "class", edge.onPath() ? "edge path" : "edge");
+        svg.title(content.title(edge));
+        svg.empty(
+                "path",
+                "d",
+                Svg.along(layout.route(number)),
+                "fill",
+                "none",
+                "stroke",
+                colour,
+                "stroke-width",
+                edge.onPath() ? 2 : 1,
+                "marker-end",
+                edge.onPath() ? "url(#arrow-path)" : "url(#arrow)");
+        var corner = layout.label(number);
+        var label = label(edge);
+        if (corner != null) {
+            var centre = new Point(corner.x() + label.width() / 2, corner.y() + label.height() / 2);
+            svg.lines(List.of(edge.transition().name()), centre, EDGE_FONT_PX, colour);
+        }
+        svg.close("g");
+    }
+
+    private void state(State state) {
+        var corner = layout.node(state.index());
+        var size = size(state);
+        svg.open("g", "class", content.classes(state));
+        svg.title(content.title(state));
+        border(state, corner, size);
+        if (content.isInitial(state)) {
+            border(
+                    state,
+                    new Point(corner.x() + GAP_PX, corner.y() + GAP_PX),
+                    new Size(size.width() - 2 * GAP_PX, size.height() - 2 * GAP_PX));
+        }
+        var centre = new Point(corner.x() + size.width() / 2, corner.y() + size.height() / 2);
+        svg.lines(lines(state), centre, FONT_PX, "black");
+        svg.close("g");
+    }
+
+    private void border(State state, Point corner, Size size) {
+        svg.empty(
+                "rect",
+                "x",
+                corner.x(),
+                "y",
+                corner.y(),
+                "width",
+                size.width(),
+                "height",
+                size.height(),
+                "rx",
+                6,
+                "fill",
+                content.fill(state),
+                "stroke",
+                content.isOnPath(state) ? Colours.PATH : Colours.LINE,
+                "stroke-width",
+                content.isOnPath(state) ? 2 : 1,
+                "stroke-dasharray",
+                state.isOpen() ? "4 2" : "none");
+    }
+}

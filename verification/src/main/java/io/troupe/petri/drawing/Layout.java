@@ -1,0 +1,137 @@
+package io.troupe.petri.drawing;
+
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import org.eclipse.elk.alg.layered.LayeredLayoutProvider;
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
+import org.eclipse.elk.alg.layered.options.LayeredOptions;
+import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
+import org.eclipse.elk.alg.layered.options.WrappingStrategy;
+import org.eclipse.elk.core.data.LayoutMetaDataService;
+import org.eclipse.elk.core.math.ElkPadding;
+import org.eclipse.elk.core.options.Direction;
+import org.eclipse.elk.core.options.EdgeRouting;
+import org.eclipse.elk.core.options.NodeLabelPlacement;
+import org.eclipse.elk.core.util.NullElkProgressMonitor;
+import org.eclipse.elk.graph.ElkEdge;
+import org.eclipse.elk.graph.ElkNode;
+import org.eclipse.elk.graph.util.ElkGraphUtil;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where everything of a {@link Sketch} goes, by the layered algorithm of the Eclipse Layout Kernel.
+ *
+ * <p><b>Order.</b> The same sketch gets the same layout: the algorithm's random numbers have a fixed seed.
+ */
+final class Layout {
+    private static final int SEED = 1;
+    private static final double ASPECT_RATIO = 1.6;
+
+    /** What a label says does not matter here, but ELK passes over empty ones. */
+    private static final String TEXT = "label";
+
+    private final Size size;
+    private final List<Point> nodes = new ArrayList<>();
+    private final List<List<Point>> routes = new ArrayList<>();
+    private final List<@Nullable Point> labels = new ArrayList<>();
+
+    private Layout(Size size) {
+        this.size = size;
+    }
+
+    static Layout of(Sketch sketch) {
+        // ELK's options can be read only after its registry has found them; it finds them once
+        LayoutMetaDataService.getInstance(Layout.class.getClassLoader());
+        var graph = ElkGraphUtil.createGraph();
+        configure(graph, sketch.style);
+        var nodes = sketch.nodes.stream().map(node -> add(graph, node)).toList();
+        var edges = sketch.edges.stream()
+                .map(edge -> add(nodes.get(edge.from()), nodes.get(edge.to()), edge.label()))
+                .toList();
+        new LayeredLayoutProvider().layout(graph, new NullElkProgressMonitor());
+
+        var layout = new Layout(new Size(graph.getWidth(), graph.getHeight()));
+        nodes.forEach(node -> layout.nodes.add(new Point(node.getX(), node.getY())));
+        edges.forEach(layout::read);
+        return layout;
+    }
+
+    private static void configure(ElkNode graph, Sketch.Style style) {
+        graph.setProperty(LayeredOptions.RANDOM_SEED, SEED);
+        graph.setProperty(LayeredOptions.DIRECTION, style.downwards() ? Direction.DOWN : Direction.RIGHT);
+        graph.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
+        graph.setProperty(LayeredOptions.SPACING_NODE_NODE, style.nodeSpacing());
+        graph.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, style.layerSpacing());
+        graph.setProperty(LayeredOptions.SPACING_EDGE_NODE, style.edgeSpacing());
+        graph.setProperty(LayeredOptions.SPACING_EDGE_NODE_BETWEEN_LAYERS, style.edgeSpacing());
+        graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE, style.edgeSpacing());
+        graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, style.edgeSpacing());
+        graph.setProperty(LayeredOptions.PADDING, new ElkPadding(12));
+        graph.setProperty(
+                LayeredOptions.CYCLE_BREAKING_STRATEGY,
+                style.inOrder() ? CycleBreakingStrategy.MODEL_ORDER : CycleBreakingStrategy.DEPTH_FIRST);
+        graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
+        if (style.wrapped()) {
+            graph.setProperty(LayeredOptions.WRAPPING_STRATEGY, WrappingStrategy.MULTI_EDGE);
+            graph.setProperty(LayeredOptions.ASPECT_RATIO, ASPECT_RATIO);
+        }
+    }
+
+    private static ElkNode add(ElkNode graph, Sketch.Node sketched) {
+        var node = ElkGraphUtil.createNode(graph);
+        node.setDimensions(sketched.size().width(), sketched.size().height());
+        var caption = sketched.caption();
+        if (caption != null) {
+            node.setProperty(
+                    LayeredOptions.NODE_LABELS_PLACEMENT,
+                    EnumSet.of(NodeLabelPlacement.OUTSIDE, NodeLabelPlacement.V_BOTTOM, NodeLabelPlacement.H_CENTER));
+            ElkGraphUtil.createLabel(TEXT, node).setDimensions(caption.width(), caption.height());
+        }
+        return node;
+    }
+
+    private static ElkEdge add(ElkNode from, ElkNode to, @Nullable Size label) {
+        var edge = ElkGraphUtil.createSimpleEdge(from, to);
+        if (label != null) {
+            ElkGraphUtil.createLabel(TEXT, edge).setDimensions(label.width(), label.height());
+        }
+        return edge;
+    }
+
+    private void read(ElkEdge edge) {
+        var section = edge.getSections().get(0);
+        var route = new ArrayList<Point>();
+        route.add(new Point(section.getStartX(), section.getStartY()));
+        section.getBendPoints().forEach(bend -> route.add(new Point(bend.getX(), bend.getY())));
+        route.add(new Point(section.getEndX(), section.getEndY()));
+        routes.add(List.copyOf(route));
+        labels.add(
+                edge.getLabels().isEmpty()
+                        ? null
+                        : new Point(
+                                edge.getLabels().get(0).getX(),
+                                edge.getLabels().get(0).getY()));
+    }
+
+    /** Of the whole drawing, with a margin. */
+    Size size() {
+        return size;
+    }
+
+    /** The upper left corner. */
+    Point node(int number) {
+        return nodes.get(number);
+    }
+
+    /** From the border of the one node's rectangle to that of the other. */
+    List<Point> route(int edge) {
+        return routes.get(edge);
+    }
+
+    /** The upper left corner of the edge's label, if it has one. */
+    @Nullable
+    Point label(int edge) {
+        return labels.get(edge);
+    }
+}

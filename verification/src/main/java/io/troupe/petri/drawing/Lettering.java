@@ -1,0 +1,61 @@
+package io.troupe.petri.drawing;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * How much room text needs. The reader's fonts are not known here, so the estimate is that of a wide sans-serif: text may
+ * be narrower, and hardly ever wider.
+ */
+final class Lettering {
+    /** The fonts that the drawings ask for. */
+    static final String FONTS = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
+
+    private static final double LINE = 1.2;
+
+    private Lettering() {}
+
+    static Size size(List<String> lines, double fontPx) {
+        var width =
+                lines.stream().mapToDouble(line -> width(line, fontPx)).max().orElse(0);
+        return new Size(width, lines.size() * lineHeight(fontPx));
+    }
+
+    static double lineHeight(double fontPx) {
+        return fontPx * LINE;
+    }
+
+    static double width(String text, double fontPx) {
+        return text.codePoints().mapToDouble(Lettering::ems).sum() * fontPx;
+    }
+
+    /** Puts words on as few lines of {@code widthPx} as they fit; a longer word gets a line of its own. */
+    static List<String> wrapped(List<String> words, double fontPx, double widthPx) {
+        var lines = new ArrayList<String>();
+        for (var word : words) {
+            var longer = lines.isEmpty() ? word : lines.getLast() + " " + word;
+            if (!lines.isEmpty() && width(longer, fontPx) <= widthPx) {
+                lines.set(lines.size() - 1, longer);
+            } else {
+                lines.add(word);
+            }
+        }
+        return lines;
+    }
+
+    private static double ems(int character) {
+        if (Character.getType(character) == Character.NON_SPACING_MARK) {
+            return 0;
+        }
+        if (character >= 0x2E80) {
+            return 1.1;
+        }
+        if ("il|'.,:;! jftrI()[]".indexOf(character) >= 0) {
+            return 0.42;
+        }
+        if ("mwMWOQ@%".indexOf(character) >= 0) {
+            return 1;
+        }
+        return Character.isUpperCase(character) ? 0.76 : 0.64;
+    }
+}

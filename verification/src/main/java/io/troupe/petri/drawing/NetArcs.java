@@ -1,0 +1,92 @@
+package io.troupe.petri.drawing;
+
+import io.troupe.petri.Place;
+import io.troupe.petri.Transition;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** Writes the arcs of a net. */
+final class NetArcs {
+    /** An arc as it is drawn. */
+    record Drawn(Transition transition, Place place, boolean input, int weight) {
+        String from() {
+            return input ? place.name() : transition.name();
+        }
+
+        String to() {
+            return input ? transition.name() : place.name();
+        }
+    }
+
+    private final Svg svg;
+    private final Layout layout;
+    private final Set<Transition> highlighted;
+
+    NetArcs(Svg svg, Layout layout, Set<Transition> highlighted) {
+        this.svg = svg;
+        this.layout = layout;
+        this.highlighted = highlighted;
+    }
+
+    /** In the order of the edges of the layout. */
+    void write(List<Drawn> arcs) {
+        // coloured arcs last, so that they lie on top
+        for (var coloured : List.of(false, true)) {
+            for (var i = 0; i < arcs.size(); i++) {
+                if (highlighted.contains(arcs.get(i).transition()) == coloured) {
+                    arc(i, arcs.get(i), coloured);
+                }
+            }
+        }
+    }
+
+    private void arc(int number, Drawn arc, boolean coloured) {
+        svg.open("g", "class", coloured ? "arc path" : "arc");
+        svg.title(arc.from() + " → " + arc.to() + (arc.weight == 1 ? "" : ", weight " + arc.weight));
+        var route = new ArrayList<>(layout.route(number));
+        var corner = layout.node(arc.place.index());
+        var centre = new Point(corner.x() + NetSvg.RADIUS, corner.y() + NetSvg.RADIUS);
+        var end = arc.input ? 0 : route.size() - 1;
+        route.set(end, ontoCircle(route.get(end), route.get(arc.input ? 1 : end - 1), centre));
+        svg.empty(
+                "path",
+                "d",
+                Svg.along(route),
+                "fill",
+                "none",
+                "stroke",
+                coloured ? Colours.PATH : Colours.LINE,
+                "stroke-width",
+                coloured ? 2 : 1,
+                "marker-end",
+                coloured ? "url(#arrow-path)" : "url(#arrow)");
+        var label = layout.label(number);
+        if (label != null) {
+            weight(arc.weight, label, coloured);
+        }
+        svg.close("g");
+    }
+
+    private void weight(int weight, Point corner, boolean coloured) {
+        var text = List.of(String.valueOf(weight));
+        var size = Lettering.size(text, NetSvg.FONT_PX);
+        svg.lines(
+                text,
+                new Point(corner.x() + size.width() / 2, corner.y() + size.height() / 2),
+                NetSvg.FONT_PX,
+                coloured ? Colours.PATH : Colours.LINE);
+    }
+
+    /** The layout ends an arc at the square around the circle: it goes on, in the direction it has, until it meets the circle. */
+    private static Point ontoCircle(Point end, Point before, Point centre) {
+        if (before.y() == end.y()) {
+            var dy = end.y() - centre.y();
+            var dx = Math.sqrt(Math.max(0, NetSvg.RADIUS * NetSvg.RADIUS - dy * dy));
+            return new Point(centre.x() + Math.copySign(dx, end.x() - centre.x()), end.y());
+        }
+        var dx = end.x() - centre.x();
+        var dy = Math.sqrt(Math.max(0, NetSvg.RADIUS * NetSvg.RADIUS - dx * dx));
+        return new Point(end.x(), centre.y() + Math.copySign(dy, end.y() - centre.y()));
+    }
+}

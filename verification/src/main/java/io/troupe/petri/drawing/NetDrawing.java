@@ -1,0 +1,68 @@
+package io.troupe.petri.drawing;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.petri.Marking;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Transition;
+import java.util.Collection;
+import java.util.Set;
+
+/**
+ * A picture of a net: places as circles with their tokens, transitions as boxes, weights on arcs and priorities where they
+ * are not 1 and 0.
+ *
+ * <p><b>Role.</b> {@code NetDrawing.of(net).marked(dead).highlighting(trace).svg()}.
+ * <p><b>Threads.</b> Immutable.
+ * <p><b>Order.</b> The same net, marking and firings give the same bytes.
+ * <p><b>Errors.</b> A marking or a transition of another net throws {@link IllegalArgumentException}.
+ */
+public final class NetDrawing {
+    private final PetriNet net;
+    private final Marking marking;
+    private final Set<Transition> highlighted;
+
+    private NetDrawing(PetriNet net, Marking marking, Set<Transition> highlighted) {
+        this.net = net;
+        this.marking = marking;
+        this.highlighted = highlighted;
+    }
+
+    /** The net in its initial marking. */
+    public static NetDrawing of(PetriNet net) {
+        return new NetDrawing(requireNonNull(net, "net"), net.initialMarking(), Set.of());
+    }
+
+    /** The same picture in another marking. */
+    public NetDrawing marked(Marking other) {
+        for (var place : other.marked()) {
+            require(net.places().contains(place), "place " + place + " of marking " + other + " is not of net ");
+        }
+        net.places().forEach(other::tokens);
+        return new NetDrawing(net, other, highlighted);
+    }
+
+    /** The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times. */
+    public NetDrawing highlighting(Collection<Transition> firings) {
+        for (var firing : firings) {
+            require(net.transitions().contains(firing), "transition " + firing + " is not of net ");
+        }
+        return new NetDrawing(net, marking, Set.copyOf(firings));
+    }
+
+    /** For Graphviz, which lays it out. */
+    public String dot() {
+        return new NetDot(net, marking, highlighted).write();
+    }
+
+    /** A complete SVG file, laid out from left to right. */
+    public String svg() {
+        return new NetSvg(net, marking, highlighted).write();
+    }
+
+    private void require(boolean condition, String message) {
+        if (!condition) {
+            throw new IllegalArgumentException(message + net.name());
+        }
+    }
+}

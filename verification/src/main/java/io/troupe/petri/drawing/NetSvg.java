@@ -1,0 +1,163 @@
+package io.troupe.petri.drawing;
+
+import io.troupe.petri.Marking;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Place;
+import io.troupe.petri.Transition;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** Lays out and writes one net. */
+final class NetSvg {
+    static final double FONT_PX = 12;
+    private static final double SMALL_FONT_PX = 9;
+    static final double RADIUS = 13;
+    private static final double BOX_HEIGHT = 22;
+    private static final double BOX_WIDTH = 26;
+    private static final int MOST_DOTS = 4;
+    /** More nodes than this are drawn in rows. */
+    private static final int ONE_ROW = 24;
+
+    private final PetriNet net;
+    private final Marking marking;
+    private final Set<Transition> highlighted;
+    private final List<NetArcs.Drawn> arcs = new ArrayList<>();
+    private final Layout layout;
+    private final Svg svg;
+
+    NetSvg(PetriNet net, Marking marking, Set<Transition> highlighted) {
+        this.net = net;
+        this.marking = marking;
+        this.highlighted = highlighted;
+        for (var transition : net.transitions()) {
+            transition
+                    .inputs()
+                    .forEach(arc -> arcs.add(new NetArcs.Drawn(transition, arc.place(), true, arc.weight())));
+            transition
+                    .outputs()
+                    .forEach(arc -> arcs.add(new NetArcs.Drawn(transition, arc.place(), false, arc.weight())));
+        }
+        layout = Layout.of(sketch());
+        svg = new Svg(layout.size(), net + " in " + marking, FONT_PX);
+    }
+
+    private Sketch sketch() {
+        var nodes = net.places().size() + net.transitions().size();
+        var wrapped = nodes > ONE_ROW && arcs.stream().allMatch(arc -> arc.weight() == 1);
+        var sketch = new Sketch(new Sketch.Style(false, wrapped, false, 14, 22, 9));
+        for (var place : net.places()) {
+            sketch.node(new Size(2 * RADIUS, 2 * RADIUS), Lettering.size(List.of(place.name()), FONT_PX));
+        }
+        for (var transition : net.transitions()) {
+            sketch.node(size(transition), null);
+        }
+        for (var arc : arcs) {
+            var label = arc.weight() == 1 ? null : Lettering.size(List.of(String.valueOf(arc.weight())), FONT_PX);
+            var place = arc.place().index();
+            var transition = number(arc.transition());
+            sketch.edge(arc.input() ? place : transition, arc.input() ? transition : place, label);
+        }
+        return sketch;
+    }
+
+    private int number(Transition transition) {
+        return net.places().size() + transition.index();
+    }
+
+    private static Size size(Transition transition) {
+        var name = Lettering.width(transition.name(), FONT_PX);
+        var more = Lettering.width(priority(transition), SMALL_FONT_PX);
+        var height = BOX_HEIGHT + (transition.priority() == 0 ? 0 : Lettering.lineHeight(SMALL_FONT_PX));
+        return new Size(Math.max(BOX_WIDTH, Math.max(name, more) + 8), height);
+    }
+
+    private static String priority(Transition transition) {
+        return transition.priority() == 0 ? "" : "priority " + transition.priority();
+    }
+
+    String write() {
+        new NetArcs(svg, layout, highlighted).write(arcs);
+        net.places().forEach(this::place);
+        net.transitions().forEach(this::transition);
+        return svg.end();
+    }
+
+    private void place(Place place) {
+        var tokens = marking.tokens(place);
+        var corner = layout.node(place.index());
+        var centre = new Point(corner.x() + RADIUS, corner.y() + RADIUS);
+        svg.open("g", "class", "place");
+        svg.title(place.name() + ": " + tokens + (tokens == 1 ? " token" : " tokens"));
+        svg.empty(
+                "circle",
+                "cx",
+                centre.x(),
+                "cy",
+                centre.y(),
+                "r",
+                RADIUS,
+                "fill",
+                tokens > 0 ? Colours.MARKED_FILL : "white",
+                "stroke",
+                Colours.LINE,
+                "stroke-width",
+                1.3);
+        tokens(tokens, centre);
+        var below = new Point(centre.x(), centre.y() + RADIUS + 2 + Lettering.lineHeight(FONT_PX) / 2);
+        svg.lines(List.of(place.name()), below, FONT_PX, "black");
+        svg.close("g");
+    }
+
+    private void tokens(int tokens, Point centre) {
+        if (tokens > MOST_DOTS) {
+            svg.lines(List.of(String.valueOf(tokens)), centre, tokens < 1000 ? FONT_PX : 6, "black");
+            return;
+        }
+        var distance = tokens == 1 ? 0 : RADIUS * 0.45;
+        for (var i = 0; i < tokens; i++) {
+            var angle = Math.PI * (2 * i + 1) / Math.max(1, tokens) + (tokens == 2 ? Math.PI / 2 : 0);
+            svg.empty(
+                    "circle",
+                    "cx",
+                    centre.x() + distance * Math.sin(angle),
+                    "cy",
+                    centre.y() + distance * Math.cos(angle),
+                    "r",
+                    tokens == 1 ? 4 : 3,
+                    "fill",
+                    "black");
+        }
+    }
+
+    private void transition(Transition transition) {
+        var coloured = highlighted.contains(transition);
+        var corner = layout.node(number(transition));
+        var size = size(transition);
+        svg.open("g", "class", coloured ? "transition path" : "transition");
+        svg.title(transition.name());
+        svg.empty(
+                "rect",
+                "x",
+                corner.x(),
+                "y",
+                corner.y(),
+                "width",
+                size.width(),
+                "height",
+                size.height(),
+                "fill",
+                coloured ? Colours.PATH_FILL : "#eeeeee",
+                "stroke",
+                coloured ? Colours.PATH : Colours.LINE,
+                "stroke-width",
+                coloured ? 2 : 1.3);
+        var middle = corner.x() + size.width() / 2;
+        svg.lines(List.of(transition.name()), new Point(middle, corner.y() + BOX_HEIGHT / 2), FONT_PX, "black");
+        if (transition.priority() != 0) {
+            var below = new Point(middle, corner.y() + size.height() - Lettering.lineHeight(SMALL_FONT_PX) / 2 - 2);
+            svg.lines(List.of(priority(transition)), below, SMALL_FONT_PX, Colours.LINE);
+        }
+        svg.close("g");
+    }
+}

@@ -1,0 +1,48 @@
+package io.troupe.petri.drawing;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** What is to be laid out: how large everything is, and what is joined with what. Nodes and edges are known by their number. */
+final class Sketch {
+    /** What a node needs. */
+    record Node(Size size, @Nullable Size caption) {}
+
+    /** An edge between two nodes, given by their numbers. */
+    record Edge(int from, int to, @Nullable Size label) {}
+
+    /**
+     * What differs between the drawings; spacings in pixels.
+     *
+     * @param downwards from top to bottom, not from left to right
+     * @param wrapped goes on in a new row where one row would be too long; ELK cannot do that with labels of edges
+     * @param inOrder an edge to a node added later goes forward, all others back
+     */
+    record Style(
+            boolean downwards,
+            boolean wrapped,
+            boolean inOrder,
+            double nodeSpacing,
+            double layerSpacing,
+            double edgeSpacing) {}
+
+    final Style style;
+    final List<Node> nodes = new ArrayList<>();
+    final List<Edge> edges = new ArrayList<>();
+
+    Sketch(Style style) {
+        this.style = style;
+    }
+
+    /** Adds a node; {@code caption} is the text below it. */
+    int node(Size size, @Nullable Size caption) {
+        nodes.add(new Node(size, caption));
+        return nodes.size() - 1;
+    }
+
+    int edge(int from, int to, @Nullable Size label) {
+        edges.add(new Edge(from, to, label));
+        return edges.size() - 1;
+    }
+}
