@@ -1,10 +1,12 @@
 package io.troupe.demo;
 
 import io.troupe.demo.verify.VerifyCommand;
+import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
@@ -40,10 +42,12 @@ public final class Main {
                 .setErr(err)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException) {
+                    if (thrown instanceof WorldFileException || thrown instanceof PnmlException) {
                         return complain(commandLine, thrown.getMessage());
                     }
-                    if (thrown instanceof IOException || thrown instanceof PlayerException) {
+                    if (thrown instanceof IOException
+                            || thrown instanceof UncheckedIOException
+                            || thrown instanceof PlayerException) {
                         err.println("troupe: " + thrown);
                         err.flush();
                         return FAILED;

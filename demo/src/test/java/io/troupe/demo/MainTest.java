@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -46,6 +47,13 @@ class MainTest {
         assertThat(directory.resolve("o/run.jsonl")).isNotEmptyFile();
         assertThat(directory.resolve("o/trajectory.svg")).isNotEmptyFile();
         assertThat(err.toString()).isEmpty();
+    }
+
+    @Test
+    void netFileThatIsNone_isOneLine() throws IOException {
+        Path file = Files.writeString(directory.resolve("bad.pnml"), "<pnml>");
+        assertComplaint(
+                troupe("verify", "--net", file.toString(), "--out", directory.toString()), "bad.pnml", "troupe verify");
     }
 
     @Test

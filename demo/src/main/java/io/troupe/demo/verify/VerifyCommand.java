@@ -2,6 +2,7 @@ package io.troupe.demo.verify;
 
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.Pnml;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -9,6 +10,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -23,7 +25,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class VerifyCommand implements Callable<Integer> {
-    private static final int MAX_ROBOTS = 8;
+    private static final int MAX_ROBOTS = 7;
 
     @Spec
     private CommandSpec spec;
@@ -31,11 +33,11 @@ public final class VerifyCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "DIR", description = "where verify.md, the nets and the drawings go")
     private Path out = Path.of("out");
 
-    @Option(
-            names = "--robots",
-            paramLabel = "N",
-            description = "up to how many robots the paper's nets are searched for dead markings")
+    @Option(names = "--robots", paramLabel = "N", description = "how many robots the larger nets and wirings have")
     private int robots = 6;
+
+    @Option(names = "--net", paramLabel = "FILE", description = "examine this PNML file instead of the paper's nets")
+    private @Nullable Path net;
 
     @Override
     public Integer call() throws IOException {
@@ -49,20 +51,36 @@ public final class VerifyCommand implements Callable<Integer> {
             throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
         }
         PrintWriter terminal = spec.commandLine().getOut();
-        VerifyReport report;
         try (var line = TerminalLine.open()) {
-            var readings = Arrays.stream(Reading.values())
-                    .map(reading -> ReadingStudy.of(reading, line::show))
-                    .toList();
-            var teams = IntStream.rangeClosed(1, robots)
-                    .mapToObj(count -> TeamStudy.of(count, line::show))
-                    .toList();
-            report = new VerifyReport(readings, teams, WiringStudy.all(line::show));
+            String result = net == null ? verifyPaper(line) : examine(net, line);
+            line.interrupt(() -> terminal.print(result));
         }
-        Files.writeString(out.resolve("verify.md"), report.markdown());
-        terminal.print(report.summary());
-        terminal.println("wrote " + out.resolve("verify.md"));
         terminal.flush();
         return 0;
+    }
+
+    private String verifyPaper(TerminalLine line) throws IOException {
+        var readings = Arrays.stream(Reading.values())
+                .map(reading -> ReadingStudy.of(reading, line::show))
+                .toList();
+        var teams = IntStream.rangeClosed(1, robots)
+                .mapToObj(count -> TeamStudy.of(count, line::show))
+                .toList();
+        var report = new VerifyReport(readings, teams, WiringStudy.all(robots, line::show));
+        var files = new NetFiles(out);
+        for (var reading : readings) {
+            line.show("drawing the nets of reading " + reading.reading());
+            files.write(reading);
+        }
+        Files.writeString(out.resolve("verify.md"), report.markdown());
+        return report.summary() + "wrote " + out.resolve("verify.md")
+                + ", and the nets beside it as .pnml, .dot and .svg\n";
+    }
+
+    private String examine(Path file, TerminalLine line) throws IOException {
+        var own = OwnNet.of(Pnml.read(file), line::show);
+        var name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+        own.write(new NetFiles(out), name);
+        return own.summary() + "wrote " + out.resolve(name) + ".dot and .svg\n";
     }
 }

@@ -143,7 +143,7 @@ final class VerifyReport {
                 "live / reversible",
                 nets,
                 study -> study.liveness().live() + " / " + study.liveness().reversible()));
-        table.add("| one mixed-integer program: can a siphon be emptied? | " + String.join(" | ", programs) + " |");
+        table.add("| can a siphon be emptied, by one mixed-integer program | " + String.join(" | ", programs) + " |");
         return table.toString();
     }
 

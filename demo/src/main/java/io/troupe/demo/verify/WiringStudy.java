@@ -1,5 +1,6 @@
 package io.troupe.demo.verify;
 
+import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.PaperWiring;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
@@ -9,25 +10,34 @@ import java.util.function.Consumer;
 
 /** A wiring declared component by component, and whether it can deadlock. */
 record WiringStudy(String name, Wiring wiring, WiringResult result) {
-    private static final int ROBOTS = 2;
+    private static final int MARKINGS_PER_REPORT = 10_000;
 
-    /** The paper's wiring, with its repair, and our own, with promises and with direct calls. */
-    static List<WiringStudy> all(Consumer<String> progress) {
+    /** The paper's wiring for one robot and for several, with the repair that is proposed, and our own, with promises and with direct calls. */
+    static List<WiringStudy> all(int robots, Consumer<String> progress) {
         return List.of(
                 of("the paper's four components as declarations", PaperWiring.wiring(), progress),
+                of("the same with " + robots + " robots", PaperWiring.robots(robots), progress),
                 of(
-                        "troupe run, " + ROBOTS + " robots, a colour is a promise",
-                        TroupeWiring.withPromises(ROBOTS),
+                        "the same with " + robots + " robots, each of which stops with its player only",
+                        PaperWiring.robotsStoppingOneByOne(robots),
                         progress),
                 of(
-                        "troupe run, " + ROBOTS + " robots, if a colour were a call that is waited for",
-                        TroupeWiring.withDirectCalls(ROBOTS),
+                        "troupe run with " + robots + " robots, a colour is a promise",
+                        TroupeWiring.withPromises(robots),
+                        progress),
+                of(
+                        "troupe run with 2 robots, if a colour were a call that is waited for",
+                        TroupeWiring.withDirectCalls(2),
                         progress));
     }
 
     private static WiringStudy of(String name, Wiring wiring, Consumer<String> progress) {
         progress.accept("wiring: " + name);
-        return new WiringStudy(name, wiring, WiringCheck.check(wiring));
+        var limits = SearchLimits.markings(WiringCheck.DEFAULT_MAX_MARKINGS)
+                .reporting(
+                        MARKINGS_PER_REPORT,
+                        at -> progress.accept("wiring: " + name + ": " + at.markings() + " markings"));
+        return new WiringStudy(name, wiring, WiringCheck.check(wiring, limits));
     }
 
     /** In one or two lines. */
@@ -42,7 +52,9 @@ record WiringStudy(String name, Wiring wiring, WiringResult result) {
             case WiringResult.Blocked blocked ->
                 "a component can wait for ever: " + blocked.story().sentence();
             case WiringResult.Proved proved -> proved.toString();
-            case WiringResult.Unknown unknown -> "not known: no dead marking up to the limit, " + unknown.figures();
+            case WiringResult.DeadlockFree free -> free.toString();
+            case WiringResult.Unknown unknown ->
+                unknown.toString().lines().findFirst().orElseThrow();
         };
     }
 }

@@ -1,0 +1,71 @@
+package io.troupe.demo.verify;
+
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Pnml;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.drawing.GraphDrawing;
+import io.troupe.petri.drawing.NetDrawing;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+
+/** Writes nets and graphs into a directory: PNML, DOT and SVG. */
+final class NetFiles {
+    private final Path directory;
+
+    NetFiles(Path directory) {
+        this.directory = directory;
+    }
+
+    /** All of one reading: both nets, the shortest way to a deadlock, the low priorities, and the graphs. */
+    void write(ReadingStudy study) throws IOException {
+        var reading = study.reading();
+        write("uncorrected-" + reading, study.uncorrected().net());
+        write("corrected-" + reading, study.corrected().net());
+        write("low-priority-" + reading, study.lowPriority());
+        writeDeadlock("deadlock-" + reading, study.uncorrected().graph());
+        write("graph-robot-player-" + reading, study.robotAndPlayer().graph());
+        write(
+                "graph-middleware-service-" + reading,
+                study.middlewareAndService().graph());
+        write("graph-uncorrected-" + reading, study.uncorrected().graph());
+        write("graph-corrected-" + reading, study.corrected().graph());
+    }
+
+    void write(String name, PetriNet net) throws IOException {
+        Pnml.write(net, directory.resolve(name + ".pnml"));
+        draw(name, net);
+    }
+
+    void draw(String name, PetriNet net) throws IOException {
+        draw(name, NetDrawing.of(net));
+    }
+
+    /** The net in its nearest dead marking, with the firings that led to it; nothing if there is none. */
+    void writeDeadlock(String name, ReachabilityGraph graph) throws IOException {
+        List<ReachabilityGraph.State> dead = graph.dead();
+        if (!dead.isEmpty()) {
+            var nearest = dead.get(0);
+            draw(name, NetDrawing.of(graph.net()).marked(nearest.marking()).highlighting(nearest.shortestTrace()));
+        }
+    }
+
+    /** The graph, with the way to the nearest dead marking if there is one. */
+    void write(String name, ReachabilityGraph graph) throws IOException {
+        var drawing = GraphDrawing.of(graph);
+        List<ReachabilityGraph.State> dead = graph.dead();
+        if (!dead.isEmpty()) {
+            drawing = drawing.pathTo(dead.get(0));
+        }
+        Files.writeString(directory.resolve(name + ".dot"), drawing.dot());
+        if (graph.size() <= GraphDrawing.MOST_SVG_MARKINGS && graph.edgeCount() <= GraphDrawing.MOST_SVG_EDGES) {
+            Files.writeString(directory.resolve(name + ".svg"), drawing.svg());
+        }
+    }
+
+    private void draw(String name, NetDrawing drawing) throws IOException {
+        Files.writeString(directory.resolve(name + ".dot"), drawing.dot());
+        Files.writeString(directory.resolve(name + ".svg"), drawing.svg());
+    }
+}
