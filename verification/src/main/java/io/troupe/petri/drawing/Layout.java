@@ -28,6 +28,9 @@ final class Layout {
     private static final int SEED = 1;
     private static final double ASPECT_RATIO = 1.6;
 
+    /** With long arcs around rows, the best placement takes a minute for 250 nodes; a good one, Brandes and Köpf's, does not. */
+    private static final int MOST_EXACT_NODES = 90;
+
     /** What a label says does not matter here, but ELK passes over empty ones. */
     private static final String TEXT = "label";
 
@@ -44,7 +47,7 @@ final class Layout {
         // ELK's options can be read only after its registry has found them; it finds them once
         LayoutMetaDataService.getInstance(Layout.class.getClassLoader());
         var graph = ElkGraphUtil.createGraph();
-        configure(graph, sketch.style);
+        configure(graph, sketch.style, sketch.nodes.size());
         var nodes = sketch.nodes.stream().map(node -> add(graph, node)).toList();
         var edges = sketch.edges.stream()
                 .map(edge -> add(nodes.get(edge.from()), nodes.get(edge.to()), edge.label()))
@@ -57,7 +60,7 @@ final class Layout {
         return layout;
     }
 
-    private static void configure(ElkNode graph, Sketch.Style style) {
+    private static void configure(ElkNode graph, Sketch.Style style, int nodes) {
         graph.setProperty(LayeredOptions.RANDOM_SEED, SEED);
         graph.setProperty(LayeredOptions.DIRECTION, style.downwards() ? Direction.DOWN : Direction.RIGHT);
         graph.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
@@ -71,7 +74,9 @@ final class Layout {
         graph.setProperty(
                 LayeredOptions.CYCLE_BREAKING_STRATEGY,
                 style.inOrder() ? CycleBreakingStrategy.MODEL_ORDER : CycleBreakingStrategy.DEPTH_FIRST);
-        graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
+        if (!style.wrapped() || nodes <= MOST_EXACT_NODES) {
+            graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
+        }
         if (style.wrapped()) {
             graph.setProperty(LayeredOptions.WRAPPING_STRATEGY, WrappingStrategy.MULTI_EDGE);
             graph.setProperty(LayeredOptions.ASPECT_RATIO, ASPECT_RATIO);
