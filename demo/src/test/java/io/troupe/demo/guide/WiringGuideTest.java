@@ -78,10 +78,10 @@ class WiringGuideTest {
                             3. store takes keep from camera
                             4. store does keep
                             5. store answers keep to camera
-                            6. camera: take a picture
-                            7. store: find none
-                            8. camera asks store.keep
-                            9. store asks camera.pause
+                            6. store: find none
+                            7. store asks camera.pause
+                            8. camera: take a picture
+                            9. camera asks store.keep
                           then:
                             * camera waits for store.keep
                             * store waits for camera.pause
