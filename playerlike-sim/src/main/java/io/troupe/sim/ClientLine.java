@@ -3,6 +3,7 @@ package io.troupe.sim;
 import io.troupe.actor.ActorSpace;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
@@ -11,6 +12,7 @@ import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
+import io.troupe.player.wire.ReplaceRule;
 import io.troupe.sim.PortServer.Offer;
 import io.troupe.sim.scenario.Pose;
 import java.util.LinkedHashSet;
@@ -35,6 +37,7 @@ final class ClientLine implements PlayerConnection {
     private final Set<Offer> subscribed = new LinkedHashSet<>();
     private final PendingCommands pending = new PendingCommands();
     private boolean begun;
+    private boolean neverAnswers;
     private long publishedTick = NO_TICK;
     private long answeredTick = NO_TICK;
     private @Nullable String closed;
@@ -65,7 +68,7 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean hasAnswered(long tick) {
-        return answeredTick >= tick || !isSubscribed();
+        return neverAnswers || answeredTick >= tick || !isSubscribed();
     }
 
     void tickBegins(long tick) {
@@ -154,7 +157,9 @@ final class ClientLine implements PlayerConnection {
             if (offer.type() != Interfaces.POSITION2D) {
                 throw new IllegalArgumentException(offer + " takes no commands");
             }
-            var velocity = (DeviceCommand.Velocity) command;
+            if (!(command instanceof DeviceCommand.Velocity velocity)) {
+                throw new IllegalArgumentException(offer + " does not understand " + command);
+            }
             if (!Double.isFinite(velocity.vx()) || !Double.isFinite(velocity.va())) {
                 throw new IllegalArgumentException(offer + " was told " + velocity + ", expected finite numbers");
             }
@@ -217,6 +222,26 @@ final class ClientLine implements PlayerConnection {
             answeredTick = Math.max(answeredTick, tick);
             return tick;
         });
+    }
+
+    @Override
+    public void neverAnswers() {
+        simulation.under(() -> {
+            checkOpen();
+            begun = true;
+            neverAnswers = true;
+            return true;
+        });
+    }
+
+    @Override
+    public void delivery(Delivery mode) {
+        // frames always come whole, and a client answers by waiting
+    }
+
+    @Override
+    public void replace(ReplaceRule rule) {
+        // frames never queue up: no tick goes on before they are answered
     }
 
     @Override

@@ -22,6 +22,7 @@ final class DeviceMessages {
                 new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
                         .map(Double::floatValue)
                         .toList());
+            case RANGER, LASER -> throw new IllegalStateException(offer + " has no readings");
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param pose the true pose of the centre of rotation, in the world's frame; heading from -pi to pi
  * @param sonarM one range per sonar, in metres; null if it has no sonar
  * @param blobs null if it has no blobfinder
+ * @param rangersM for each of its lasers and rangers the ranges of all its rays, in metres
  * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is
  *     none
  */
@@ -20,4 +21,5 @@ public record RobotReading(
         Odometry odometry,
         @Nullable List<Double> sonarM,
         @Nullable BlobImage blobs,
+        List<List<Double>> rangersM,
         double wallGapM) {}

@@ -250,6 +250,7 @@ public final class World {
                 odometry,
                 its.sonar() == null ? null : its.sonar().read(scene, robot),
                 its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
+                List.of(),
                 scene.wallGapM(robot));
     }
 

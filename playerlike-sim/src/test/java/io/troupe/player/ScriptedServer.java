@@ -3,6 +3,7 @@ package io.troupe.player;
 import io.troupe.actor.ActorSpace;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
@@ -12,6 +13,7 @@ import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
+import io.troupe.player.wire.ReplaceRule;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -81,7 +83,7 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
             case SONAR -> new DeviceData.SonarRanges(List.of((float) tick));
             case BLOBFINDER ->
                 new DeviceData.Blobs(80, 60, List.of(new DeviceData.Blob(0, (int) tick, 1, 0, 0, 0, 0, 0, 0, 1)));
-            case SIMULATION -> throw new AssertionError("publishes nothing");
+            case RANGER, LASER, SIMULATION -> throw new AssertionError("publishes nothing");
         };
     }
 
@@ -125,6 +127,15 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
         return new DeviceReply.Nack("not in the script");
     }
+
+    @Override
+    public void neverAnswers() {}
+
+    @Override
+    public void delivery(Delivery mode) {}
+
+    @Override
+    public void replace(ReplaceRule rule) {}
 
     @Override
     public synchronized void answered(long tick) {

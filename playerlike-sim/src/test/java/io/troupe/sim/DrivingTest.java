@@ -163,6 +163,7 @@ class DrivingTest {
                 plain.pose(),
                 null,
                 null,
+                List.of(),
                 true,
                 true,
                 plain.where());

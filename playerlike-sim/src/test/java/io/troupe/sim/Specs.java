@@ -91,6 +91,7 @@ public final class Specs {
                 Pose.ORIGIN,
                 sonar,
                 blobfinder,
+                List.of(),
                 true,
                 true,
                 at(7));

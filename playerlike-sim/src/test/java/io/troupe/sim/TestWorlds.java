@@ -62,6 +62,7 @@ public final class TestWorlds {
                 Pose.ORIGIN,
                 CROSS,
                 CAMERA,
+                List.of(),
                 true,
                 true,
                 NOWHERE);
@@ -77,7 +78,7 @@ public final class TestWorlds {
         for (int index = 0; index < world.robots().size(); index++) {
             for (String type : List.of("position2d", "sonar", "blobfinder")) {
                 devices.add(new DeviceBinding(
-                        port, type, index, world.robots().get(index).name(), NOWHERE));
+                        port, type, index, world.robots().get(index).name(), 0, NOWHERE));
             }
         }
         return new Scenario(world, devices);

@@ -167,6 +167,7 @@ class WorldContractTest {
                         Pose.ORIGIN,
                         null,
                         null,
+                        List.of(),
                         true,
                         true,
                         r.where())),

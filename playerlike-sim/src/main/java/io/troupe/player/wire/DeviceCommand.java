@@ -4,4 +4,23 @@ package io.troupe.player.wire;
 public sealed interface DeviceCommand {
     /** position2d CMD 1: metres and radians per second in the robot's frame; a false {@code enabled} stops the motors. */
     record Velocity(double vx, double vy, double va, boolean enabled) implements DeviceCommand {}
+
+    /** position2d CMD 2: a goal in the odometry frame, and the speeds to go there with, which Stage ignores. */
+    record GoTo(double px, double py, double pa, double vx, double vy, double va, boolean enabled)
+            implements DeviceCommand {}
+
+    /** position2d CMD 3. */
+    record Car(double velocityMps, double angleRad) implements DeviceCommand {}
+
+    /** position2d CMD 4: the heading is absolute, in the odometry frame. */
+    record VelocityHeading(double velocityMps, double headingRad) implements DeviceCommand {}
+
+    /** simulation CMD 1: stops the world's time, or lets it go on. */
+    record Pause() implements DeviceCommand {}
+
+    /** simulation CMD 2: everything back to where it started. */
+    record Reset() implements DeviceCommand {}
+
+    /** simulation CMD 3. */
+    record Save() implements DeviceCommand {}
 }

@@ -24,4 +24,31 @@ public sealed interface DeviceData {
 
     /** One blob, in pixels; colour {@code 0x00RRGGBB}; range in metres. */
     record Blob(int id, int colour, int area, int x, int y, int left, int right, int top, int bottom, float rangeM) {}
+
+    /** ranger DATA 1: the ranges in metres of all elements, one after the other; within one from right to left. */
+    record RangerRanges(List<Double> rangesM) implements DeviceData {
+        public RangerRanges {
+            rangesM = List.copyOf(rangesM);
+        }
+    }
+
+    /**
+     * laser DATA 1: a scan from the least angle (right) to the greatest (left).
+     *
+     * @param intensities one for each range, or none
+     */
+    record LaserScan(
+            float minAngleRad,
+            float maxAngleRad,
+            float resolutionRad,
+            float maxRangeM,
+            List<Float> rangesM,
+            List<Byte> intensities,
+            int scanId)
+            implements DeviceData {
+        public LaserScan {
+            rangesM = List.copyOf(rangesM);
+            intensities = List.copyOf(intensities);
+        }
+    }
 }

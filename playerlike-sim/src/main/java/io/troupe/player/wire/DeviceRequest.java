@@ -1,16 +1,90 @@
 package io.troupe.player.wire;
 
-/** The content of a REQ message to a device; each has exactly one {@link DeviceReply}. */
+import static java.util.Objects.requireNonNull;
+
+/**
+ * The content of a REQ message to a device; each has exactly one {@link DeviceReply}.
+ *
+ * <p><b>Units and shapes.</b> Metres, radians, seconds.
+ */
 public sealed interface DeviceRequest {
-    /** position2d REQ 1, sonar REQ 1. */
+    /** REQ 1 of position2d, sonar, ranger and laser. */
     record Geometry() implements DeviceRequest {}
 
-    /** position2d REQ 2, sonar REQ 2. */
+    /** position2d, sonar and ranger REQ 2, laser REQ 4. */
     record Power(boolean on) implements DeviceRequest {}
+
+    /** position2d REQ 3. */
+    record VelocityMode(int mode) implements DeviceRequest {}
+
+    /** position2d REQ 4: 0 velocity, 1 position. */
+    record PositionMode(int mode) implements DeviceRequest {}
+
+    /** position2d REQ 5. */
+    record SetOdometry(double px, double py, double pa) implements DeviceRequest {}
 
     /** position2d REQ 6. */
     record ResetOdometry() implements DeviceRequest {}
 
-    /** position2d REQ 5: metres, radians. */
-    record SetOdometry(double px, double py, double pa) implements DeviceRequest {}
+    /** position2d REQ 7. */
+    record SpeedPid(float kp, float ki, float kd) implements DeviceRequest {}
+
+    /** position2d REQ 8. */
+    record PositionPid(float kp, float ki, float kd) implements DeviceRequest {}
+
+    /** position2d REQ 9. */
+    record SpeedProfile(float speedMps, float accelerationMps2) implements DeviceRequest {}
+
+    /** blobfinder REQ 1. */
+    record SetColour(int channel, int rmin, int rmax, int gmin, int gmax, int bmin, int bmax)
+            implements DeviceRequest {}
+
+    /** blobfinder REQ 2; -1 leaves a value as it is. */
+    record SetImager(int brightness, int contrast, int colourMode, int autoGain) implements DeviceRequest {}
+
+    /** blobfinder REQ 3. */
+    record GetColour() implements DeviceRequest {}
+
+    /** ranger REQ 3: whether intensities are published too. */
+    record Intensities(boolean on) implements DeviceRequest {}
+
+    /** ranger REQ 5, laser REQ 3. */
+    record GetConfiguration() implements DeviceRequest {}
+
+    /** ranger REQ 4. */
+    record SetRangerConfiguration(RangerConfiguration configuration) implements DeviceRequest {
+        public SetRangerConfiguration {
+            requireNonNull(configuration, "configuration");
+        }
+    }
+
+    /** laser REQ 2. */
+    record SetLaserConfiguration(LaserConfiguration configuration) implements DeviceRequest {
+        public SetLaserConfiguration {
+            requireNonNull(configuration, "configuration");
+        }
+    }
+
+    /** laser REQ 5. */
+    record LaserId() implements DeviceRequest {}
+
+    /** simulation REQ 1: where a model of the world is. */
+    record GetPose(String model) implements DeviceRequest {
+        public GetPose {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /** simulation REQ 2: puts a model elsewhere. */
+    record SetPose(String model, double px, double py, double pa) implements DeviceRequest {
+        public SetPose {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /** REQ 255 of every interface: whether a message would be understood. */
+    record Capability(int type, int subtype) implements DeviceRequest {}
+
+    /** A request that no device of ours understands; always refused. */
+    record Unknown(int subtype) implements DeviceRequest {}
 }

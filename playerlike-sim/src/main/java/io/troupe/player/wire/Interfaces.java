@@ -4,6 +4,8 @@ package io.troupe.player.wire;
 public enum Interfaces {
     POSITION2D(4, "position2d"),
     SONAR(5, "sonar"),
+    RANGER(62, "ranger"),
+    LASER(6, "laser"),
     BLOBFINDER(7, "blobfinder"),
     SIMULATION(31, "simulation");
 

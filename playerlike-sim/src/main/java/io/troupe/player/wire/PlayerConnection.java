@@ -34,6 +34,18 @@ public interface PlayerConnection extends AutoCloseable {
      */
     void answered(long tick);
 
+    /**
+     * This client cannot say when it has answered, as a push client behind a socket: from now on no tick waits for it, and a world that has such a client
+     * keeps pace with real time. For good.
+     */
+    void neverAnswers();
+
+    /** Over a socket: when the server sends data; a client that asks for them ({@link Delivery#PULL}) answers by asking. In this JVM nothing changes. */
+    void delivery(Delivery mode);
+
+    /** Adds a rule for the messages that wait for this client; the newest rule that matches counts. */
+    void replace(ReplaceRule rule);
+
     @Override
     void close();
 }

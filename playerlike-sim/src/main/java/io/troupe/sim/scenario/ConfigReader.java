@@ -79,7 +79,7 @@ final class ConfigReader {
                                         + " with the \"worldfile\"");
             }
             String model = simulation ? "" : robot(driver, provided, item).name();
-            add(new DeviceBinding(provided.port(), provided.interfaceName(), provided.index(), model, item.where()));
+            add(new DeviceBinding(provided.port(), provided.interfaceName(), provided.index(), model, 0, item.where()));
         }
     }
 

@@ -7,5 +7,7 @@ package io.troupe.sim.scenario;
  * @param interfaceName Player's name: {@code position2d}, {@code sonar}, {@code blobfinder}, {@code simulation}
  * @param index device index, from 0
  * @param model name of the robot; empty for {@code simulation}
+ * @param ranger which of the robot's {@link RobotSpec#rangers} answers, for {@code laser} and {@code ranger}; else 0
  */
-public record DeviceBinding(int port, String interfaceName, int index, String model, SourcePosition where) {}
+public record DeviceBinding(
+        int port, String interfaceName, int index, String model, int ranger, SourcePosition where) {}

@@ -52,11 +52,11 @@ final class DeviceOffer {
     /** Everything in the world, the n-th robot's devices with index n. */
     static Scenario everything(WorldSpec world) {
         var devices = new ArrayList<DeviceBinding>();
-        devices.add(new DeviceBinding(DEFAULT_PORT, SIMULATION, 0, "", new SourcePosition(world.file(), 1, 1)));
+        devices.add(new DeviceBinding(DEFAULT_PORT, SIMULATION, 0, "", 0, new SourcePosition(world.file(), 1, 1)));
         for (int index = 0; index < world.robots().size(); index++) {
             RobotSpec robot = world.robots().get(index);
             for (String interfaceName : of(robot)) {
-                devices.add(new DeviceBinding(DEFAULT_PORT, interfaceName, index, robot.name(), robot.where()));
+                devices.add(new DeviceBinding(DEFAULT_PORT, interfaceName, index, robot.name(), 0, robot.where()));
             }
         }
         return new Scenario(world, devices);

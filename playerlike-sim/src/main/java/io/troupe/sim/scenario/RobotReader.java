@@ -36,6 +36,7 @@ final class RobotReader {
                 startOdometry(position, pose),
                 ranger == null ? null : sensors.sonar(ranger),
                 blobfinder == null ? null : sensors.blobfinder(blobfinder),
+                List.of(),
                 position.number("ranger_return", 1) > 0,
                 position.flag("blob_return", true),
                 position.where());

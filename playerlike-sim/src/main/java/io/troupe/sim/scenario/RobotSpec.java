@@ -1,5 +1,6 @@
 package io.troupe.sim.scenario;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param startOdometry what odometry reports at the start: the zero pose in the classic dialect
  * @param sonar null if it has none
  * @param blobfinder null if it has none
+ * @param rangers its lasers and rangers, in the order of the file
  */
 public record RobotSpec(
         String name,
@@ -27,6 +29,11 @@ public record RobotSpec(
         Pose startOdometry,
         @Nullable SonarSpec sonar,
         @Nullable BlobfinderSpec blobfinder,
+        List<RangerSpec> rangers,
         boolean blocksRangers,
         boolean visible,
-        SourcePosition where) {}
+        SourcePosition where) {
+    public RobotSpec {
+        rangers = List.copyOf(rangers);
+    }
+}

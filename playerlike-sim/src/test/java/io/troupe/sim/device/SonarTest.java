@@ -115,6 +115,7 @@ class SonarTest {
                 plain.startOdometry(),
                 null,
                 null,
+                List.of(),
                 false,
                 true,
                 plain.where());

@@ -110,6 +110,7 @@ class RayOracleTest {
                 Pose.ORIGIN,
                 sonar,
                 null,
+                List.of(),
                 true,
                 true,
                 TestWorlds.NOWHERE);

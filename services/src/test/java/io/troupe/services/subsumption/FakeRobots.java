@@ -5,6 +5,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
@@ -14,6 +15,7 @@ import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
+import io.troupe.player.wire.ReplaceRule;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -172,6 +174,15 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         public DeviceReply request(DeviceAddress device, DeviceRequest request) {
             return new DeviceReply.Nack("a fake answers nothing");
         }
+
+        @Override
+        public void neverAnswers() {}
+
+        @Override
+        public void delivery(Delivery mode) {}
+
+        @Override
+        public void replace(ReplaceRule rule) {}
 
         @Override
         public void answered(long answeredTick) {
