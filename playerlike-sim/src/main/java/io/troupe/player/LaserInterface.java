@@ -114,8 +114,8 @@ public class LaserInterface extends PlayerDevice {
             for (int beam = 0; beam < count; beam++) {
                 ranges[beam] = scan.rangesM().get(beam);
                 double angle = scan.minAngleRad() + beam * (double) scan.resolutionRad();
-                points[beam] = new PlayerPoint2d(
-                        ranges[beam] * StrictMath.cos(angle), ranges[beam] * StrictMath.sin(angle));
+                points[beam] =
+                        new PlayerPoint2d(ranges[beam] * StrictMath.cos(angle), ranges[beam] * StrictMath.sin(angle));
             }
             newest.setRanges(ranges);
             newest.setRanges_count(count);

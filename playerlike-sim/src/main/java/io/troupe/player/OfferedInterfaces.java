@@ -99,11 +99,10 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
 
     @Override
     PlayerException notOffered(String device) {
-        String offered = Arrays.stream(Interfaces.values())
-                .map(Interfaces::playerName)
-                .collect(Collectors.joining(", "));
-        return new PlayerException("[PlayerClient] Requested device " + device + " is not offered by this client, which has "
-                + offered + ". The server has: " + listed());
+        String offered =
+                Arrays.stream(Interfaces.values()).map(Interfaces::playerName).collect(Collectors.joining(", "));
+        return new PlayerException("[PlayerClient] Requested device " + device
+                + " is not offered by this client, which has " + offered + ". The server has: " + listed());
     }
 
     private String listed() {

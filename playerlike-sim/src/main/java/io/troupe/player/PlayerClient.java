@@ -192,9 +192,12 @@ public class PlayerClient extends ServerInquiries {
         var address = device.address();
         incoming.requestBegins();
         try {
-            tell(() -> connection.request(address, request, reply -> incoming.requestEnds(
-                    reply instanceof DeviceReply.Nack ? PLAYER_MSGTYPE_RESP_NACK : PLAYER_MSGTYPE_RESP_ACK,
-                    () -> device.receive(request, reply))));
+            tell(() -> connection.request(
+                    address,
+                    request,
+                    reply -> incoming.requestEnds(
+                            reply instanceof DeviceReply.Nack ? PLAYER_MSGTYPE_RESP_NACK : PLAYER_MSGTYPE_RESP_ACK,
+                            () -> device.receive(request, reply))));
         } catch (PlayerException notSent) {
             incoming.requestFails();
             throw notSent;

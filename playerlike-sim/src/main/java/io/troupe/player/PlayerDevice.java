@@ -103,7 +103,8 @@ public abstract class PlayerDevice implements PlayerConstants {
 
     private <T> T present(@Nullable T message) {
         if (message == null) {
-            throw new PlayerException("no message for " + this + " is there to be read: PlayerClient calls this method");
+            throw new PlayerException(
+                    "no message for " + this + " is there to be read: PlayerClient calls this method");
         }
         return message;
     }

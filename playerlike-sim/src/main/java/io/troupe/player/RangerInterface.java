@@ -93,7 +93,8 @@ public class RangerInterface extends PlayerDevice {
     void accept(DeviceData message) {
         if (message instanceof DeviceData.RangerRanges scan) {
             var newest = new PlayerRangerData();
-            newest.setRanges(scan.rangesM().stream().mapToDouble(Double::doubleValue).toArray());
+            newest.setRanges(
+                    scan.rangesM().stream().mapToDouble(Double::doubleValue).toArray());
             newest.setRanges_count(scan.rangesM().size());
             data.put(newest);
         }

@@ -33,7 +33,8 @@ public class SimulationInterface extends PlayerDevice {
         if (!Double.isFinite(newPose.getPx())
                 || !Double.isFinite(newPose.getPy())
                 || !Double.isFinite(newPose.getPa())) {
-            throw new PlayerException("model '" + model + "' was to be put at " + newPose + ", expected finite numbers");
+            throw new PlayerException(
+                    "model '" + model + "' was to be put at " + newPose + ", expected finite numbers");
         }
         ask(new DeviceRequest.SetPose(model, newPose.getPx(), newPose.getPy(), newPose.getPa()));
     }

@@ -209,7 +209,8 @@ class DevicesTest implements PlayerConstants {
                 .toList();
         assertThat(methods).hasSize(38);
         for (var method : methods) {
-            String name = method.getName().substring("requestInterface".length()).toLowerCase(Locale.ROOT);
+            String name =
+                    method.getName().substring("requestInterface".length()).toLowerCase(Locale.ROOT);
             assertThatThrownBy(() -> method.invoke(client, 3, PLAYER_OPEN_MODE))
                     .cause()
                     .isInstanceOf(PlayerException.class)

@@ -68,7 +68,8 @@ class ScannersTest implements PlayerConstants {
         ranger.queryGeometry();
         assertThat(ranger.isGeomReady()).isTrue();
         var geometry = ranger.getGeom();
-        assertThat(geometry.getPose()).extracting("px", "py", "pz", "proll", "ppitch", "pyaw")
+        assertThat(geometry.getPose())
+                .extracting("px", "py", "pz", "proll", "ppitch", "pyaw")
                 .containsExactly(1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
         assertThat(geometry.getSize()).extracting("sw", "sl", "sh").containsExactly(0.1, 0.2, 0.3);
         assertThat(geometry.getPoses_count()).isEqualTo(2);
@@ -93,7 +94,8 @@ class ScannersTest implements PlayerConstants {
         assertThat(laser.isDataReady()).isTrue();
         var scan = laser.getData();
         assertThat(scan)
-                .extracting("min_angle", "max_angle", "resolution", "max_range", "ranges_count", "intensity_count", "id")
+                .extracting(
+                        "min_angle", "max_angle", "resolution", "max_range", "ranges_count", "intensity_count", "id")
                 .containsExactly(-1f, 1f, 1f, 8f, 3, 1, 4);
         assertThat(scan.getRanges()).containsExactly(4, 2, 3);
         assertThat(scan.getIntensity()).containsExactly(7);

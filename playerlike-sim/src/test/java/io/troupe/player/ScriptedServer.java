@@ -31,8 +31,8 @@ import org.jspecify.annotations.Nullable;
 /** A server for one client: it publishes when the test says so and remembers which ticks the client has answered. */
 final class ScriptedServer implements PlayerServer, PlayerConnection {
     static final int PORT = 6750;
-    private static final List<Interfaces> TYPES =
-            List.of(Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER, Interfaces.RANGER, Interfaces.LASER);
+    private static final List<Interfaces> TYPES = List.of(
+            Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER, Interfaces.RANGER, Interfaces.LASER);
     private static final List<Interfaces> SILENT = List.of(Interfaces.SIMULATION);
 
     final List<DeviceCommand> commands = new CopyOnWriteArrayList<>();
