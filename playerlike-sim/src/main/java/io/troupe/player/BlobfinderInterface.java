@@ -5,6 +5,7 @@ import io.troupe.player.structures.blobfinder.PlayerBlobfinderColorConfig;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderImagerConfig;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,14 +31,22 @@ public class BlobfinderInterface extends PlayerDevice {
         return pc.findsNews(data);
     }
 
-    /** Not offered yet; a simulated blobfinder reports every colour of its world. */
+    /** Chooses the colours that one channel tracks. */
     public void setTrackingColor(PlayerBlobfinderColorConfig config) {
-        throw notOffered("setTrackingColor");
+        ask(new DeviceRequest.SetColour(
+                config.getChannel(),
+                config.getRmin(),
+                config.getRmax(),
+                config.getGmin(),
+                config.getGmax(),
+                config.getBmin(),
+                config.getBmax()));
     }
 
-    /** Not offered yet. */
+    /** Sets the camera; -1 leaves a value as it is. */
     public void setImagerParams(PlayerBlobfinderImagerConfig config) {
-        throw notOffered("setImagerParams");
+        ask(new DeviceRequest.SetImager(
+                config.getBrightness(), config.getContrast(), config.getColormode(), config.getAutogain()));
     }
 
     @Override

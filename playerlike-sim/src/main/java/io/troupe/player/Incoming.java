@@ -2,6 +2,7 @@ package io.troupe.player;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Frame;
@@ -25,6 +26,9 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> Data are dispatched under the lock as well, so frames never mix.
  */
 final class Incoming implements DataSink {
+    /** How many frames wait for a program that does not read what a server sends on and on; in lock step there is one. */
+    private static final int MOST_FRAMES = 1024;
+
     private final Object lock = new Object();
     private final Queue<Frame> frames = new ArrayDeque<>();
     private final List<Deferred<@Nullable Void>> waiting = new ArrayList<>();
@@ -34,6 +38,8 @@ final class Incoming implements DataSink {
     private final boolean onSpace;
     private int read; // messages of the oldest frame that are dispatched already
     private long shownTick = PlayerConnection.NO_TICK;
+    private int openRequests;
+    private int unreadReply; // type of the newest reply that readAll has not told of; 0 = none
     private @Nullable String lost;
 
     /**
@@ -53,6 +59,10 @@ final class Incoming implements DataSink {
     public void frame(Frame frame) {
         List<Deferred<@Nullable Void>> ready = List.of();
         synchronized (lock) {
+            if (frames.size() == MOST_FRAMES) {
+                frames.remove(); // as a server does whose client is slow, but the oldest: a robot lives now
+                read = 0;
+            }
             frames.add(frame);
             if (onSpace) {
                 ready = showAll();
@@ -60,6 +70,30 @@ final class Incoming implements DataSink {
             lock.notifyAll();
         }
         ready.forEach(each -> each.resolve(null));
+    }
+
+    /** A request is about to be sent. */
+    void requestBegins() {
+        synchronized (lock) {
+            openRequests++;
+        }
+    }
+
+    /** A request could not be sent. */
+    void requestFails() {
+        synchronized (lock) {
+            openRequests--;
+        }
+    }
+
+    /** A reply has come, which {@code dispatch} hands to its device. */
+    void requestEnds(int replyType, Runnable dispatch) {
+        synchronized (lock) {
+            openRequests--;
+            unreadReply = replyType;
+            dispatch.run();
+            lock.notifyAll();
+        }
     }
 
     @Override
@@ -107,11 +141,7 @@ final class Incoming implements DataSink {
         boolean news;
         synchronized (lock) {
             if (frames.isEmpty() && lost == null) {
-                try {
-                    lock.wait(patienceMillis);
-                } catch (InterruptedException e) {
-                    Thread.currentThread().interrupt(); // for the program to see; this call does not block
-                }
+                pause(patienceMillis);
             }
             if (frames.isEmpty()) {
                 throwIfLost();
@@ -134,12 +164,31 @@ final class Incoming implements DataSink {
         }
     }
 
-    /** Dispatches the oldest message, or with {@code all} whatever is there; without any it answers and waits. */
-    void read(boolean all) {
+    /** Looks whether a reply has come; while one is on its way, that may take a moment, as busy loops wait for replies too. */
+    boolean takeReply(Latest<?> asked, long patienceMillis) {
+        synchronized (lock) {
+            if (!asked.isNew() && openRequests > 0 && lost == null) {
+                pause(patienceMillis);
+            }
+            if (asked.takeNew()) {
+                return true;
+            }
+            throwIfLost();
+            return false;
+        }
+    }
+
+    /**
+     * Dispatches the oldest message, or with {@code wholeFrame} whatever is there; without any it answers and waits. A reply that nobody has waited for is
+     * a message too, if it is the only one there, so that a program which reads until its reply has come does not wait for data.
+     *
+     * @return the type of the message
+     */
+    int read(boolean wholeFrame) {
         long tick = 0;
         boolean wait;
         synchronized (lock) {
-            wait = !hasMessage();
+            wait = !hasMessage() && (wholeFrame || unreadReply == 0);
             if (wait) {
                 tick = shownTick;
             }
@@ -150,15 +199,22 @@ final class Incoming implements DataSink {
         List<Deferred<@Nullable Void>> ready;
         synchronized (lock) {
             while (!hasMessage()) {
+                if (!wholeFrame && unreadReply != 0) {
+                    int type = unreadReply;
+                    unreadReply = 0;
+                    return type;
+                }
                 throwIfLost();
                 await();
             }
             do {
                 dispatchOldest();
-            } while (all && hasMessage());
+            } while (wholeFrame && hasMessage());
+            unreadReply = 0;
             ready = read == 0 ? takeWaiting() : List.of();
         }
         ready.forEach(each -> each.resolve(null));
+        return wholeFrame ? PlayerConstants.PLAYER_MSGTYPE_SYNCH : PlayerConstants.PLAYER_MSGTYPE_DATA;
     }
 
     /** The program waits for its first data, if it has not got them already. */
@@ -273,6 +329,14 @@ final class Incoming implements DataSink {
     private void throwIfLost() {
         if (lost != null) {
             throw new PlayerException(lost);
+        }
+    }
+
+    private void pause(long millis) {
+        try {
+            lock.wait(millis);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt(); // for the program to see; the call does not block
         }
     }
 

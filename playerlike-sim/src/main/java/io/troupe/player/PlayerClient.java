@@ -2,24 +2,15 @@ package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
-import io.troupe.player.structures.PlayerConstants;
-import io.troupe.player.structures.PlayerDevAddr;
-import io.troupe.player.structures.player.PlayerDeviceDevlist;
-import io.troupe.player.structures.player.PlayerDeviceDriverInfo;
-import io.troupe.player.wire.DataMessage;
+import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
-import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
+import io.troupe.player.wire.PlayerServer;
 import java.lang.System.Logger.Level;
-import java.util.List;
 import java.util.Set;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.Supplier;
-import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,17 +28,14 @@ import org.jspecify.annotations.Nullable;
  * only reads {@code getData()} and never asks may meet the devices of one frame one after the other.
  * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away.
  */
-public class PlayerClient extends Thread implements PlayerConstants {
+public class PlayerClient extends ServerInquiries {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final Set<String> THIS_MACHINE = Set.of("localhost", "127.0.0.1", "::1");
     /** How long {@code isDataReady()} waits for news before it is false, so that a busy loop leaves the processor to the world. */
     private static final long PATIENCE_MILLIS = 1;
 
     private final @Nullable ActorSpace space = ActorSpace.current();
-    private final List<PlayerDevice> devices = new CopyOnWriteArrayList<>();
-    private final Incoming incoming = new Incoming(this::dispatch, this::answer, space != null);
-    private final Latest<PlayerDeviceDevlist> deviceList = new Latest<>();
-    private final Latest<PlayerDeviceDriverInfo> driverInfo = new Latest<>();
+    private final Incoming incoming = new Incoming(subscriptions::dispatch, this::answer, space != null);
     private final PlayerConnection connection;
     private volatile boolean threaded;
     private volatile boolean pull;
@@ -58,110 +46,21 @@ public class PlayerClient extends Thread implements PlayerConstants {
      * @throws PlayerException if there is no server
      */
     public PlayerClient(String serverName, int portNumber) {
-        super("player-client-" + portNumber);
+        super("player-client-" + portNumber, portNumber);
+        var server = server(serverName, portNumber);
+        connection = calling(() -> server.connect(incoming, space));
+        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
+    }
+
+    private static PlayerServer server(String serverName, int portNumber) {
         String failed = "[PlayerClient]: Error in PlayerClient init: ";
         if (!THIS_MACHINE.contains(serverName)) {
             throw new PlayerException(failed + serverName + ":" + portNumber
                     + " is not in this JVM, and other machines are not offered yet");
         }
-        var server = PlayerPorts.find(portNumber)
+        return PlayerPorts.find(portNumber)
                 .orElseThrow(() -> new PlayerException(failed + "no server in this JVM at " + serverName + ":"
                         + portNumber + "; open ports: " + PlayerPorts.list()));
-        connection = calling(() -> server.connect(incoming, space));
-        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
-    }
-
-    // ---- devices
-
-    public Position2DInterface requestInterfacePosition2D(int index, int access) {
-        return request(new Position2DInterface(this), Interfaces.POSITION2D, index, access);
-    }
-
-    public SonarInterface requestInterfaceSonar(int index, int access) {
-        return request(new SonarInterface(this), Interfaces.SONAR, index, access);
-    }
-
-    public BlobfinderInterface requestInterfaceBlobfinder(int index, int access) {
-        return request(new BlobfinderInterface(this), Interfaces.BLOBFINDER, index, access);
-    }
-
-    /** The same by the interface's code, for example {@code PLAYER_SONAR_CODE}. */
-    public PlayerDevice requestInterface(int type, int index, int access) {
-        return switch (type) {
-            case PLAYER_POSITION2D_CODE -> requestInterfacePosition2D(index, access);
-            case PLAYER_SONAR_CODE -> requestInterfaceSonar(index, access);
-            case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
-            default ->
-                throw new PlayerException("[PlayerClient] " + Interfaces.name(type) + ":" + index
-                        + " was requested; this client offers position2d, sonar and blobfinder");
-        };
-    }
-
-    private <D extends PlayerDevice> D request(D device, Interfaces type, int index, int access) {
-        var offered = calling(connection::devices);
-        DeviceAddress address = offered.stream()
-                .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
-                .findFirst()
-                .orElseThrow(
-                        () -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":" + index
-                                + " is not in the device list. It has: "
-                                + offered.stream().map(PlayerClient::name).collect(Collectors.joining(", "))));
-        device.bind(address, (byte) access, calling(() -> connection.driverName(address)));
-        switch (access) {
-            case PLAYER_OPEN_MODE -> {
-                devices.add(device); // before its first data can come
-                tell(() -> connection.subscribe(address));
-            }
-            case PLAYER_CLOSE_MODE -> {
-                tell(() -> connection.unsubscribe(address));
-                devices.removeIf(each -> each.address().equals(address));
-            }
-            default ->
-                throw new PlayerException("access mode of " + device + " is " + access
-                        + ", expected PLAYER_OPEN_MODE (1) or PLAYER_CLOSE_MODE (2)");
-        }
-        return device;
-    }
-
-    private static String name(DeviceAddress address) {
-        return Interfaces.name(address.interfaceCode()) + ":" + address.index();
-    }
-
-    /** Asks which devices the server has; the answer is there when this returns. */
-    public void requestDeviceList() {
-        var answer = new PlayerDeviceDevlist();
-        answer.setDevList(
-                calling(connection::devices).stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
-        answer.setDeviceCount(answer.getDevList().length);
-        deviceList.put(answer);
-    }
-
-    /** True once for each answer to {@link #requestDeviceList}. */
-    public boolean isReadyPDDList() {
-        return deviceList.takeNew();
-    }
-
-    /** The answer to {@link #requestDeviceList}, or null before. */
-    public @Nullable PlayerDeviceDevlist getPDDList() {
-        return deviceList.get();
-    }
-
-    /** Asks which driver is behind a device; the answer is there when this returns. */
-    public void requestDriverInfo(PlayerDevAddr device) {
-        var answer = new PlayerDeviceDriverInfo();
-        answer.setAddr(device);
-        answer.setDriverName(calling(() -> connection.driverName(PlayerDevice.convert(device))));
-        driverInfo.put(answer);
-    }
-
-    /** True once for each answer to {@link #requestDriverInfo}. */
-    public boolean isReadyPDDI() {
-        return driverInfo.takeNew();
-    }
-
-    /** The answer to {@link #requestDriverInfo}, or null before. */
-    public @Nullable PlayerDeviceDriverInfo getPDDI() {
-        return driverInfo.get();
     }
 
     // ---- waiting for data
@@ -222,7 +121,8 @@ public class PlayerClient extends Thread implements PlayerConstants {
     /**
      * Dispatches what arrives, in the style without a thread: one message (push mode), or all of a frame (pull mode); waits until there is one.
      *
-     * @return the type of the last message read: {@code PLAYER_MSGTYPE_DATA} or {@code PLAYER_MSGTYPE_SYNCH}; 0 at once if the client is threaded
+     * @return the type of the last message read: {@code PLAYER_MSGTYPE_DATA} or {@code PLAYER_MSGTYPE_SYNCH}, or in push mode that of a reply where there is
+     *     nothing else; 0 at once if the client is threaded
      * @throws PlayerException if the server has gone, or the client belongs to an actor space and is not threaded
      */
     public int readAll() {
@@ -233,8 +133,7 @@ public class PlayerClient extends Thread implements PlayerConstants {
             throw new PlayerException(
                     "readAll() would hold the thread of actor space " + space + ": use nextData() there");
         }
-        incoming.read(pull);
-        return pull ? PLAYER_MSGTYPE_SYNCH : PLAYER_MSGTYPE_DATA;
+        return incoming.read(pull);
     }
 
     /** Asks for data, as the pull mode needs it. {@link #readAll} and the threaded style do that by themselves, so there is nothing left to do. */
@@ -247,12 +146,8 @@ public class PlayerClient extends Thread implements PlayerConstants {
         if (mode != PLAYER_DATAMODE_PUSH && mode != PLAYER_DATAMODE_PULL) {
             throw new PlayerException("data delivery mode is " + mode + ", expected 1 (push) or 2 (pull)");
         }
+        tell(() -> connection.delivery(mode == PLAYER_DATAMODE_PULL ? Delivery.PULL : Delivery.PUSH));
         pull = mode == PLAYER_DATAMODE_PULL;
-    }
-
-    /** Not offered yet: in lock step at most one frame waits, so there is nothing to replace. */
-    public void requestAddReplaceRule(int interf, int index, int type, int subtype, int replace) {
-        throw new PlayerException("requestAddReplaceRule is not offered yet");
     }
 
     /**
@@ -275,7 +170,7 @@ public class PlayerClient extends Thread implements PlayerConstants {
     /** Whether a device has news; where it has none, this may be how the program waits. */
     boolean findsNews(Latest<?> asked) {
         if (threaded || space != null) {
-            return incoming.poll(asked, this::everythingSeen, PATIENCE_MILLIS);
+            return incoming.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
         }
         boolean news = incoming.takeNew(asked);
         if (!news) {
@@ -284,47 +179,42 @@ public class PlayerClient extends Thread implements PlayerConstants {
         return news;
     }
 
-    private boolean everythingSeen() {
-        for (var device : devices) {
-            if (device.latest().isNew()) {
-                return false;
-            }
-        }
-        return true;
+    /** Whether the reply to a request has come. */
+    boolean findsReply(Latest<?> asked) {
+        return incoming.takeReply(asked, PATIENCE_MILLIS);
     }
 
     void command(DeviceAddress device, DeviceCommand command) {
         tell(() -> connection.command(device, command));
     }
 
-    DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        return calling(() -> connection.request(device, request));
+    void request(PlayerDevice device, DeviceRequest request) {
+        var address = device.address();
+        incoming.requestBegins();
+        try {
+            tell(() -> connection.request(
+                    address,
+                    request,
+                    reply -> incoming.requestEnds(
+                            reply instanceof DeviceReply.Nack ? PLAYER_MSGTYPE_RESP_NACK : PLAYER_MSGTYPE_RESP_ACK,
+                            () -> device.receive(request, reply))));
+        } catch (PlayerException notSent) {
+            incoming.requestFails();
+            throw notSent;
+        }
     }
 
     private void answer(long tick) {
         tell(() -> connection.answered(tick));
     }
 
-    private void dispatch(DataMessage message) {
-        for (var device : devices) {
-            if (device.address().equals(message.from())) {
-                device.accept(message.timeSeconds(), message.data());
-            }
-        }
+    @Override
+    PlayerClient client() {
+        return this;
     }
 
-    private static void tell(Runnable call) {
-        calling(() -> {
-            call.run();
-            return true;
-        });
-    }
-
-    private static <T> T calling(Supplier<T> call) {
-        try {
-            return call.get();
-        } catch (LineClosedException | IllegalArgumentException refused) {
-            throw new PlayerException(refused.getMessage(), refused);
-        }
+    @Override
+    PlayerConnection connection() {
+        return connection;
     }
 }

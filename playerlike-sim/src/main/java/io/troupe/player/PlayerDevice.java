@@ -2,12 +2,17 @@ package io.troupe.player;
 
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerDevAddr;
+import io.troupe.player.structures.PlayerMsgHdr;
+import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.lang.System.Logger.Level;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -16,15 +21,28 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Made by the {@code requestInterface..} methods of {@link PlayerClient}.
  * <p><b>Threads.</b> Any thread.
- * <p><b>Errors.</b> {@link PlayerException} when the server refuses or has gone.
+ * <p><b>Order.</b> Commands and requests are sent at once. Requests do not wait for their replies: what a reply tells is there when the {@code is..Ready()}
+ * method that belongs to it is true, in this JVM at once.
+ * <p><b>Errors.</b> {@link PlayerException} when the server has gone. A request that the server refuses leaves a warning in the log, as the program has gone
+ * on.
  */
 public abstract class PlayerDevice implements PlayerConstants {
+    private static final System.Logger LOG = System.getLogger(PlayerDevice.class.getName());
+
     /** The client it belongs to. */
     protected final PlayerClient pc;
 
     /** Seconds on the server's clock when the newest data were taken. */
     protected volatile double timestamp;
 
+    /** At its end: a message is decoded before its device gets it. */
+    protected final InputStream is = InputStream.nullInputStream();
+
+    /** Closed: commands and requests are sent by the methods of the device. */
+    protected final OutputStream os = new ClosedOutput();
+
+    private @Nullable DeviceData arrived; // guarded by the lock of Incoming, as is the next
+    private @Nullable DeviceReply answer;
     private volatile @Nullable DeviceAddress address;
     private volatile byte access;
     private volatile String driverName = "";
@@ -65,15 +83,66 @@ public abstract class PlayerDevice implements PlayerConstants {
         driverName = newName;
     }
 
+    /**
+     * Takes a data message that has arrived. Called by the client; a subclass that overrides it is told of each message, and calls {@code super}.
+     *
+     * @throws PlayerException when called otherwise, as no message is there then
+     */
+    public void readData(PlayerMsgHdr header) {
+        accept(present(arrived));
+        timestamp = header.getTimestamp(); // last: whoever sees a new one without asking isDataReady() finds its data
+    }
+
+    /** Takes a reply that has arrived; called by the client as {@link #readData} is. */
+    public void handleNARMessage() {
+        DeviceReply reply = present(answer);
+        if (!(reply instanceof DeviceReply.Ack)) {
+            accept(reply);
+        }
+    }
+
+    private <T> T present(@Nullable T message) {
+        if (message == null) {
+            throw new PlayerException(
+                    "no message for " + this + " is there to be read: PlayerClient calls this method");
+        }
+        return message;
+    }
+
     /** Takes the content of a data message. */
     abstract void accept(DeviceData data);
+
+    /** Takes what a reply tells. */
+    void accept(DeviceReply reply) {}
 
     /** The newest data, and whether they have been looked for. */
     abstract Latest<?> latest();
 
-    final void accept(double timeSeconds, DeviceData data) {
-        accept(data);
-        timestamp = timeSeconds; // last: whoever sees a new one without asking isDataReady() finds its data
+    final void receive(DataMessage message) {
+        var header = new PlayerMsgHdr();
+        header.setAddr(convert(message.from()));
+        header.setType((byte) PLAYER_MSGTYPE_DATA);
+        header.setSubtype((byte) 1);
+        header.setTimestamp(message.timeSeconds());
+        arrived = message.data();
+        try {
+            readData(header);
+        } finally {
+            arrived = null;
+        }
+    }
+
+    final void receive(DeviceRequest request, DeviceReply reply) {
+        if (reply instanceof DeviceReply.Nack(String reason)) {
+            LOG.log(Level.WARNING, "{0} refused {1}: {2}", this, request, reason);
+            return;
+        }
+        answer = reply;
+        try {
+            handleNARMessage();
+        } finally {
+            answer = null;
+        }
     }
 
     final void bind(DeviceAddress newAddress, byte newAccess, String newDriverName) {
@@ -108,18 +177,9 @@ public abstract class PlayerDevice implements PlayerConstants {
         pc.command(address(), command);
     }
 
-    /** Asks, and throws if the device refuses. */
-    final DeviceReply ask(DeviceRequest request) {
-        DeviceReply reply = pc.request(address(), request);
-        if (reply instanceof DeviceReply.Nack(String reason)) {
-            throw new PlayerException(this + " refused " + request + ": " + reason);
-        }
-        return reply;
-    }
-
-    /** What a call throws that is in the API, and that no server of ours serves today. */
-    final PlayerException notOffered(String call) {
-        return new PlayerException(call + " of " + this + " is not offered yet");
+    /** Asks, and does not wait for the reply. */
+    final void ask(DeviceRequest request) {
+        pc.request(this, request);
     }
 
     @Override

@@ -10,6 +10,7 @@ import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
+import java.util.Arrays;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -44,7 +45,7 @@ public class Position2DInterface extends AbstractPositionDevice {
 
     /** True once for each answer. */
     public boolean isGeomReady() {
-        return geometry.takeNew();
+        return pc.findsReply(geometry);
     }
 
     @Override
@@ -82,43 +83,57 @@ public class Position2DInterface extends AbstractPositionDevice {
         setVelocity(command.getVel(), command.getState());
     }
 
-    /** Drives like a car; for a differential drive the angle is the turn rate. */
+    /** Drives like a car: metres per second and radians; for a differential drive the angle is the turn rate. */
     public void setCarCMD(double velocity, double angle) {
-        drive(velocity, 0, angle, true);
+        checkFinite("drive like a car at", velocity, angle);
+        send(new DeviceCommand.Car(velocity, angle));
+    }
+
+    /** Drives at a speed in metres per second towards a heading in radians, absolute in the odometry frame. */
+    public void setVelHead(double velocity, double angle) {
+        checkFinite("drive with the heading", velocity, angle);
+        send(new DeviceCommand.VelocityHeading(velocity, angle));
+    }
+
+    /**
+     * Drives to a pose in the odometry frame.
+     *
+     * @param velocity the speeds to go there with; simulated robots choose their own
+     * @param state 0 stops the motors
+     */
+    public void setPosition(PlayerPose2d position, PlayerPose2d velocity, int state) {
+        checkFinite("go to", position.getPx(), position.getPy(), position.getPa());
+        checkFinite("go with", velocity.getPx(), velocity.getPy(), velocity.getPa());
+        send(new DeviceCommand.GoTo(
+                position.getPx(),
+                position.getPy(),
+                position.getPa(),
+                velocity.getPx(),
+                velocity.getPy(),
+                velocity.getPa(),
+                state != 0));
+    }
+
+    /** The same as {@link #setPosition(PlayerPose2d, PlayerPose2d, int)}. */
+    public void setPosition(PlayerPosition2dCmdPos command) {
+        setPosition(command.getPos(), command.getVel(), command.getState());
     }
 
     private void drive(double vx, double vy, double va, boolean enabled) {
-        if (!Double.isFinite(vx) || !Double.isFinite(vy) || !Double.isFinite(va)) {
-            throw new PlayerException(this + " was told to drive at (" + vx + ", " + vy + ") m/s and " + va
-                    + " rad/s, expected finite numbers");
-        }
+        checkFinite("drive at (m/s, m/s, rad/s)", vx, vy, va);
         send(new DeviceCommand.Velocity(vx, vy, va, enabled));
     }
 
-    /** Not offered yet: driving to a pose. */
-    public void setPosition(PlayerPose2d position, PlayerPose2d velocity, int state) {
-        throw notOffered("setPosition");
-    }
-
-    /** Not offered yet: driving to a pose. */
-    public void setPosition(PlayerPosition2dCmdPos command) {
-        throw notOffered("setPosition");
-    }
-
-    /** Not offered yet: driving with a heading. */
-    public void setVelHead(double velocity, double angle) {
-        throw notOffered("setVelHead");
-    }
-
-    /** Asks for the body's geometry. */
-    public void queryGeometry() {
-        if (ask(new DeviceRequest.Geometry()) instanceof DeviceReply.Position2dGeometry reply) {
-            var answer = new PlayerPosition2dGeom();
-            answer.setPose(new PlayerPose(reply.px(), reply.py(), reply.pa()));
-            answer.getSize().setSl(reply.lengthM());
-            answer.getSize().setSw(reply.widthM());
-            geometry.put(answer);
+    private void checkFinite(String told, double... values) {
+        if (!Arrays.stream(values).allMatch(Double::isFinite)) {
+            throw new PlayerException(
+                    this + " was told to " + told + " " + Arrays.toString(values) + ", expected finite numbers");
         }
+    }
+
+    /** Asks for the body's geometry; it is there when {@link #isGeomReady} is true. */
+    public void queryGeometry() {
+        ask(new DeviceRequest.Geometry());
     }
 
     /** Makes odometry report the zero pose here. */
@@ -131,36 +146,43 @@ public class Position2DInterface extends AbstractPositionDevice {
         ask(new DeviceRequest.SetOdometry(pose.getPx(), pose.getPy(), pose.getPa()));
     }
 
-    /** Switches the motors on (1) or off (0); those of a simulated robot are always on and refuse the latter. */
+    /** Switches the motors on (1) or off (0). */
     public void setMotorPower(int state) {
         ask(new DeviceRequest.Power(state != 0));
     }
 
-    /** Not offered yet. */
+    /** Chooses how the robot controls its velocity, by a number that its driver defines. */
     public void setVelocityControl(int mode) {
-        throw notOffered("setVelocityControl");
+        ask(new DeviceRequest.VelocityMode(mode));
     }
 
-    /** Chooses between velocity (0), which is how robots are driven here, and position (1), which is not offered yet. */
+    /** Chooses between control by velocity (0) and by position (1). */
     public void setControlMode(int mode) {
-        if (mode != 0) {
-            throw notOffered("setControlMode(" + mode + ")");
-        }
+        ask(new DeviceRequest.PositionMode(mode));
     }
 
-    /** Not offered yet. */
     public void setVelocityPIDParams(float kp, float ki, float kd) {
-        throw notOffered("setVelocityPIDParams");
+        ask(new DeviceRequest.SpeedPid(kp, ki, kd));
     }
 
-    /** Not offered yet. */
     public void setPositionPIDParams(float kp, float ki, float kd) {
-        throw notOffered("setPositionPIDParams");
+        ask(new DeviceRequest.PositionPid(kp, ki, kd));
     }
 
-    /** Not offered yet. */
+    /** Sets the speed (m/s) and the acceleration (m/s2) with which the robot goes to a pose. */
     public void setSpeedProfileParams(float speed, float acc) {
-        throw notOffered("setSpeedProfileParams");
+        ask(new DeviceRequest.SpeedProfile(speed, acc));
+    }
+
+    @Override
+    void accept(DeviceReply reply) {
+        if (reply instanceof DeviceReply.Position2dGeometry body) {
+            var told = new PlayerPosition2dGeom();
+            told.setPose(new PlayerPose(body.px(), body.py(), body.pa()));
+            told.getSize().setSl(body.lengthM());
+            told.getSize().setSw(body.widthM());
+            geometry.put(told);
+        }
     }
 
     @Override

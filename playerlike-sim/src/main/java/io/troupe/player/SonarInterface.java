@@ -39,30 +39,35 @@ public class SonarInterface extends PlayerDevice {
 
     /** True once for each answer. */
     public boolean isGeomReady() {
-        return geometry.takeNew();
+        return pc.findsReply(geometry);
     }
 
-    /** Asks where the sonars are. */
+    /** Asks where the sonars are; the answer is there when {@link #isGeomReady} is true. */
     public void queryGeometry() {
-        if (ask(new DeviceRequest.Geometry()) instanceof DeviceReply.SonarGeometry reply) {
-            var poses = new PlayerPose3d[reply.mounts().size()];
+        ask(new DeviceRequest.Geometry());
+    }
+
+    /** Switches the sonars on (1) or off (0). */
+    public void setSonarPower(int state) {
+        ask(new DeviceRequest.Power(state != 0));
+    }
+
+    @Override
+    void accept(DeviceReply reply) {
+        if (reply instanceof DeviceReply.SonarGeometry ring) {
+            var poses = new PlayerPose3d[ring.mounts().size()];
             for (int sonar = 0; sonar < poses.length; sonar++) {
-                var mount = reply.mounts().get(sonar);
+                var mount = ring.mounts().get(sonar);
                 poses[sonar] = new PlayerPose3d();
                 poses[sonar].setPx(mount.px());
                 poses[sonar].setPy(mount.py());
                 poses[sonar].setPyaw(mount.yaw());
             }
-            var answer = new PlayerSonarGeom();
-            answer.setPoses(poses);
-            answer.setPoses_count(poses.length);
-            geometry.put(answer);
+            var told = new PlayerSonarGeom();
+            told.setPoses(poses);
+            told.setPoses_count(poses.length);
+            geometry.put(told);
         }
-    }
-
-    /** Switches the sonars on (1) or off (0); simulated ones are always on and refuse the latter. */
-    public void setSonarPower(int state) {
-        ask(new DeviceRequest.Power(state != 0));
     }
 
     @Override

@@ -10,7 +10,22 @@ import io.troupe.player.structures.blobfinder.PlayerBlobfinderColorConfig;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderImagerConfig;
 import io.troupe.player.structures.position2d.PlayerPosition2dCmdPos;
 import io.troupe.player.structures.position2d.PlayerPosition2dCmdVel;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceCommand.Car;
+import io.troupe.player.wire.DeviceCommand.GoTo;
 import io.troupe.player.wire.DeviceCommand.Velocity;
+import io.troupe.player.wire.DeviceCommand.VelocityHeading;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.ReplaceRule;
+import java.text.MessageFormat;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -35,14 +50,13 @@ class DevicesTest implements PlayerConstants {
         pos.setSpeed(0.4, -0.2);
         pos.setVelocity(new PlayerPose(0.4, 0, -0.2), 1);
         pos.setVelocity(new PlayerPose2d(0.4, 0, -0.2), 1);
-        pos.setCarCMD(0.4, -0.2);
         var command = new PlayerPosition2dCmdVel();
         command.setVel(new PlayerPose2d(0.4, 0, -0.2));
         command.setState((byte) 1);
         pos.setVelocity(command);
         PlayerPose old = command.getVel();
         pos.setVelocity(old, 1);
-        assertThat(server.commands).hasSize(6).containsOnly(new Velocity(0.4, 0, -0.2, true));
+        assertThat(server.commands).hasSize(5).containsOnly(new Velocity(0.4, 0, -0.2, true));
         pos.setVelocity(old, 0);
         assertThat(server.commands.getLast()).isEqualTo(new Velocity(0.4, 0, -0.2, false));
     }
@@ -58,21 +72,58 @@ class DevicesTest implements PlayerConstants {
     }
 
     @Test
-    void calls_nobodyServesYet_throwAndNameTheCall() {
+    void goals_ofBothGenerations_comeToTheSame_andOtherCommandsAreSentAsTheyAre() {
+        pos.setPosition(new PlayerPose(1, 2, 0.5), new PlayerPose2d(0.3, 0, 0.1), 1);
+        pos.setPosition(new PlayerPose2d(1, 2, 0.5), new PlayerPose(0.3, 0, 0.1), 1);
+        var command = new PlayerPosition2dCmdPos();
+        command.setPos(new PlayerPose2d(1, 2, 0.5));
+        command.setVel(new PlayerPose(0.3, 0, 0.1));
+        command.setState((byte) 1);
+        pos.setPosition(command);
+        assertThat(server.commands).hasSize(3).containsOnly(new GoTo(1, 2, 0.5, 0.3, 0, 0.1, true));
+        pos.setCarCMD(0.4, -0.2);
+        pos.setVelHead(0.3, 3);
+        assertThat(server.commands.subList(3, 5)).containsExactly(new Car(0.4, -0.2), new VelocityHeading(0.3, 3));
+    }
+
+    @Test
+    void settings_areSentAsTheyAre_andRefusalsDoNotEndTheProgram() {
         var blf = client.requestInterfaceBlobfinder(0, PLAYER_OPEN_MODE);
-        refused("setPosition of position2d:0", () -> pos.setPosition(new PlayerPose(), new PlayerPose(), 1));
-        refused("setPosition", () -> pos.setPosition(new PlayerPosition2dCmdPos()));
-        refused("setVelHead", () -> pos.setVelHead(0.1, 1));
-        refused("setVelocityControl", () -> pos.setVelocityControl(1));
-        refused("setControlMode(1)", () -> pos.setControlMode(1));
-        refused("setVelocityPIDParams", () -> pos.setVelocityPIDParams(1, 0, 0));
-        refused("setPositionPIDParams", () -> pos.setPositionPIDParams(1, 0, 0));
-        refused("setSpeedProfileParams", () -> pos.setSpeedProfileParams(1, 1));
-        refused("setTrackingColor", () -> blf.setTrackingColor(new PlayerBlobfinderColorConfig()));
-        refused("setImagerParams", () -> blf.setImagerParams(new PlayerBlobfinderImagerConfig()));
-        refused("requestAddReplaceRule", () -> client.requestAddReplaceRule(-1, -1, 1, -1, 1));
-        refused("interface12:3", () -> client.requestInterface(PLAYER_SPEECH_CODE, 3, PLAYER_OPEN_MODE));
-        assertThat(server.commands).isEmpty();
+        pos.setVelocityControl(1);
+        pos.setControlMode(1);
+        pos.setVelocityPIDParams(1, 2, 3);
+        pos.setPositionPIDParams(4, 5, 6);
+        pos.setSpeedProfileParams(7, 8);
+        pos.setMotorPower(0);
+        pos.resetOdometry();
+        pos.setOdometry(new PlayerPose(1, 2, 3));
+        var colours = new PlayerBlobfinderColorConfig();
+        colours.setChannel(1);
+        colours.setRmin(2);
+        colours.setRmax(3);
+        colours.setGmin(4);
+        colours.setGmax(5);
+        colours.setBmin(6);
+        colours.setBmax(7);
+        blf.setTrackingColor(colours);
+        var imager = new PlayerBlobfinderImagerConfig();
+        imager.setBrightness(-1);
+        imager.setContrast(1);
+        imager.setColormode(2);
+        imager.setAutogain(3);
+        blf.setImagerParams(imager);
+        assertThat(server.requests)
+                .containsExactly(
+                        new DeviceRequest.VelocityMode(1),
+                        new DeviceRequest.PositionMode(1),
+                        new DeviceRequest.SpeedPid(1, 2, 3),
+                        new DeviceRequest.PositionPid(4, 5, 6),
+                        new DeviceRequest.SpeedProfile(7, 8),
+                        new DeviceRequest.Power(false),
+                        new DeviceRequest.ResetOdometry(),
+                        new DeviceRequest.SetOdometry(1, 2, 3),
+                        new DeviceRequest.SetColour(1, 2, 3, 4, 5, 6, 7),
+                        new DeviceRequest.SetImager(-1, 1, 2, 3));
     }
 
     private static void refused(String what, ThrowingCallable call) {
@@ -80,11 +131,116 @@ class DevicesTest implements PlayerConstants {
     }
 
     @Test
-    void request_theServerRefuses_throwsItsReason() {
-        refused("not in the script", () -> pos.setMotorPower(0));
-        refused("not in the script", pos::queryGeometry);
+    void request_theServerRefuses_leavesAWarning() {
+        var warnings = new ArrayList<String>();
+        var handler = new Handler() {
+            @Override
+            public void publish(LogRecord entry) {
+                warnings.add(MessageFormat.format(entry.getMessage(), entry.getParameters()));
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        var logger = Logger.getLogger(PlayerDevice.class.getName());
+        logger.addHandler(handler);
+        try {
+            pos.queryGeometry();
+        } finally {
+            logger.removeHandler(handler);
+        }
+        assertThat(warnings).containsExactly("position2d:0 refused Geometry[]: not in the script");
         assertThat(pos.isGeomReady()).isFalse();
         assertThat(pos.getGeom()).isNull();
+    }
+
+    @Test
+    void reply_comesLater_isSeenByWhoWaitsForIt_orByReadAll() {
+        server.replier = request -> new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33);
+        server.repliesLater = true;
+        pos.queryGeometry();
+        assertThat(pos.isGeomReady()).isFalse();
+        Thread.ofPlatform().daemon().start(server.replies.remove());
+        assertThat(client.readAll()).as("without any data").isEqualTo(PLAYER_MSGTYPE_RESP_ACK);
+        assertThat(pos.isGeomReady()).isTrue();
+        assertThat(pos.isGeomReady()).isFalse();
+        assertThat(pos.getGeom().getSize().getSl()).isEqualTo(0.44);
+        assertThat(pos.getGeom().getPose().getPx()).isEqualTo(-0.04);
+        server.replier = request -> new DeviceReply.Nack("no");
+        pos.setMotorPower(0);
+        server.replies.remove().run();
+        server.publish(0);
+        assertThat(client.readAll()).as("data first").isEqualTo(PLAYER_MSGTYPE_DATA);
+    }
+
+    @Test
+    void simulation_tellsPoses_andTakesCommands() {
+        var sim = client.requestInterfaceSimulation(0, PLAYER_OPEN_MODE);
+        server.replier = request -> request instanceof DeviceRequest.GetPose(String model)
+                ? new DeviceReply.ModelPose(model, 1, 2, 0.5)
+                : new DeviceReply.Ack();
+        assertThat(sim.getPose2D()).isNull();
+        sim.get2DPose("robot1");
+        assertThat(sim.isPose2DReady()).isTrue();
+        assertThat(sim.getPose2D().getName()).isEqualTo("robot1");
+        PlayerPose where = sim.getPose2D().getPose();
+        assertThat(where.getPa()).isEqualTo(0.5);
+        sim.set2DPose("robot1", new PlayerPose2d(3, 4, 0));
+        sim.set2DPose("robot1", new PlayerPose(3, 4, 0));
+        assertThat(sim.isPose2DReady()).isFalse();
+        assertThat(server.requests.subList(1, 3)).containsOnly(new DeviceRequest.SetPose("robot1", 3, 4, 0));
+        refused("robot1", () -> sim.set2DPose("robot1", new PlayerPose(Double.NaN, 4, 0)));
+        sim.pause();
+        sim.reset();
+        sim.save();
+        assertThat(server.commands)
+                .containsExactly(new DeviceCommand.Pause(), new DeviceCommand.Reset(), new DeviceCommand.Save());
+    }
+
+    @Test
+    void unofferedInterfaces_nameTheDevice_whatIsOffered_andWhatIsThere() throws Exception {
+        var methods = Arrays.stream(PlayerClient.class.getMethods())
+                .filter(method -> method.getName().startsWith("requestInterface")
+                        && method.getParameterCount() == 2
+                        && method.getReturnType() == PlayerDevice.class)
+                .toList();
+        assertThat(methods).hasSize(38);
+        for (var method : methods) {
+            String name =
+                    method.getName().substring("requestInterface".length()).toLowerCase(Locale.ROOT);
+            assertThatThrownBy(() -> method.invoke(client, 3, PLAYER_OPEN_MODE))
+                    .cause()
+                    .isInstanceOf(PlayerException.class)
+                    .hasMessageStartingWith("[PlayerClient] Requested device "
+                            + (name.equals("speechrecognition") ? "speech_recognition" : name) + ":3 is not offered")
+                    .hasMessageContaining("which has position2d, sonar, ranger, laser, blobfinder, simulation")
+                    .hasMessageContaining("The server has: position2d:0, sonar:0");
+        }
+        refused("interface12:3 is not offered", () -> client.requestInterface(PLAYER_SPEECH_CODE, 3, PLAYER_OPEN_MODE));
+        assertThat(client.isReadyRequestDevice()).as("the position2d").isTrue();
+        assertThat(client.isReadyRequestDevice()).isFalse();
+    }
+
+    @Test
+    void lineSettings_reachTheServer_orAreRefusedByTheirValue() {
+        client.requestAddReplaceRule(-1, -1, PLAYER_MSGTYPE_DATA, -1, 1);
+        assertThat(server.rules).containsExactly(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
+        refused("replace is 3", () -> client.requestAddReplaceRule(-1, -1, 1, -1, 3));
+        assertThat(client.getReadTimeout()).isEqualTo(10_000);
+        client.setReadTimeout(500);
+        assertThat(server.replyLimit).isEqualTo(Duration.ofMillis(500));
+        assertThat(client.getReadTimeout()).isEqualTo(500);
+        refused("read timeout is 0 ms", () -> client.setReadTimeout(0));
+        client.requestAuthentication(new byte[] {1});
+        client.requestNameService("robot".toCharArray());
+        client.requestIdent();
+        assertThat(client.isAuthenticated()).isFalse();
+        assertThat(client.isReadyPortNumber()).isFalse();
+        assertThat(client.getPortNumber()).isEqualTo(ScriptedServer.PORT);
+        assertThat(client.getLogger().getName()).isEqualTo(PlayerClient.class.getName());
     }
 
     @Test
@@ -94,10 +250,16 @@ class DevicesTest implements PlayerConstants {
         assertThat(client.isReadyPDDList()).isTrue();
         assertThat(client.isReadyPDDList()).isFalse();
         var list = client.getPDDList();
-        assertThat(list.getDeviceCount()).isEqualTo(3);
+        assertThat(list.getDeviceCount()).isEqualTo(6);
         assertThat(list.getDevList())
                 .extracting(each -> each.getInterf())
-                .containsExactly(PLAYER_POSITION2D_CODE, PLAYER_SONAR_CODE, PLAYER_BLOBFINDER_CODE);
+                .containsExactly(
+                        PLAYER_POSITION2D_CODE,
+                        PLAYER_SONAR_CODE,
+                        PLAYER_BLOBFINDER_CODE,
+                        PLAYER_RANGER_CODE,
+                        PLAYER_LASER_CODE,
+                        PLAYER_SIMULATION_CODE);
         client.requestDriverInfo(list.getDevList()[1]);
         assertThat(client.isReadyPDDI()).isTrue();
         assertThat(client.getPDDI().getDriverName()).isEqualTo("script");

@@ -14,22 +14,37 @@ import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.ReplaceRule;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
 import java.util.Set;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ConcurrentSkipListSet;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** A server for one client: it publishes when the test says so and remembers which ticks the client has answered. */
 final class ScriptedServer implements PlayerServer, PlayerConnection {
     static final int PORT = 6750;
-    private static final List<Interfaces> TYPES =
-            List.of(Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER);
+    private static final List<Interfaces> TYPES = List.of(
+            Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER, Interfaces.RANGER, Interfaces.LASER);
+    private static final List<Interfaces> SILENT = List.of(Interfaces.SIMULATION);
 
     final List<DeviceCommand> commands = new CopyOnWriteArrayList<>();
+    final List<DeviceRequest> requests = new CopyOnWriteArrayList<>();
+    final List<ReplaceRule> rules = new CopyOnWriteArrayList<>();
+    /** Replies that are on their way, if {@link #repliesLater}. */
+    final Queue<Runnable> replies = new ConcurrentLinkedQueue<>();
+
     final AtomicBoolean closed = new AtomicBoolean();
+    volatile boolean repliesLater;
+    volatile Function<DeviceRequest, DeviceReply> replier = request -> new DeviceReply.Nack("not in the script");
+    volatile @Nullable Duration replyLimit;
     private final Set<Integer> subscribed = new ConcurrentSkipListSet<>();
     private final List<Long> answers = new ArrayList<>();
     private @Nullable DataSink sink;
@@ -83,7 +98,10 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
             case SONAR -> new DeviceData.SonarRanges(List.of((float) tick));
             case BLOBFINDER ->
                 new DeviceData.Blobs(80, 60, List.of(new DeviceData.Blob(0, (int) tick, 1, 0, 0, 0, 0, 0, 0, 1)));
-            case RANGER, LASER, SIMULATION -> throw new AssertionError("publishes nothing");
+            case RANGER -> new DeviceData.RangerRanges(List.of((double) tick, 2.0));
+            case LASER ->
+                new DeviceData.LaserScan(-1, 1, 1, 8, List.of((float) tick, 2f, 3f), List.of((byte) 7), (int) tick);
+            case SIMULATION -> throw new AssertionError("publishes nothing");
         };
     }
 
@@ -100,7 +118,9 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
 
     @Override
     public List<DeviceAddress> devices() {
-        return TYPES.stream().map(ScriptedServer::address).toList();
+        return Stream.concat(TYPES.stream(), SILENT.stream())
+                .map(ScriptedServer::address)
+                .toList();
     }
 
     @Override
@@ -125,7 +145,23 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
 
     @Override
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        return new DeviceReply.Nack("not in the script");
+        requests.add(request);
+        return replier.apply(request);
+    }
+
+    @Override
+    public void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
+        var reply = request(device, request);
+        if (repliesLater) {
+            replies.add(() -> receiver.accept(reply));
+        } else {
+            receiver.accept(reply);
+        }
+    }
+
+    @Override
+    public void replyLimit(Duration limit) {
+        replyLimit = limit;
     }
 
     @Override
@@ -135,7 +171,9 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
     public void delivery(Delivery mode) {}
 
     @Override
-    public void replace(ReplaceRule rule) {}
+    public void replace(ReplaceRule rule) {
+        rules.add(rule);
+    }
 
     @Override
     public synchronized void answered(long tick) {

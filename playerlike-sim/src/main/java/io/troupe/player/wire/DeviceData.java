@@ -1,6 +1,9 @@
 package io.troupe.player.wire;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** The content of a DATA message; immutable, SI units, angles in radians. */
 public sealed interface DeviceData {
@@ -49,6 +52,40 @@ public sealed interface DeviceData {
         public LaserScan {
             rangesM = List.copyOf(rangesM);
             intensities = List.copyOf(intensities);
+        }
+    }
+
+    /** ranger DATA 3: how strongly each range of DATA 1 came back. */
+    record RangerIntensities(List<Double> intensities) implements DeviceData {
+        public RangerIntensities {
+            intensities = List.copyOf(intensities);
+        }
+    }
+
+    /**
+     * ranger DATA 2 and 4: ranges or intensities, and with them where the ranger was and how it scanned.
+     *
+     * @param data {@link RangerRanges} or {@link RangerIntensities}
+     */
+    record RangerStamped(
+            DeviceData data,
+            DeviceReply.@Nullable RangerGeometry geometry,
+            @Nullable RangerConfiguration configuration) implements DeviceData {
+        public RangerStamped {
+            if (!(data instanceof RangerRanges || data instanceof RangerIntensities)) {
+                throw new IllegalArgumentException("data is " + data + ", expected ranges or intensities");
+            }
+        }
+    }
+
+    /**
+     * DATA 2 of position2d and sonar, DATA 5 of ranger: the geometry has changed.
+     *
+     * @param geometry as the reply to {@link DeviceRequest.Geometry}
+     */
+    record GeometryChanged(DeviceReply geometry) implements DeviceData {
+        public GeometryChanged {
+            requireNonNull(geometry, "geometry");
         }
     }
 }

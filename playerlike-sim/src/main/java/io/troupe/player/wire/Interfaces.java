@@ -1,5 +1,7 @@
 package io.troupe.player.wire;
 
+import org.jspecify.annotations.Nullable;
+
 /** Player's interfaces by code and name, as far as they are offered. */
 public enum Interfaces {
     POSITION2D(4, "position2d"),
@@ -25,13 +27,19 @@ public enum Interfaces {
         return playerName;
     }
 
-    /** The name of an interface, or its number if we do not know it. */
-    public static String name(int code) {
+    /** Null for one that is not offered. */
+    static @Nullable Interfaces find(int code) {
         for (var each : values()) {
             if (each.code == code) {
-                return each.playerName;
+                return each;
             }
         }
-        return "interface" + code;
+        return null;
+    }
+
+    /** The name of an interface, or its number if we do not know it. */
+    public static String name(int code) {
+        Interfaces known = find(code);
+        return known == null ? "interface" + code : known.playerName;
     }
 }

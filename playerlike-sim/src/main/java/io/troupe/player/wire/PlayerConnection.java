@@ -1,6 +1,8 @@
 package io.troupe.player.wire;
 
+import java.time.Duration;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A client's line to a server.
@@ -26,6 +28,17 @@ public interface PlayerConnection extends AutoCloseable {
     void command(DeviceAddress device, DeviceCommand command);
 
     DeviceReply request(DeviceAddress device, DeviceRequest request);
+
+    /**
+     * The same without waiting: the receiver gets the reply, in this call where the server is in this JVM, else when it comes, on a thread of the line.
+     * A request that is not answered in time, or whose line is lost before, has a {@link DeviceReply.Nack} that says so.
+     */
+    default void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
+        receiver.accept(request(device, request));
+    }
+
+    /** How long a call may wait for the server's reply; in this JVM nothing is waited for. */
+    default void replyLimit(Duration limit) {}
 
     /**
      * Lock step: this client has done what it wants to do about the frame of that tick and waits for a newer one.

@@ -1,6 +1,7 @@
 package io.troupe.player.structures.position2d;
 
 import io.troupe.player.structures.PlayerBbox;
+import io.troupe.player.structures.PlayerBbox2d;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
@@ -21,7 +22,7 @@ public class PlayerPosition2dGeom {
         return size;
     }
 
-    public synchronized void setSize(PlayerBbox value) {
-        size = value;
+    public synchronized void setSize(PlayerBbox2d value) {
+        size = PlayerBbox.of(value);
     }
 }

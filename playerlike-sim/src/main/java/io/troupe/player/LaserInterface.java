@@ -1,0 +1,153 @@
+package io.troupe.player;
+
+import io.troupe.player.structures.PlayerPoint2d;
+import io.troupe.player.structures.laser.PlayerLaserConfig;
+import io.troupe.player.structures.laser.PlayerLaserData;
+import io.troupe.player.structures.laser.PlayerLaserDataScanpose;
+import io.troupe.player.structures.laser.PlayerLaserGeom;
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.LaserConfiguration;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A scanning laser.
+ *
+ * <p><b>Units and shapes.</b> Metres and radians; a scan runs from the least angle (right) to the greatest (left). Every message has arrays of its own,
+ * which may be changed.
+ * <p><b>Source.</b> Player interface laser.
+ */
+public class LaserInterface extends PlayerDevice {
+    private final Latest<PlayerLaserData> data = new Latest<>();
+    private final Latest<PlayerLaserDataScanpose> scanPose = new Latest<>();
+    private final Latest<PlayerLaserGeom> geometry = new Latest<>();
+    private final Latest<PlayerLaserConfig> configuration = new Latest<>();
+
+    public LaserInterface(PlayerClient client) {
+        super(client);
+    }
+
+    /** The newest scan, or null before there is any. */
+    public @Nullable PlayerLaserData getData() {
+        return data.get();
+    }
+
+    /** The newest scan with the robot's pose, or null before there is any: simulated lasers send scans without. */
+    public @Nullable PlayerLaserDataScanpose getDataScanPose() {
+        return scanPose.get();
+    }
+
+    /** The answer to {@link #queryGeometry}, or null before. */
+    public @Nullable PlayerLaserGeom getPlayerLaserGeom() {
+        return geometry.get();
+    }
+
+    /** The answer to {@link #getScanProperties}, or null before. */
+    public @Nullable PlayerLaserConfig getPlayerLaserConfig() {
+        return configuration.get();
+    }
+
+    /** True once for each new scan. */
+    public boolean isDataReady() {
+        return pc.findsNews(data);
+    }
+
+    /** True once for each new scan with the robot's pose. */
+    public boolean isDataScanposeReady() {
+        return pc.findsReply(scanPose);
+    }
+
+    /** True once for each answer to {@link #queryGeometry}. */
+    public boolean isReadyPlgeom() {
+        return pc.findsReply(geometry);
+    }
+
+    /** True once for each answer to {@link #getScanProperties}. */
+    public boolean isReadyPlconfig() {
+        return pc.findsReply(configuration);
+    }
+
+    /** Asks where the laser is. */
+    public void queryGeometry() {
+        ask(new DeviceRequest.Geometry());
+    }
+
+    /** Asks how the laser scans; the answer is there when {@link #isReadyPlconfig} is true. */
+    public void getScanProperties() {
+        ask(new DeviceRequest.GetConfiguration());
+    }
+
+    /** Sets how the laser scans; the server answers with what it makes of it. */
+    public void setScanProperties(PlayerLaserConfig config) {
+        ask(new DeviceRequest.SetLaserConfiguration(new LaserConfiguration(
+                config.getMin_angle(),
+                config.getMax_angle(),
+                config.getResolution(),
+                config.getMax_range(),
+                config.getRange_res(),
+                config.getIntensity() != 0,
+                config.getScanning_frequency())));
+    }
+
+    /** Switches the laser on (1) or off (0). */
+    public void setPower(int state) {
+        ask(new DeviceRequest.Power(state != 0));
+    }
+
+    @Override
+    Latest<?> latest() {
+        return data;
+    }
+
+    @Override
+    void accept(DeviceData message) {
+        if (message instanceof DeviceData.LaserScan scan) {
+            var newest = new PlayerLaserData();
+            newest.setMin_angle(scan.minAngleRad());
+            newest.setMax_angle(scan.maxAngleRad());
+            newest.setResolution(scan.resolutionRad());
+            newest.setMax_range(scan.maxRangeM());
+            int count = scan.rangesM().size();
+            var ranges = new float[count];
+            var points = new PlayerPoint2d[count];
+            for (int beam = 0; beam < count; beam++) {
+                ranges[beam] = scan.rangesM().get(beam);
+                double angle = scan.minAngleRad() + beam * (double) scan.resolutionRad();
+                points[beam] =
+                        new PlayerPoint2d(ranges[beam] * StrictMath.cos(angle), ranges[beam] * StrictMath.sin(angle));
+            }
+            newest.setRanges(ranges);
+            newest.setRanges_count(count);
+            newest.setPoints(points);
+            var intensity = new byte[scan.intensities().size()];
+            for (int beam = 0; beam < intensity.length; beam++) {
+                intensity[beam] = scan.intensities().get(beam);
+            }
+            newest.setIntensity(intensity);
+            newest.setIntensity_count(intensity.length);
+            newest.setId(scan.scanId());
+            data.put(newest);
+        }
+    }
+
+    @Override
+    void accept(DeviceReply reply) {
+        if (reply instanceof DeviceReply.LaserGeometry where) {
+            var told = new PlayerLaserGeom();
+            told.setPose(Shapes.pose(where.pose()));
+            told.setSize(Shapes.box(where.size()));
+            geometry.put(told);
+        } else if (reply instanceof DeviceReply.OfLaser(LaserConfiguration how)) {
+            var told = new PlayerLaserConfig();
+            told.setMin_angle(how.minAngleRad());
+            told.setMax_angle(how.maxAngleRad());
+            told.setResolution(how.resolutionRad());
+            told.setMax_range(how.maxRangeM());
+            told.setRange_res(how.rangeResolutionM());
+            told.setIntensity((byte) (how.intensities() ? 1 : 0));
+            told.setScanning_frequency(how.frequencyHz());
+            configuration.put(told);
+        }
+    }
+}

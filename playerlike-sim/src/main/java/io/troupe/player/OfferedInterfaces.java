@@ -1,0 +1,128 @@
+package io.troupe.player;
+
+import io.troupe.player.wire.DeviceAddress;
+import io.troupe.player.wire.Interfaces;
+import io.troupe.player.wire.LineClosedException;
+import io.troupe.player.wire.PlayerConnection;
+import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+
+/** The table of interfaces a client offers, and the devices it has subscribed to. */
+abstract class OfferedInterfaces extends UnofferedInterfaces {
+    final Subscriptions subscriptions = new Subscriptions();
+    private final AtomicBoolean deviceGranted = new AtomicBoolean();
+
+    OfferedInterfaces(String threadName) {
+        super(threadName);
+    }
+
+    abstract PlayerClient client();
+
+    abstract PlayerConnection connection();
+
+    // ---- for programs
+
+    public Position2DInterface requestInterfacePosition2D(int index, int access) {
+        return request(new Position2DInterface(client()), Interfaces.POSITION2D, index, access);
+    }
+
+    public SonarInterface requestInterfaceSonar(int index, int access) {
+        return request(new SonarInterface(client()), Interfaces.SONAR, index, access);
+    }
+
+    public RangerInterface requestInterfaceRanger(int index, int access) {
+        return request(new RangerInterface(client()), Interfaces.RANGER, index, access);
+    }
+
+    public LaserInterface requestInterfaceLaser(int index, int access) {
+        return request(new LaserInterface(client()), Interfaces.LASER, index, access);
+    }
+
+    public BlobfinderInterface requestInterfaceBlobfinder(int index, int access) {
+        return request(new BlobfinderInterface(client()), Interfaces.BLOBFINDER, index, access);
+    }
+
+    public SimulationInterface requestInterfaceSimulation(int index, int access) {
+        return request(new SimulationInterface(client()), Interfaces.SIMULATION, index, access);
+    }
+
+    /** The same by the interface's code, for example {@code PLAYER_SONAR_CODE}. */
+    public PlayerDevice requestInterface(int type, int index, int access) {
+        return switch (type) {
+            case PLAYER_POSITION2D_CODE -> requestInterfacePosition2D(index, access);
+            case PLAYER_SONAR_CODE -> requestInterfaceSonar(index, access);
+            case PLAYER_RANGER_CODE -> requestInterfaceRanger(index, access);
+            case PLAYER_LASER_CODE -> requestInterfaceLaser(index, access);
+            case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
+            case PLAYER_SIMULATION_CODE -> requestInterfaceSimulation(index, access);
+            default -> throw notOffered(Interfaces.name(type) + ":" + index);
+        };
+    }
+
+    /** True once for each device that a {@code requestInterface} method has returned. */
+    public boolean isReadyRequestDevice() {
+        return deviceGranted.getAndSet(false);
+    }
+
+    // ---- for this client
+
+    private <D extends PlayerDevice> D request(D device, Interfaces type, int index, int access) {
+        if (access != PLAYER_OPEN_MODE && access != PLAYER_CLOSE_MODE) {
+            throw new PlayerException("access mode of " + type.playerName() + ":" + index + " is " + access
+                    + ", expected PLAYER_OPEN_MODE (1) or PLAYER_CLOSE_MODE (2)");
+        }
+        var line = connection();
+        DeviceAddress address = calling(line::devices).stream()
+                .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
+                .findFirst()
+                .orElseThrow(() -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":"
+                        + index + " is not in the device list. It has: " + listed()));
+        device.bind(address, (byte) access, "");
+        if (access == PLAYER_OPEN_MODE) {
+            subscriptions.add(device); // before its first data can come
+            try {
+                tell(() -> line.subscribe(address));
+            } catch (PlayerException refused) {
+                subscriptions.remove(device);
+                throw refused;
+            }
+        } else {
+            tell(() -> line.unsubscribe(address));
+            subscriptions.removeAll(address);
+        }
+        device.setDeviceDriverName(calling(() -> line.driverName(address)));
+        deviceGranted.set(true);
+        return device;
+    }
+
+    @Override
+    PlayerException notOffered(String device) {
+        String offered =
+                Arrays.stream(Interfaces.values()).map(Interfaces::playerName).collect(Collectors.joining(", "));
+        return new PlayerException("[PlayerClient] Requested device " + device
+                + " is not offered by this client, which has " + offered + ". The server has: " + listed());
+    }
+
+    private String listed() {
+        return calling(connection()::devices).stream()
+                .map(each -> Interfaces.name(each.interfaceCode()) + ":" + each.index())
+                .collect(Collectors.joining(", "));
+    }
+
+    static void tell(Runnable call) {
+        calling(() -> {
+            call.run();
+            return true;
+        });
+    }
+
+    static <T> T calling(Supplier<T> call) {
+        try {
+            return call.get();
+        } catch (LineClosedException | IllegalArgumentException refused) {
+            throw new PlayerException(refused.getMessage(), refused);
+        }
+    }
+}

@@ -1,0 +1,30 @@
+package io.troupe.player;
+
+import io.troupe.player.structures.PlayerBbox3d;
+import io.troupe.player.structures.PlayerPose3d;
+import io.troupe.player.wire.Pose3d;
+import io.troupe.player.wire.Size3d;
+
+/** Poses and sizes from the wire as the client's structures. */
+final class Shapes {
+    private Shapes() {}
+
+    static PlayerPose3d pose(Pose3d pose) {
+        var converted = new PlayerPose3d();
+        converted.setPx(pose.x());
+        converted.setPy(pose.y());
+        converted.setPz(pose.z());
+        converted.setProll(pose.roll());
+        converted.setPpitch(pose.pitch());
+        converted.setPyaw(pose.yaw());
+        return converted;
+    }
+
+    static PlayerBbox3d box(Size3d size) {
+        var converted = new PlayerBbox3d();
+        converted.setSw(size.widthM());
+        converted.setSl(size.lengthM());
+        converted.setSh(size.heightM());
+        return converted;
+    }
+}

@@ -1,0 +1,84 @@
+package io.troupe.player;
+
+import io.troupe.player.structures.PlayerPose;
+import io.troupe.player.structures.PlayerPose2d;
+import io.troupe.player.structures.simulation.PlayerSimulationPose2dReq;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The world itself: where its models are, and its time.
+ *
+ * <p><b>Units and shapes.</b> Metres and radians, in the world's frame. It publishes nothing.
+ * <p><b>Source.</b> Player interface simulation.
+ */
+public class SimulationInterface extends PlayerDevice {
+    private final Latest<PlayerSimulationPose2dReq> pose = new Latest<>();
+    private final Latest<DeviceData> nothing = new Latest<>();
+
+    public SimulationInterface(PlayerClient client) {
+        super(client);
+    }
+
+    /** Asks where a model is; the answer is there when {@link #isPose2DReady} is true. */
+    public void get2DPose(String model) {
+        ask(new DeviceRequest.GetPose(model));
+    }
+
+    /** Puts a model elsewhere. */
+    public void set2DPose(String model, PlayerPose2d newPose) {
+        if (!Double.isFinite(newPose.getPx())
+                || !Double.isFinite(newPose.getPy())
+                || !Double.isFinite(newPose.getPa())) {
+            throw new PlayerException(
+                    "model '" + model + "' was to be put at " + newPose + ", expected finite numbers");
+        }
+        ask(new DeviceRequest.SetPose(model, newPose.getPx(), newPose.getPy(), newPose.getPa()));
+    }
+
+    /** The answer to {@link #get2DPose}, or null before. */
+    public @Nullable PlayerSimulationPose2dReq getPose2D() {
+        return pose.get();
+    }
+
+    /** True once for each answer to {@link #get2DPose}. */
+    public boolean isPose2DReady() {
+        return pc.findsReply(pose);
+    }
+
+    /** Stops the world's time, or lets it go on. */
+    public void pause() {
+        send(new DeviceCommand.Pause());
+    }
+
+    /** Puts everything back to where it started. */
+    public void reset() {
+        send(new DeviceCommand.Reset());
+    }
+
+    /** Asks the simulator to save its world. */
+    public void save() {
+        send(new DeviceCommand.Save());
+    }
+
+    @Override
+    Latest<?> latest() {
+        return nothing;
+    }
+
+    @Override
+    void accept(DeviceData message) {}
+
+    @Override
+    void accept(DeviceReply reply) {
+        if (reply instanceof DeviceReply.ModelPose where) {
+            var told = new PlayerSimulationPose2dReq();
+            told.setName(where.model());
+            told.setPose(new PlayerPose(where.px(), where.py(), where.pa()));
+            pose.put(told);
+        }
+    }
+}

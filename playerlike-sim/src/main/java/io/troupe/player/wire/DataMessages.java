@@ -1,0 +1,192 @@
+package io.troupe.player.wire;
+
+import io.troupe.player.wire.DeviceData.Blob;
+import io.troupe.player.wire.DeviceData.Blobs;
+import io.troupe.player.wire.DeviceData.GeometryChanged;
+import io.troupe.player.wire.DeviceData.LaserScan;
+import io.troupe.player.wire.DeviceData.Position2d;
+import io.troupe.player.wire.DeviceData.RangerIntensities;
+import io.troupe.player.wire.DeviceData.RangerRanges;
+import io.troupe.player.wire.DeviceData.RangerStamped;
+import io.troupe.player.wire.DeviceData.SonarRanges;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/** DATA messages of devices as bytes, and back. */
+final class DataMessages {
+    private static final int BLOB_BYTES = 40;
+
+    private DataMessages() {}
+
+    static Content encode(DeviceData data) {
+        var out = new XdrWriter();
+        int subtype = write(out, data);
+        return new Content(subtype, out.bytes());
+    }
+
+    private static int write(XdrWriter out, DeviceData data) {
+        switch (data) {
+            case Position2d state ->
+                out.float64(state.px(), state.py(), state.pa(), state.vx(), state.vy(), state.va())
+                        .bool(state.stall());
+            case SonarRanges sonar -> out.array(sonar.rangesM(), XdrWriter::float32);
+            case Blobs image -> out.int32(image.width()).int32(image.height()).array(image.blobs(), DataMessages::blob);
+            case RangerRanges ranges -> doubles(out, ranges.rangesM());
+            case RangerIntensities values -> {
+                doubles(out, values.intensities());
+                return 3;
+            }
+            case RangerStamped stamped -> {
+                int subtype = write(out, stamped.data());
+                stamp(out, stamped);
+                return subtype + 1;
+            }
+            case LaserScan scan -> scan(out, scan);
+            case GeometryChanged changed -> {
+                ReplyMessages.write(out, changed.geometry());
+                return changed.geometry() instanceof DeviceReply.RangerGeometry ? 5 : 2;
+            }
+        }
+        return 1;
+    }
+
+    private static void doubles(XdrWriter out, List<Double> values) {
+        out.array(values, (to, value) -> to.float64(value));
+    }
+
+    private static void blob(XdrWriter out, Blob blob) {
+        out.int32(blob.id())
+                .int32(blob.colour())
+                .int32(blob.area())
+                .int32(blob.x())
+                .int32(blob.y())
+                .int32(blob.left())
+                .int32(blob.right())
+                .int32(blob.top())
+                .int32(blob.bottom())
+                .float32(blob.rangeM());
+    }
+
+    private static void stamp(XdrWriter out, RangerStamped stamped) {
+        var geometry = stamped.geometry();
+        out.bool(geometry != null);
+        ReplyMessages.write(out, geometry == null ? ReplyMessages.NO_GEOMETRY : geometry);
+        var configuration = stamped.configuration();
+        out.bool(configuration != null);
+        Shapes.rangerConfiguration(out, configuration == null ? ReplyMessages.NO_CONFIGURATION : configuration);
+    }
+
+    private static void scan(XdrWriter out, LaserScan scan) {
+        out.float32(scan.minAngleRad())
+                .float32(scan.maxAngleRad())
+                .float32(scan.resolutionRad())
+                .float32(scan.maxRangeM())
+                .array(scan.rangesM(), XdrWriter::float32);
+        var intensities = new byte[scan.intensities().size()];
+        for (int i = 0; i < intensities.length; i++) {
+            intensities[i] = scan.intensities().get(i);
+        }
+        out.opaque(intensities).int32(scan.scanId());
+    }
+
+    /** Empty for messages that are not known here. */
+    static Optional<DeviceData> decode(int interfaceCode, int subtype, byte[] payload) throws WireException {
+        Interfaces type = Interfaces.find(interfaceCode);
+        if (type == null) {
+            return Optional.empty();
+        }
+        var in = new XdrReader(type.playerName() + " DATA " + subtype, payload);
+        DeviceData data = read(type, subtype, in);
+        if (data != null) {
+            in.end();
+        }
+        return Optional.ofNullable(data);
+    }
+
+    private static @Nullable DeviceData read(Interfaces type, int subtype, XdrReader in) throws WireException {
+        return switch (type) {
+            case POSITION2D ->
+                switch (subtype) {
+                    case 1 -> position(in);
+                    case 2 -> new GeometryChanged(ReplyMessages.positionGeometry(in));
+                    default -> null;
+                };
+            case SONAR ->
+                switch (subtype) {
+                    case 1 -> new SonarRanges(in.array("ranges", 4, from -> from.float32("range")));
+                    case 2 -> new GeometryChanged(ReplyMessages.sonarGeometry(in));
+                    default -> null;
+                };
+            case BLOBFINDER ->
+                subtype == 1
+                        ? new Blobs(
+                                in.int32("width"),
+                                in.int32("height"),
+                                in.array("blobs", BLOB_BYTES, DataMessages::blob))
+                        : null;
+            case RANGER ->
+                switch (subtype) {
+                    case 1 -> new RangerRanges(doubles(in));
+                    case 2 -> stamped(new RangerRanges(doubles(in)), in);
+                    case 3 -> new RangerIntensities(doubles(in));
+                    case 4 -> stamped(new RangerIntensities(doubles(in)), in);
+                    case 5 -> new GeometryChanged(ReplyMessages.rangerGeometry(in));
+                    default -> null;
+                };
+            case LASER -> subtype == 1 ? scan(in) : null;
+            case SIMULATION -> null;
+        };
+    }
+
+    private static Position2d position(XdrReader in) throws WireException {
+        return new Position2d(
+                in.float64("px"),
+                in.float64("py"),
+                in.float64("pa"),
+                in.float64("vx"),
+                in.float64("vy"),
+                in.float64("va"),
+                in.bool("stall"));
+    }
+
+    private static List<Double> doubles(XdrReader in) throws WireException {
+        return in.array("ranges", 8, from -> from.float64("range"));
+    }
+
+    private static Blob blob(XdrReader in) throws WireException {
+        return new Blob(
+                in.int32("id"),
+                in.int32("color"),
+                in.int32("area"),
+                in.int32("x"),
+                in.int32("y"),
+                in.int32("left"),
+                in.int32("right"),
+                in.int32("top"),
+                in.int32("bottom"),
+                in.float32("range"));
+    }
+
+    private static RangerStamped stamped(DeviceData data, XdrReader in) throws WireException {
+        boolean hasGeometry = in.bool("have_geom");
+        var geometry = ReplyMessages.rangerGeometry(in);
+        boolean hasConfiguration = in.bool("have_config");
+        var configuration = Shapes.rangerConfiguration(in);
+        return new RangerStamped(data, hasGeometry ? geometry : null, hasConfiguration ? configuration : null);
+    }
+
+    private static LaserScan scan(XdrReader in) throws WireException {
+        float min = in.float32("min_angle");
+        float max = in.float32("max_angle");
+        float resolution = in.float32("resolution");
+        float maxRange = in.float32("max_range");
+        List<Float> ranges = in.array("ranges", 4, from -> from.float32("range"));
+        var intensities = new ArrayList<Byte>();
+        for (byte each : in.opaque("intensity")) {
+            intensities.add(each);
+        }
+        return new LaserScan(min, max, resolution, maxRange, ranges, intensities, in.int32("id"));
+    }
+}

@@ -1,0 +1,23 @@
+package io.troupe.player.wire;
+
+import java.nio.ByteBuffer;
+
+/** A message as it travels: its header, and its payload, which nobody changes once the message is made. */
+record Message(Header header, byte[] payload) {
+    static Message of(DeviceAddress address, MessageType type, int subtype, double timeSeconds, byte[] payload) {
+        return new Message(new Header(address, type, subtype, timeSeconds, 0, payload.length), payload);
+    }
+
+    byte[] bytes() {
+        var buffer = ByteBuffer.allocate(Header.BYTES + payload.length);
+        header.write(buffer);
+        return buffer.put(payload).array();
+    }
+
+    @Override
+    public String toString() {
+        return Interfaces.name(header.address().interfaceCode()) + ":"
+                + header.address().index() + " " + header.type() + "/" + header.subtype() + " of " + payload.length
+                + " bytes";
+    }
+}

@@ -1,0 +1,396 @@
+package io.troupe.player.wire;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.Socket;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A client's line to a server behind a socket.
+ *
+ * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends when the line is closed.
+ * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the reply is seen.
+ */
+final class RemoteLine implements PlayerConnection {
+    private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
+    /** The payload that Player's own clients accept. */
+    private static final int MOST_PAYLOAD_BYTES = 32 * 1024 * 1024;
+
+    private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
+
+    private final String name;
+    private final Socket socket;
+    private final DataSink sink;
+    private final @Nullable ActorSpace space;
+    private final Thread reader;
+    private final OpenRequests open = new OpenRequests();
+    private final FrameAssembler frames = new FrameAssembler();
+    private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
+    private final Object outputLock = new Object();
+    private volatile List<DeviceAddress> devices = List.of();
+    private volatile Duration replyLimit;
+    private final AtomicReference<@Nullable String> closed = new AtomicReference<>();
+
+    RemoteLine(String name, Socket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
+        this.name = name;
+        this.socket = socket;
+        this.sink = sink;
+        this.space = space;
+        this.replyLimit = replyLimit;
+        this.reader = Thread.ofPlatform().daemon().name("player-line-" + name).unstarted(this::readAll);
+    }
+
+    /** Starts reading, and asks what there is. */
+    void begin() {
+        reader.start();
+        try {
+            if (ask(new PlayerRequest.DeviceList(), "the device list") instanceof PlayerReply.DeviceList list) {
+                devices = list.devices();
+            } else {
+                throw new RequestFailedException(name + " refused to tell its devices");
+            }
+        } catch (RuntimeException e) {
+            close();
+            throw e;
+        }
+    }
+
+    // ---- for the client
+
+    @Override
+    public List<DeviceAddress> devices() {
+        checkOpen();
+        return devices;
+    }
+
+    @Override
+    public String driverName(DeviceAddress device) {
+        checkOpen();
+        String known = drivers.get(device);
+        if (known != null) {
+            return known;
+        }
+        if (ask(new PlayerRequest.DriverInfo(device), "the driver of " + text(device))
+                instanceof PlayerReply.DriverInfo info) {
+            drivers.put(device, info.driver());
+            return info.driver();
+        }
+        throw new IllegalArgumentException(name + " has no device " + text(device));
+    }
+
+    @Override
+    public void subscribe(DeviceAddress device) {
+        access(device, PlayerRequest.OPEN, "subscribing to ");
+    }
+
+    @Override
+    public void unsubscribe(DeviceAddress device) {
+        access(device, PlayerRequest.CLOSE, "unsubscribing from ");
+    }
+
+    private void access(DeviceAddress device, int mode, String doing) {
+        String what = doing + text(device);
+        switch (ask(new PlayerRequest.Access(device, mode), what)) {
+            case PlayerReply.Access granted when granted.mode() == mode -> drivers.put(device, granted.driver());
+            case PlayerReply.Access other ->
+                throw new RequestFailedException("Error " + what + ": " + name + " granted access " + other.mode()
+                        + ", expected " + mode + "; its driver has failed");
+            case PlayerReply.Nack nack ->
+                throw new RequestFailedException(
+                        "Negative acknowledgement received for " + what + " at " + name);
+            default -> throw new RequestFailedException(what + ": " + name + " answered something else");
+        }
+    }
+
+    @Override
+    public void command(DeviceAddress device, DeviceCommand command) {
+        Content content = CommandMessages.encode(command);
+        send(device, MessageType.CMD, content);
+    }
+
+    @Override
+    public DeviceReply request(DeviceAddress device, DeviceRequest request) {
+        Content content = RequestMessages.encode(device.interfaceCode(), request);
+        return decode(call(device, content, request + " to " + text(device)));
+    }
+
+    @Override
+    public void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
+        checkOpen();
+        Content content = RequestMessages.encode(device.interfaceCode(), request);
+        Duration limit = replyLimit;
+        var reply = open.add(device, content.subtype());
+        reply.orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
+            if (message != null) {
+                receiver.accept(decode(message));
+            } else {
+                open.drop(reply);
+                receiver.accept(new DeviceReply.Nack(
+                        failure instanceof TimeoutException
+                                ? "no reply within " + limit.toMillis() + " ms"
+                                : String.valueOf(failure.getMessage())));
+            }
+        });
+        try {
+            send(device, MessageType.REQ, content);
+        } catch (LineClosedException told) {
+            // as all open requests are, this one too: by its reply
+            LOG.log(Level.DEBUG, "{0}: {1} was not sent", name, request);
+        }
+    }
+
+    @Override
+    public void replyLimit(Duration limit) {
+        replyLimit = limit;
+    }
+
+    @Override
+    public void answered(long tick) {
+        checkOpen();
+        if (frames.wantsData(tick)) {
+            send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.NextData()));
+        }
+    }
+
+    @Override
+    public void neverAnswers() {
+        // the server sees the mode of delivery
+    }
+
+    @Override
+    public void delivery(Delivery mode) {
+        checkOpen();
+        Content content = PlayerMessages.encode(new PlayerRequest.DataMode(mode));
+        var reply = open.add(PLAYER, content.subtype());
+        // in the reader, so that the mode changes at its place in the stream
+        var changed = reply.thenApply(message -> {
+            if (message.header().type() == MessageType.ACK) {
+                frames.mode(mode).forEach(this::deliver);
+            }
+            return message;
+        });
+        send(PLAYER, MessageType.REQ, content);
+        if (await(changed, reply, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
+            throw new RequestFailedException(name + " refused the mode of delivery " + mode);
+        }
+    }
+
+    @Override
+    public void replace(ReplaceRule rule) {
+        if (ask(new PlayerRequest.AddRule(rule), rule.toString()) instanceof PlayerReply.Nack) {
+            throw new RequestFailedException(name + " refused " + rule);
+        }
+    }
+
+    @Override
+    public void close() {
+        shut("this line to " + name + " has been closed");
+        if (Thread.currentThread() != reader) {
+            try {
+                reader.join();
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    // ---- sending, and waiting for replies
+
+    private PlayerReply ask(PlayerRequest request, String what) {
+        Message message = call(PLAYER, PlayerMessages.encode(request), what);
+        try {
+            return PlayerMessages.reply(
+                    message.header().type(), message.header().subtype(), message.payload());
+        } catch (WireException e) {
+            throw new RequestFailedException(what + ": " + name + " answered what cannot be read: " + e.getMessage());
+        }
+    }
+
+    private Message call(DeviceAddress device, Content content, String what) {
+        checkOpen();
+        var reply = open.add(device, content.subtype());
+        send(device, MessageType.REQ, content);
+        return await(reply, reply, what);
+    }
+
+    private Message await(CompletableFuture<Message> awaited, CompletableFuture<Message> reply, String what) {
+        Duration limit = replyLimit;
+        try {
+            return awaited.get(limit.toNanos(), TimeUnit.NANOSECONDS);
+        } catch (TimeoutException e) {
+            open.drop(reply);
+            throw new RequestFailedException(
+                    name + " did not answer within " + limit.toMillis() + " ms: " + what + " was requested");
+        } catch (InterruptedException e) {
+            open.drop(reply);
+            Thread.currentThread().interrupt();
+            throw new RequestFailedException("interrupted while waiting for " + name + ": " + what + " was requested");
+        } catch (ExecutionException e) {
+            throw new LineClosedException(e.getCause().getMessage());
+        }
+    }
+
+    private DeviceReply decode(Message message) {
+        var header = message.header();
+        try {
+            return ReplyMessages.decode(
+                    header.address().interfaceCode(), header.type(), header.subtype(), message.payload());
+        } catch (WireException e) {
+            return new DeviceReply.Nack("the reply cannot be read: " + e.getMessage());
+        }
+    }
+
+    private void send(DeviceAddress device, MessageType type, Content content) {
+        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload()).bytes();
+        checkOpen();
+        try {
+            synchronized (outputLock) {
+                socket.getOutputStream().write(bytes);
+            }
+        } catch (IOException e) {
+            lose(gone(e.getMessage()));
+            checkOpen();
+        }
+    }
+
+    private void checkOpen() {
+        String reason = closed.get();
+        if (reason != null) {
+            throw new LineClosedException(reason);
+        }
+    }
+
+    private static String text(DeviceAddress device) {
+        return Interfaces.name(device.interfaceCode()) + ":" + device.index();
+    }
+
+    // ---- the reader
+
+    private void readAll() {
+        try {
+            var messages = new MessageReader(new BufferedInputStream(socket.getInputStream()), MOST_PAYLOAD_BYTES);
+            for (Message message = messages.read(); message != null; message = messages.read()) {
+                take(message);
+            }
+            lose(gone("it closed the connection"));
+        } catch (IOException e) {
+            lose(gone(e.getMessage()));
+        } catch (WireException e) {
+            lose(name + " sent what is not the Player protocol: " + e.getMessage());
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
+            lose(name + ": a message could not be handled: " + e);
+        }
+    }
+
+    private String gone(@Nullable String how) {
+        return "the Player server at " + name + " has gone: " + how;
+    }
+
+    private void take(Message message) {
+        var header = message.header();
+        switch (header.type()) {
+            case DATA -> data(message);
+            case SYNCH -> synch(message);
+            case ACK, NACK -> reply(message);
+            case CMD, REQ -> LOG.log(Level.WARNING, "{0} sent {1}, which only clients do", name, message);
+        }
+    }
+
+    private void data(Message message) {
+        var header = message.header();
+        var from = devices.stream()
+                .filter(each -> each.interfaceCode() == header.address().interfaceCode()
+                        && each.index() == header.address().index())
+                .findFirst()
+                .orElse(header.address());
+        try {
+            DataMessages.decode(from.interfaceCode(), header.subtype(), message.payload())
+                    .ifPresent(content -> frames.add(new DataMessage(from, header.timeSeconds(), content))
+                            .forEach(this::deliver));
+        } catch (WireException e) {
+            LOG.log(Level.WARNING, "{0}: {1} is left out: {2}", name, message, e.getMessage());
+        }
+    }
+
+    private void synch(Message message) {
+        try {
+            int dropped = PlayerMessages.dropped(message.header().subtype(), message.payload());
+            if (dropped != 0) {
+                LOG.log(Level.WARNING, "{0} has dropped {1} messages: this client is too slow", name, dropped);
+            }
+        } catch (WireException e) {
+            LOG.log(Level.WARNING, "{0}: {1}: {2}", name, message, e.getMessage());
+        }
+        frames.synch().forEach(this::deliver);
+    }
+
+    private void reply(Message message) {
+        var header = message.header();
+        if (header.address().interfaceCode() == PlayerRequest.INTERFACE
+                && header.subtype()
+                        == PlayerMessages.encode(new PlayerRequest.NextData()).subtype()) {
+            if (header.type() == MessageType.NACK) {
+                LOG.log(Level.WARNING, "{0} refused to send data in pull mode", name);
+                frames.refused();
+            }
+            return;
+        }
+        if (!open.answer(message)) {
+            LOG.log(Level.DEBUG, "{0}: {1} answers nothing that is waited for", name, message);
+        }
+    }
+
+    private void deliver(Frame frame) {
+        if (space == null) {
+            sink.frame(frame);
+            return;
+        }
+        try {
+            space.execute(() -> sink.frame(frame));
+            if (frames.mode() == Delivery.PULL) {
+                space.onIdle(() -> {
+                    if (closed.get() == null) {
+                        answered(frame.tick());
+                    }
+                });
+            }
+        } catch (ActorStoppedException spaceIsClosed) {
+            close(); // a client ends with the space it lives on
+        }
+    }
+
+    // ---- the end
+
+    private void lose(String reason) {
+        if (shut(reason)) {
+            sink.lost(reason);
+        }
+    }
+
+    private boolean shut(String reason) {
+        if (!closed.compareAndSet(null, reason)) {
+            return false;
+        }
+        try {
+            socket.close(); // ends a read and a write that wait
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
+        }
+        open.failAll(new LineClosedException(reason));
+        return true;
+    }
+}

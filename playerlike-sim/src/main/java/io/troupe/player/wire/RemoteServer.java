@@ -1,0 +1,118 @@
+package io.troupe.player.wire;
+
+import io.troupe.actor.ActorSpace;
+import java.io.IOException;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.net.UnknownHostException;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A Player server behind a socket: one of ours, or a real one of Player 3.
+ *
+ * <p><b>Errors.</b> {@link LineClosedException} when no connection comes about.
+ * <p><b>Source.</b> Player 3 protocol over TCP.
+ */
+public final class RemoteServer implements PlayerServer {
+    private static final Duration CONNECT_LIMIT = Duration.ofSeconds(10);
+    private static final int BANNER_BYTES = 32;
+    private static final String BANNER_START = "Player v.";
+
+    private final String host;
+    private final int port;
+    private final Duration limit;
+    private volatile String banner = "";
+
+    public RemoteServer(String host, int port) {
+        this(host, port, CONNECT_LIMIT);
+    }
+
+    RemoteServer(String host, int port, Duration limit) {
+        if (port < 1 || port > 65_535) {
+            throw new IllegalArgumentException("port is " + port + ", expected 1 to 65535");
+        }
+        this.host = host;
+        this.port = port;
+        this.limit = limit;
+    }
+
+    /** How the server has greeted; empty before the first connection. */
+    @Override
+    public String banner() {
+        return banner;
+    }
+
+    @Override
+    public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
+        var socket = new Socket();
+        try {
+            // not InetSocketAddress alone, which would not say that a name is unknown
+            socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), Math.toIntExact(limit.toMillis()));
+            socket.setTcpNoDelay(true);
+            socket.setKeepAlive(true);
+            socket.setSoTimeout(Math.toIntExact(limit.toMillis()));
+            banner = readBanner(socket);
+            socket.setSoTimeout(0);
+            var line = new RemoteLine(this.toString(), socket, sink, space, limit);
+            line.begin();
+            return line;
+        } catch (IOException e) {
+            discard(socket);
+            throw new LineClosedException(reason(e));
+        } catch (RuntimeException e) {
+            discard(socket);
+            throw e;
+        }
+    }
+
+    private String reason(IOException e) {
+        return switch (e) {
+            case UnknownHostException unknown -> this + ": there is no host '" + host + "'";
+            case SocketTimeoutException late -> this + " did not answer within " + limit.toMillis() + " ms";
+            case ConnectException refused ->
+                this + " cannot be reached: " + e.getMessage() + "; does a Player server run there?";
+            default -> this + ": " + e.getMessage();
+        };
+    }
+
+    private String readBanner(Socket socket) throws IOException {
+        var in = socket.getInputStream();
+        var greeting = new byte[BANNER_BYTES];
+        for (int at = 0; at < BANNER_BYTES; at++) {
+            int octet = in.read();
+            if (octet < 0) {
+                throw new IOException("it closed the connection instead of greeting as a Player server");
+            }
+            greeting[at] = (byte) octet;
+            if (at < BANNER_START.length() && octet != BANNER_START.charAt(at)) {
+                throw new IOException("it greeted with \"" + printable(greeting, at + 1) + "..\", expected \""
+                        + BANNER_START + "..\": it is no Player server");
+            }
+        }
+        return printable(greeting, BANNER_BYTES);
+    }
+
+    private static String printable(byte[] text, int length) {
+        return new String(text, 0, length, StandardCharsets.ISO_8859_1)
+                .replace("\0", "")
+                .replaceAll("[^ -~]", "?");
+    }
+
+    private static void discard(Socket socket) {
+        try {
+            socket.close();
+        } catch (IOException ignored) {
+            // it is of no use any more, whatever this says
+        }
+    }
+
+    @Override
+    public String toString() {
+        return host + ":" + port;
+    }
+}

@@ -1,0 +1,149 @@
+package io.troupe.player.wire;
+
+import io.troupe.player.wire.DeviceReply.Ack;
+import io.troupe.player.wire.DeviceReply.Colour;
+import io.troupe.player.wire.DeviceReply.LaserGeometry;
+import io.troupe.player.wire.DeviceReply.LaserId;
+import io.troupe.player.wire.DeviceReply.ModelPose;
+import io.troupe.player.wire.DeviceReply.Nack;
+import io.troupe.player.wire.DeviceReply.OfLaser;
+import io.troupe.player.wire.DeviceReply.OfRanger;
+import io.troupe.player.wire.DeviceReply.Position2dGeometry;
+import io.troupe.player.wire.DeviceReply.RangerGeometry;
+import io.troupe.player.wire.DeviceReply.SonarGeometry;
+import io.troupe.player.wire.DeviceReply.SonarMount;
+import java.util.List;
+
+/** Replies of devices (RESP_ACK and RESP_NACK) as bytes, and back. */
+final class ReplyMessages {
+    static final RangerGeometry NO_GEOMETRY =
+            new RangerGeometry(Pose3d.flat(0, 0, 0), new Size3d(0, 0, 0), List.of(), List.of());
+    static final RangerConfiguration NO_CONFIGURATION = new RangerConfiguration(0, 0, 0, 0, 0, 0, 0);
+
+    private ReplyMessages() {}
+
+    static MessageType type(DeviceReply reply) {
+        return reply instanceof Nack ? MessageType.NACK : MessageType.ACK;
+    }
+
+    /** A refusal has no content: some clients do not expect any. */
+    static byte[] encode(DeviceReply reply) {
+        var out = new XdrWriter();
+        write(out, reply);
+        return out.bytes();
+    }
+
+    static void write(XdrWriter out, DeviceReply reply) {
+        switch (reply) {
+            case Ack ack -> {}
+            case Nack nack -> {}
+            case Position2dGeometry base -> {
+                Shapes.pose3d(out, Pose3d.flat(base.px(), base.py(), base.pa()));
+                Shapes.size3d(out, new Size3d(base.widthM(), base.lengthM(), 0));
+            }
+            case SonarGeometry sonar ->
+                out.array(
+                        sonar.mounts(),
+                        (to, mount) -> Shapes.pose3d(to, Pose3d.flat(mount.px(), mount.py(), mount.yaw())));
+            case RangerGeometry ranger -> {
+                Shapes.pose3d(out, ranger.pose());
+                Shapes.size3d(out, ranger.size());
+                out.array(ranger.elementPoses(), Shapes::pose3d).array(ranger.elementSizes(), Shapes::size3d);
+            }
+            case OfRanger ranger -> Shapes.rangerConfiguration(out, ranger.configuration());
+            case LaserGeometry laser -> {
+                Shapes.pose3d(out, laser.pose());
+                Shapes.size3d(out, laser.size());
+            }
+            case OfLaser laser -> Shapes.laserConfiguration(out, laser.configuration());
+            case LaserId laser -> out.int32(laser.id());
+            case ModelPose model -> out.string(model.model()).float64(model.px(), model.py(), model.pa());
+            case Colour colour ->
+                out.int32(colour.channel())
+                        .int32(colour.rmin())
+                        .int32(colour.rmax())
+                        .int32(colour.gmin())
+                        .int32(colour.gmax())
+                        .int32(colour.bmin())
+                        .int32(colour.bmax());
+        }
+    }
+
+    /** The reply to a request of that subtype. */
+    static DeviceReply decode(int interfaceCode, MessageType type, int subtype, byte[] payload) throws WireException {
+        if (type == MessageType.NACK) {
+            return new Nack("refused by the server");
+        }
+        if (payload.length == 0) {
+            return new Ack();
+        }
+        Interfaces device = Interfaces.find(interfaceCode);
+        if (device == null) {
+            return new Ack();
+        }
+        var in = new XdrReader(device.playerName() + " ACK " + subtype, payload);
+        DeviceReply reply = read(device, subtype, in);
+        if (!(reply instanceof Ack)) {
+            in.end();
+        }
+        return reply;
+    }
+
+    private static DeviceReply read(Interfaces device, int subtype, XdrReader in) throws WireException {
+        return switch (device) {
+            case POSITION2D -> subtype == 1 ? positionGeometry(in) : new Ack();
+            case SONAR -> subtype == 1 ? sonarGeometry(in) : new Ack();
+            case BLOBFINDER -> subtype == 3 ? colour(in) : new Ack();
+            case RANGER ->
+                switch (subtype) {
+                    case 1 -> rangerGeometry(in);
+                    case 4, 5 -> new OfRanger(Shapes.rangerConfiguration(in));
+                    default -> new Ack();
+                };
+            case LASER ->
+                switch (subtype) {
+                    case 1 -> new LaserGeometry(Shapes.pose3d(in), Shapes.size3d(in));
+                    case 2, 3 -> new OfLaser(Shapes.laserConfiguration(in));
+                    case 5 -> new LaserId(in.int32("id"));
+                    default -> new Ack();
+                };
+            case SIMULATION ->
+                subtype == 1
+                        ? new ModelPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa"))
+                        : new Ack();
+        };
+    }
+
+    /** Stage leaves what is missing here uninitialised. */
+    static Position2dGeometry positionGeometry(XdrReader in) throws WireException {
+        Pose3d pose = Shapes.pose3d(in);
+        Size3d size = Shapes.size3d(in);
+        return new Position2dGeometry(pose.x(), pose.y(), pose.yaw(), size.lengthM(), size.widthM());
+    }
+
+    static SonarGeometry sonarGeometry(XdrReader in) throws WireException {
+        return new SonarGeometry(in.array("poses", Shapes.POSE3D_BYTES, from -> {
+            Pose3d pose = Shapes.pose3d(from);
+            return new SonarMount(pose.x(), pose.y(), pose.yaw());
+        }));
+    }
+
+    static RangerGeometry rangerGeometry(XdrReader in) throws WireException {
+        return new RangerGeometry(
+                Shapes.pose3d(in),
+                Shapes.size3d(in),
+                in.array("element poses", Shapes.POSE3D_BYTES, Shapes::pose3d),
+                in.array("element sizes", Shapes.SIZE3D_BYTES, Shapes::size3d));
+    }
+
+    private static Colour colour(XdrReader in) throws WireException {
+        return new Colour(
+                in.int32("channel"),
+                in.int32("rmin"),
+                in.int32("rmax"),
+                in.int32("gmin"),
+                in.int32("gmax"),
+                in.int32("bmin"),
+                in.int32("bmax"));
+    }
+}

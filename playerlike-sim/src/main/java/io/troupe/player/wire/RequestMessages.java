@@ -1,0 +1,189 @@
+package io.troupe.player.wire;
+
+import io.troupe.player.wire.DeviceRequest.Capability;
+import io.troupe.player.wire.DeviceRequest.Geometry;
+import io.troupe.player.wire.DeviceRequest.GetColour;
+import io.troupe.player.wire.DeviceRequest.GetConfiguration;
+import io.troupe.player.wire.DeviceRequest.GetPose;
+import io.troupe.player.wire.DeviceRequest.Intensities;
+import io.troupe.player.wire.DeviceRequest.LaserId;
+import io.troupe.player.wire.DeviceRequest.PositionMode;
+import io.troupe.player.wire.DeviceRequest.PositionPid;
+import io.troupe.player.wire.DeviceRequest.Power;
+import io.troupe.player.wire.DeviceRequest.ResetOdometry;
+import io.troupe.player.wire.DeviceRequest.SetColour;
+import io.troupe.player.wire.DeviceRequest.SetImager;
+import io.troupe.player.wire.DeviceRequest.SetLaserConfiguration;
+import io.troupe.player.wire.DeviceRequest.SetOdometry;
+import io.troupe.player.wire.DeviceRequest.SetPose;
+import io.troupe.player.wire.DeviceRequest.SetRangerConfiguration;
+import io.troupe.player.wire.DeviceRequest.SpeedPid;
+import io.troupe.player.wire.DeviceRequest.SpeedProfile;
+import io.troupe.player.wire.DeviceRequest.Unknown;
+import io.troupe.player.wire.DeviceRequest.VelocityMode;
+
+/** REQ messages to devices as bytes, and back. */
+final class RequestMessages {
+    private static final int CAPABILITY = 255;
+
+    private RequestMessages() {}
+
+    static Content encode(int interfaceCode, DeviceRequest request) {
+        var out = new XdrWriter();
+        int subtype = write(out, interfaceCode == Interfaces.LASER.code(), request);
+        return new Content(subtype, out.bytes());
+    }
+
+    private static int write(XdrWriter out, boolean laser, DeviceRequest request) {
+        return switch (request) {
+            case Geometry geometry -> 1;
+            case Power power -> subtype(laser ? 4 : 2, out.bool(power.on()));
+            case VelocityMode velocity -> subtype(3, out.int32(velocity.mode()));
+            case PositionMode position -> subtype(4, out.int32(position.mode()));
+            case SetOdometry pose -> subtype(5, out.float64(pose.px(), pose.py(), pose.pa()));
+            case ResetOdometry reset -> 6;
+            case SpeedPid pid ->
+                subtype(7, out.float32(pid.kp()).float32(pid.ki()).float32(pid.kd()));
+            case PositionPid pid ->
+                subtype(8, out.float32(pid.kp()).float32(pid.ki()).float32(pid.kd()));
+            case SpeedProfile profile ->
+                subtype(9, out.float32(profile.speedMps()).float32(profile.accelerationMps2()));
+            case SetColour colour -> {
+                out.int32(colour.channel()).int32(colour.rmin()).int32(colour.rmax());
+                out.int32(colour.gmin()).int32(colour.gmax());
+                yield subtype(1, out.int32(colour.bmin()).int32(colour.bmax()));
+            }
+            case SetImager imager -> {
+                out.int32(imager.brightness()).int32(imager.contrast());
+                yield subtype(2, out.int32(imager.colourMode()).int32(imager.autoGain()));
+            }
+            case GetColour colour -> 3;
+            case Intensities intensities -> subtype(3, out.bool(intensities.on()));
+            case GetConfiguration configuration -> laser ? 3 : 5;
+            case SetRangerConfiguration set -> {
+                Shapes.rangerConfiguration(out, set.configuration());
+                yield 4;
+            }
+            case SetLaserConfiguration set -> {
+                Shapes.laserConfiguration(out, set.configuration());
+                yield 2;
+            }
+            case LaserId id -> 5;
+            case GetPose get -> subtype(1, out.string(get.model()).float64(0, 0, 0));
+            case SetPose set -> subtype(2, out.string(set.model()).float64(set.px(), set.py(), set.pa()));
+            case Capability capability ->
+                subtype(CAPABILITY, out.int32(capability.type()).int32(capability.subtype()));
+            case Unknown unknown -> unknown.subtype();
+        };
+    }
+
+    private static int subtype(int subtype, XdrWriter written) {
+        return subtype;
+    }
+
+    /** {@link Unknown} for requests that are not known here. */
+    static DeviceRequest decode(int interfaceCode, int subtype, byte[] payload) throws WireException {
+        var in = new XdrReader(Interfaces.name(interfaceCode) + " REQ " + subtype, payload);
+        if (subtype == CAPABILITY) {
+            return ended(new Capability(in.int32("type"), in.int32("subtype")), in);
+        }
+        Interfaces type = Interfaces.find(interfaceCode);
+        if (type == null) {
+            return new Unknown(subtype);
+        }
+        return switch (type) {
+            case POSITION2D -> position(subtype, in);
+            case SONAR ->
+                switch (subtype) {
+                    case 1 -> new Geometry();
+                    case 2 -> ended(new Power(in.bool("state")), in);
+                    default -> new Unknown(subtype);
+                };
+            case BLOBFINDER -> blobfinder(subtype, in);
+            case RANGER -> ranger(subtype, in);
+            case LASER -> laser(subtype, in);
+            case SIMULATION -> simulation(subtype, in);
+        };
+    }
+
+    private static DeviceRequest ended(DeviceRequest request, XdrReader in) throws WireException {
+        in.end();
+        return request;
+    }
+
+    private static DeviceRequest position(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 -> new Geometry();
+            case 2 -> ended(new Power(in.bool("state")), in);
+            case 3 -> ended(new VelocityMode(in.int32("mode")), in);
+            case 4 -> ended(new PositionMode(in.int32("mode")), in);
+            case 5 -> ended(new SetOdometry(in.float64("px"), in.float64("py"), in.float64("pa")), in);
+            case 6 -> ended(new ResetOdometry(), in);
+            case 7 -> {
+                boolean doubles = in.remaining() == 24; // javaclient3
+                yield ended(new SpeedPid(gain(in, doubles), gain(in, doubles), gain(in, doubles)), in);
+            }
+            case 8 -> {
+                boolean doubles = in.remaining() == 24;
+                yield ended(new PositionPid(gain(in, doubles), gain(in, doubles), gain(in, doubles)), in);
+            }
+            case 9 -> ended(new SpeedProfile(in.float32("speed"), in.float32("acc")), in);
+            default -> new Unknown(subtype);
+        };
+    }
+
+    private static float gain(XdrReader in, boolean doubles) throws WireException {
+        return doubles ? (float) in.float64("gain") : in.float32("gain");
+    }
+
+    private static DeviceRequest blobfinder(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 ->
+                ended(
+                        new SetColour(
+                                in.int32("channel"),
+                                in.int32("rmin"),
+                                in.int32("rmax"),
+                                in.int32("gmin"),
+                                in.int32("gmax"),
+                                in.int32("bmin"),
+                                in.int32("bmax")),
+                        in);
+            case 2 -> // javaclient sends 24 bytes, of which only these have a meaning
+                new SetImager(
+                        in.int32("brightness"), in.int32("contrast"), in.int32("colormode"), in.int32("autogain"));
+            case 3 -> new GetColour();
+            default -> new Unknown(subtype);
+        };
+    }
+
+    private static DeviceRequest ranger(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 -> new Geometry();
+            case 2 -> ended(new Power(in.bool("state")), in);
+            case 3 -> ended(new Intensities(in.bool("state")), in);
+            case 4 -> ended(new SetRangerConfiguration(Shapes.rangerConfiguration(in)), in);
+            case 5 -> new GetConfiguration();
+            default -> new Unknown(subtype);
+        };
+    }
+
+    private static DeviceRequest laser(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 -> new Geometry();
+            case 2 -> ended(new SetLaserConfiguration(Shapes.laserConfiguration(in)), in);
+            case 3 -> new GetConfiguration();
+            case 4 -> ended(new Power(in.bool("state")), in);
+            case 5 -> new LaserId();
+            default -> new Unknown(subtype);
+        };
+    }
+
+    private static DeviceRequest simulation(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 -> new GetPose(in.string("name")); // whatever pose follows
+            case 2 -> ended(new SetPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa")), in);
+            default -> new Unknown(subtype);
+        };
+    }
+}
