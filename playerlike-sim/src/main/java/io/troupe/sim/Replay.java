@@ -200,7 +200,7 @@ public final class Replay {
             case "heading" -> player.steer(line.robot(robots), line.number(2), line.number(3));
             case "goto" -> player.goTo(line.robot(robots), line.pose());
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());
-            case "teleport" -> player.replayTeleport(line.robot(robots), line.pose());
+            case "teleport" -> player.teleportLater(line.robot(robots), line.pose());
             case "is", "end" -> {
                 if (!hash.toString().equals(words.get(1))) {
                     throw line.error("at tick " + line.tick() + " the checksum was " + words.get(1) + " and is now "

@@ -50,6 +50,7 @@ public final class World {
     private final int stepsPerInterval;
     private final List<Pose> startPoses;
     private final Room room;
+    private final List<String> robotNames;
     private final Scene scene;
     private final List<Devices> devices = new ArrayList<>();
     private final List<Pilot> pilots = new ArrayList<>();
@@ -89,6 +90,7 @@ public final class World {
         latched = new Drive.Velocity[robotCount];
         scene = new Scene(spec);
         room = new Room(spec);
+        robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         for (int i = 0; i < robotCount; i++) {
             pilots.add(new Pilot(i, settings.watchdogMicros()));
         }
@@ -216,18 +218,29 @@ public final class World {
      * there by then, the robot stays where it is, and the log says so.
      */
     public void teleport(int robot, Pose pose) {
-        robot(robot);
-        List<RobotReading> robots = latest.robots();
-        String refusal = room.refusal(robot, pose, other -> robots.get(other).pose());
+        String refusal = teleportRefusal(robot, pose);
         if (refusal != null) {
             throw new IllegalArgumentException(refusal);
         }
+        teleportLater(robot, pose);
+    }
+
+    /** Why {@link #teleport} would refuse, or null. */
+    @Nullable
+    String teleportRefusal(int robot, Pose pose) {
+        robot(robot);
+        List<RobotReading> robots = latest.robots();
+        return room.refusal(robot, pose, other -> robots.get(other).pose());
+    }
+
+    /** A teleport that is checked only when it takes effect. */
+    void teleportLater(int robot, Pose pose) {
         pilots.get(robot).teleport(pose);
     }
 
-    /** The same for a recording: checked when it takes effect, as it was then. */
-    void replayTeleport(int robot, Pose pose) {
-        pilots.get(robot).teleport(pose);
+    /** Index of the robot of that name, or -1. */
+    int robotNumber(String name) {
+        return robotNames.indexOf(name);
     }
 
     /**
