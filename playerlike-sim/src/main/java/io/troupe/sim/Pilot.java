@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.Position2d;
 import io.troupe.sim.scenario.Pose;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -7,26 +8,44 @@ import org.jspecify.annotations.Nullable;
 /**
  * What one robot has been told: what waits for the next interval, and what holds.
  *
- * <p><b>Threads.</b> Any thread may tell; {@code take..}, {@link #latch} and {@link #forget} belong to the one that advances the world.
+ * <p><b>Threads.</b> Any thread may tell, unless a method says otherwise; the rest belongs to the one that advances the world.
+ * <p><b>Cost.</b> What the advancing thread tells by {@link #driveNow} allocates nothing.
  */
 final class Pilot {
     private final int robot;
-    private final long watchdogMicros;
+    private final WorldSettings settings;
     private final AtomicReference<@Nullable Drive> newestDrive = new AtomicReference<>();
     private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestPlace = new AtomicReference<>();
-    private Drive drive = Drive.STILL;
+    private boolean toldNow; // by the thread that advances the world
+    private double toldForwardMps;
+    private double toldTurnRadps;
+    private @Nullable Drive steering; // else the speeds below hold
+    private double heldForwardMps;
+    private double heldTurnRadps;
+    private double forwardMps; // in force in the interval that has ended
+    private double turnRadps;
     private boolean powered = true;
     private long toldAtMicros;
 
-    Pilot(int robot, long watchdogMicros) {
+    Pilot(int robot, WorldSettings settings) {
         this.robot = robot;
-        this.watchdogMicros = watchdogMicros;
+        this.settings = settings;
     }
 
     void drive(Drive command) {
         newestDrive.set(command);
+    }
+
+    /** A speed told by the thread that advances the world, newer than what the others said. */
+    void driveNow(double newForwardMps, double newTurnRadps) {
+        if (newestDrive.get() != null) {
+            newestDrive.set(null);
+        }
+        toldNow = true;
+        toldForwardMps = newForwardMps;
+        toldTurnRadps = newTurnRadps;
     }
 
     void power(boolean on) {
@@ -43,50 +62,117 @@ final class Pilot {
 
     @Nullable
     Pose takeTeleport() {
-        return newestPlace.getAndSet(null);
+        return take(newestPlace);
     }
 
     @Nullable
     Pose takeOdometry() {
-        return newestOdometry.getAndSet(null);
+        return take(newestOdometry);
+    }
+
+    /** Looks before it takes: that is cheaper, and mostly there is nothing. */
+    private static <T> @Nullable T take(AtomicReference<@Nullable T> newest) {
+        return newest.get() == null ? null : newest.getAndSet(null);
     }
 
     /** What holds from now on: the newest command, unless the motors are off, which forgets what they were told, or the watchdog has barked. */
-    Drive latch(long nowMicros, @Nullable Recording recording) {
-        Boolean power = newestPower.getAndSet(null);
+    void latch(long nowMicros, @Nullable Recording recording) {
+        Boolean power = take(newestPower);
         if (power != null && power != powered) {
             powered = power;
-            note(recording, power);
-        }
-        Drive command = newestDrive.getAndSet(null);
-        if (command != null && powered) {
-            if (recording != null && (watchdogMicros > 0 || !command.equals(drive))) {
-                recording.drive(robot, command);
+            if (recording != null) {
+                recording.power(robot, power);
             }
-            drive = command;
-            toldAtMicros = nowMicros;
+        }
+        if (toldNow) {
+            toldNow = false;
+            if (powered) {
+                note(recording, steering != null || differs(toldForwardMps, toldTurnRadps));
+                hold(toldForwardMps, toldTurnRadps, nowMicros);
+            }
+        }
+        Drive command = take(newestDrive);
+        if (command != null && powered) {
+            accept(command, nowMicros, recording);
         }
         if (!powered || isLate(nowMicros)) {
-            drive = Drive.STILL;
+            steering = null;
+            heldForwardMps = 0;
+            heldTurnRadps = 0;
         }
-        return drive;
     }
 
-    private void note(@Nullable Recording recording, boolean power) {
-        if (recording != null) {
-            recording.power(robot, power);
+    private void accept(Drive command, long nowMicros, @Nullable Recording recording) {
+        if (command instanceof Drive.Velocity velocity) {
+            if (recording != null
+                    && (isWatched() || steering != null || differs(velocity.forwardMps(), velocity.turnRadps()))) {
+                recording.drive(robot, velocity);
+            }
+            hold(velocity.forwardMps(), velocity.turnRadps(), nowMicros);
+            return;
         }
+        if (recording != null && (isWatched() || !command.equals(steering))) {
+            recording.drive(robot, command);
+        }
+        steering = command;
+        toldAtMicros = nowMicros;
+    }
+
+    private void note(@Nullable Recording recording, boolean changes) {
+        if (recording != null && (isWatched() || changes)) {
+            recording.drive(robot, new Drive.Velocity(toldForwardMps, toldTurnRadps));
+        }
+    }
+
+    private boolean differs(double newForwardMps, double newTurnRadps) {
+        return Double.compare(newForwardMps, heldForwardMps) != 0 || Double.compare(newTurnRadps, heldTurnRadps) != 0;
+    }
+
+    private void hold(double newForwardMps, double newTurnRadps, long nowMicros) {
+        steering = null;
+        heldForwardMps = newForwardMps;
+        heldTurnRadps = newTurnRadps;
+        toldAtMicros = nowMicros;
+    }
+
+    private boolean isWatched() {
+        return settings.watchdogMicros() > 0;
     }
 
     /** A goal is reached some time; a speed would hold for ever. */
     private boolean isLate(long nowMicros) {
-        return watchdogMicros > 0 && !(drive instanceof Drive.GoTo) && nowMicros - toldAtMicros >= watchdogMicros;
+        return isWatched() && !(steering instanceof Drive.GoTo) && nowMicros - toldAtMicros >= settings.watchdogMicros();
+    }
+
+    /** Turns what holds into the speeds of the next interval, given where odometry says that the robot is. */
+    void steer(Position2d odometry) {
+        Drive how = steering;
+        if (how == null) {
+            clamp(heldForwardMps, heldTurnRadps);
+        } else {
+            Drive.Velocity wanted = how.now(odometry.reported());
+            clamp(wanted.forwardMps(), wanted.turnRadps());
+        }
+    }
+
+    private void clamp(double wantedForwardMps, double wantedTurnRadps) {
+        forwardMps = Math.clamp(wantedForwardMps, -settings.maxForwardMps(), settings.maxForwardMps());
+        turnRadps = Math.clamp(wantedTurnRadps, -settings.maxTurnRadps(), settings.maxTurnRadps());
+    }
+
+    double forwardMps() {
+        return forwardMps;
+    }
+
+    double turnRadps() {
+        return turnRadps;
     }
 
     /** The world starts again. */
     void forget(long nowMicros) {
-        drive = Drive.STILL;
+        hold(0, 0, nowMicros);
+        toldNow = false;
         powered = true;
-        toldAtMicros = nowMicros;
+        clamp(0, 0);
     }
 }

@@ -2,14 +2,11 @@ package io.troupe.sim;
 
 import static java.util.Objects.requireNonNull;
 
-import io.troupe.sim.device.Blobfinder;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
-import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
-import io.troupe.sim.device.Sonar;
+import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.physics.Touch;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
@@ -18,6 +15,7 @@ import io.troupe.sim.scenario.Shape;
 import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
@@ -28,21 +26,17 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the specification, the
  * settings and, for each interval, the commands given before it; equal input gives equal snapshots, bit for bit.
- * <p><b>Threads.</b> {@link #advance} belongs to the thread that calls it first; everything else may be called from any thread.
+ * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else may be called from any thread.
  * <p><b>Order.</b> An interval latches a reset, teleports, odometry resets, motor power and commands (of several for one robot the newest; by robot index), runs
- * the physics steps, reads all devices and publishes a snapshot.
+ * the physics steps and reads all devices; the last one of an advance publishes a snapshot, and each one that is recorded or for which somebody waits
+ * who asked for the {@link #latest} since the one before.
+ * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies touch and no more blobs are seen than ever before.
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
 public final class World {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
     private static final Shape NO_SHAPE = new Shape(List.of());
 
-    /** A robot's devices. */
-    private record Devices(
-            Position2d position2d,
-            @Nullable Sonar sonar,
-            @Nullable Blobfinder blobfinder,
-            List<Ranger> rangers) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
@@ -52,14 +46,17 @@ public final class World {
     private final Room room;
     private final List<String> robotNames;
     private final Scene scene;
-    private final List<Devices> devices = new ArrayList<>();
     private final List<Pilot> pilots = new ArrayList<>();
-    private final Drive.Velocity[] latched;
+    private final WorldView view = new WorldView(this);
+    private final Scratch scratch = new Scratch();
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
+    private List<RobotDevices> devices;
     private Physics physics;
     private long physicsStartMicros; // physics counts its time from the last reset
+    private long tick;
+    private volatile boolean wanted; // somebody looked at the latest snapshot
     private volatile Snapshot latest;
 
     /**
@@ -87,44 +84,29 @@ public final class World {
         intervalMicros = spec.intervalMillis() * 1000L;
         stepsPerInterval = Math.toIntExact(intervalMicros / settings.physicsStepMicros());
         int robotCount = spec.robots().size();
-        latched = new Drive.Velocity[robotCount];
         scene = new Scene(spec);
         room = new Room(spec);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         for (int i = 0; i < robotCount; i++) {
-            pilots.add(new Pilot(i, settings.watchdogMicros()));
+            pilots.add(new Pilot(i, settings));
         }
-        physics = begin();
-        latest = sense(0);
+        physics = newPhysics();
+        devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
+        sense();
+        latest = snapshot();
     }
 
-    /** Everything at its start. */
-    private Physics begin() {
+    /** With everything at its start. */
+    private Physics newPhysics() {
         var begun = new Physics(spec.robots().size(), settings.physicsStepMicros(), sweepM());
         for (ObstacleSpec obstacle : spec.obstacles()) {
             begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
         }
-        devices.clear();
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
-            Pose start = startPoses.get(i);
-            begun.addRobot(start, robot.shape(), robot.massKg());
-            devices.add(devicesOf(robot, start));
-            latched[i] = Drive.STILL;
+            begun.addRobot(startPoses.get(i), robot.shape(), robot.massKg());
         }
         return begun;
-    }
-
-    private Devices devicesOf(RobotSpec robot, Pose start) {
-        try {
-            return new Devices(
-                    new Position2d(start, robot.startOdometry(), Noise.ofOdometry(robot, settings.seed())),
-                    robot.sonar() == null ? null : new Sonar(robot.sonar()),
-                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()),
-                    Noise.rangers(robot, settings.seed()));
-        } catch (IllegalArgumentException e) {
-            throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
-        }
     }
 
     /** How far a point of a robot may travel in one step; 0 if that is less than half of every robot's smallest extent. */
@@ -153,9 +135,17 @@ public final class World {
         return spec;
     }
 
-    /** The newest snapshot; that of tick 0 right after creation. */
+    /** The newest snapshot; that of tick 0 right after creation. Whoever asks while the world advances by many intervals gets it made sooner. */
     public Snapshot latest() {
+        if (!wanted) {
+            wanted = true;
+        }
         return latest;
+    }
+
+    /** The world as it is now, for the thread that advances it. */
+    public WorldView view() {
+        return view;
     }
 
     /** Simulated time of the newest snapshot. */
@@ -170,12 +160,22 @@ public final class World {
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
+        checkCommand(robot, forwardMps, turnRadps);
+        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
+    }
+
+    /** The same for the thread that advances the world. */
+    void commandNow(int robot, double forwardMps, double turnRadps) {
+        checkCommand(robot, forwardMps, turnRadps);
+        pilots.get(robot).driveNow(forwardMps, turnRadps);
+    }
+
+    private void checkCommand(int robot, double forwardMps, double turnRadps) {
         RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
-        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
     }
 
     /**
@@ -303,18 +303,58 @@ public final class World {
 
     /** Advances by one interval and publishes the snapshot at its end. */
     public Snapshot advance() {
+        return advance(1);
+    }
+
+    /** Advances by so many intervals and publishes the snapshot at the end of the last one. */
+    public Snapshot advance(long intervals) {
+        return advance(intervals, view -> {});
+    }
+
+    /**
+     * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the last one.
+     *
+     * @param intervals at least 1
+     */
+    public Snapshot advance(long intervals, Controller controller) {
+        if (intervals < 1) {
+            throw new IllegalArgumentException("cannot advance by " + intervals + " intervals, expected at least 1");
+        }
         checkThread();
+        try {
+            for (long i = 0; i < intervals; i++) {
+                if (wanted) {
+                    publish();
+                }
+                controller.control(view);
+                advanceUnpublished();
+                Recording log = recording.get();
+                if (log != null) {
+                    publish();
+                    log.advanced(latest);
+                }
+            }
+        } finally {
+            publish();
+        }
+        return latest;
+    }
+
+    private void publish() {
+        wanted = false;
+        if (latest.tick() != tick) {
+            latest = snapshot();
+        }
+    }
+
+    private void advanceUnpublished() {
         latch();
+        physics.forgetTouches();
         for (int i = 0; i < stepsPerInterval; i++) {
             physics.step();
         }
-        Snapshot next = sense(latest.tick() + 1);
-        latest = next;
-        Recording log = recording.get();
-        if (log != null) {
-            log.advanced(next);
-        }
-        return next;
+        tick++;
+        sense();
     }
 
     private void checkThread() {
@@ -329,34 +369,38 @@ public final class World {
 
     private void latch() {
         Recording log = recording.get();
-        long nowMicros = latest.timeMicros();
-        if (resetWanted.getAndSet(false)) {
+        long nowMicros = tick * intervalMicros;
+        if (resetWanted.get() && resetWanted.getAndSet(false)) {
             if (log != null) {
                 log.reset();
             }
-            physics = begin();
-            physicsStartMicros = nowMicros;
-            pilots.forEach(pilot -> pilot.forget(nowMicros));
+            startAgain(nowMicros);
         }
-        for (int i = 0; i < latched.length; i++) {
+        for (int i = 0; i < pilots.size(); i++) {
             latchPlace(i, log);
         }
-        for (int i = 0; i < latched.length; i++) {
-            Pose odometry = pilots.get(i).takeOdometry();
+        for (int i = 0; i < pilots.size(); i++) {
+            Pilot pilot = pilots.get(i);
+            Position2d position = devices.get(i).position2d();
+            Pose odometry = pilot.takeOdometry();
             if (odometry != null) {
-                devices.get(i).position2d().set(physics.pose(i), odometry);
+                position.set(physics.pose(i), odometry);
                 if (log != null) {
                     log.odometry(i, odometry);
                 }
             }
-            Drive drive = pilots.get(i).latch(nowMicros, log);
-            latched[i] = drive instanceof Drive.Velocity velocity ? clamp(velocity) : clamp(drive.now(reported(i)));
-            physics.drive(i, latched[i].forwardMps(), latched[i].turnRadps());
+            pilot.latch(nowMicros, log);
+            pilot.steer(position);
+            physics.drive(i, pilot.forwardMps(), pilot.turnRadps());
         }
     }
 
-    private Pose reported(int robot) {
-        return devices.get(robot).position2d().report(physics.pose(robot));
+    private void startAgain(long nowMicros) {
+        physics = newPhysics();
+        physicsStartMicros = nowMicros;
+        devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
+        pilots.forEach(pilot -> pilot.forget(nowMicros));
+        sense(); // as at the start: each reading moves the random streams on
     }
 
     private void latchPlace(int robot, @Nullable Recording log) {
@@ -366,59 +410,87 @@ public final class World {
         }
         String refusal = room.refusal(robot, place, physics::pose);
         if (refusal != null) {
-            LOG.log(System.Logger.Level.WARNING, "at tick " + latest.tick() + " " + refusal);
+            LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
             return;
         }
-        devices.get(robot).position2d().teleported(physics.pose(robot), place);
         physics.teleport(robot, place);
+        devices.get(robot).position2d().teleported(place);
         if (log != null) {
             log.teleport(robot, place);
         }
     }
 
-    private Drive.Velocity clamp(Drive.Velocity wanted) {
-        double forwardMps = Math.clamp(wanted.forwardMps(), -settings.maxForwardMps(), settings.maxForwardMps());
-        double turnRadps = Math.clamp(wanted.turnRadps(), -settings.maxTurnRadps(), settings.maxTurnRadps());
-        return forwardMps == wanted.forwardMps() && turnRadps == wanted.turnRadps()
-                ? wanted
-                : new Drive.Velocity(forwardMps, turnRadps);
-    }
-
-    private Snapshot sense(long tick) {
-        for (int i = 0; i < latched.length; i++) {
-            scene.place(i, physics.pose(i));
+    /** Reads all devices. */
+    private void sense() {
+        for (int i = 0; i < pilots.size(); i++) {
+            double x = physics.x(i);
+            double y = physics.y(i);
+            double headingRad = physics.headingRad(i);
+            scene.place(i, x, y, headingRad);
+            devices.get(i).position2d().sense(x, y, headingRad);
         }
         scene.refresh();
-        List<RobotReading> readings = new ArrayList<>(latched.length);
-        for (int i = 0; i < latched.length; i++) {
+        for (int i = 0; i < pilots.size(); i++) {
+            devices.get(i).sense(scene, i, scratch);
+        }
+    }
+
+    Snapshot snapshot() {
+        List<RobotReading> readings = new ArrayList<>(pilots.size());
+        for (int i = 0; i < pilots.size(); i++) {
             readings.add(read(i));
         }
-        List<Contact> contacts =
-                physics.drainTouches().stream().map(this::contact).toList();
-        return new Snapshot(tick, tick * intervalMicros, readings, contacts);
+        return new Snapshot(tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec, physicsStartMicros));
     }
 
     private RobotReading read(int robot) {
         Pose pose = physics.pose(robot);
-        Devices its = devices.get(robot);
-        Drive.Velocity command = latched[robot];
+        RobotDevices its = devices.get(robot);
+        Pilot pilot = pilots.get(robot);
         var odometry = new Odometry(
-                its.position2d().report(pose), command.forwardMps(), command.turnRadps(), physics.stalled(robot));
+                its.position2d().reported(), pilot.forwardMps(), pilot.turnRadps(), physics.stalled(robot));
         return new RobotReading(
                 pose,
                 odometry,
-                its.sonar() == null ? null : its.sonar().read(scene, robot),
-                its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
-                its.rangers().stream()
-                        .map(ranger -> ranger.read(scene, robot))
+                its.sonar() == null ? null : its.sonar().rangesM(),
+                its.blobfinder() == null ? null : its.blobfinder().image(),
+                its.rangersM().stream()
+                        .map(ranges -> Arrays.stream(ranges).boxed().toList())
                         .toList(),
                 scene.wallGapM(robot));
     }
 
-    private Contact contact(Touch touch) {
-        String other = touch.otherRobot() >= 0
-                ? spec.robots().get(touch.otherRobot()).name()
-                : spec.obstacles().get(touch.obstacle()).name();
-        return new Contact(physicsStartMicros + touch.timeMicros(), touch.robot(), other, touch.otherRobot());
+    // ---- for the view
+
+    long tick() {
+        return tick;
+    }
+
+    long intervalMicros() {
+        return intervalMicros;
+    }
+
+    double forwardMps(int robot) {
+        return pilots.get(robot).forwardMps();
+    }
+
+    double turnRadps(int robot) {
+        return pilots.get(robot).turnRadps();
+    }
+
+    RobotDevices devices(int robot) {
+        return devices.get(robot);
+    }
+
+    long physicsStartMicros() {
+        return physicsStartMicros;
+    }
+
+    Physics physics() {
+        return physics;
+    }
+
+    Scene scene() {
+        return scene;
     }
 }

@@ -9,7 +9,7 @@ import io.troupe.sim.scenario.Pose;
  * <p>Exact odometry follows from where the robot is, so it notices when somebody puts the robot elsewhere (Stage's {@code gps}); the other kind counts only
  * what the robot drives (Stage's {@code odom}).
  *
- * <p><b>Threads.</b> One thread at a time.
+ * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> {@link #sense} allocates nothing.
  */
 public final class Position2d {
     private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
@@ -17,8 +17,14 @@ public final class Position2d {
     private final OdometryError error;
     private final boolean exact;
     private Pose origin; // exact: of the odometry frame, in the world
-    private Pose counted; // else: what was reported last
-    private Pose countedAt; // and where the robot was
+    private double cos; // of its heading
+    private double sin;
+    private double seenX; // where the robot was last, in the world
+    private double seenY;
+    private double seenHeadingRad;
+    private double x; // what is reported
+    private double y;
+    private double headingRad;
 
     /** Exact odometry that reports this pose while the robot stands where it stands. */
     public Position2d(Pose truth, Pose reported) {
@@ -34,51 +40,83 @@ public final class Position2d {
         this.error = error;
         exact = error.equals(OdometryError.NONE);
         origin = originFor(truth, reported);
-        counted = reported;
-        countedAt = truth;
+        set(truth, reported);
     }
 
     /** Makes odometry report this pose while the robot stands where it stands. */
     public void set(Pose truth, Pose reported) {
         origin = originFor(truth, reported);
-        counted = reported;
-        countedAt = truth;
-    }
-
-    /** Tells that somebody has put the robot elsewhere. */
-    public void teleported(Pose from, Pose to) {
-        if (!exact) {
-            set(to, report(from));
+        cos = StrictMath.cos(origin.headingRad());
+        sin = StrictMath.sin(origin.headingRad());
+        x = reported.x();
+        y = reported.y();
+        headingRad = wrap(reported.headingRad());
+        seenX = truth.x();
+        seenY = truth.y();
+        seenHeadingRad = truth.headingRad();
+        if (exact) {
+            report(seenX, seenY, seenHeadingRad);
         }
     }
 
-    /** What odometry reports of a robot that is there now; the heading from -pi to pi. */
-    public Pose report(Pose truth) {
-        return exact ? exactly(truth) : count(truth);
+    /** Tells that somebody has put the robot elsewhere. */
+    public void teleported(Pose to) {
+        if (exact) {
+            sense(to.x(), to.y(), to.headingRad());
+        } else {
+            set(to, reported());
+        }
     }
 
-    private Pose exactly(Pose truth) {
-        double dx = truth.x() - origin.x();
-        double dy = truth.y() - origin.y();
-        double cos = StrictMath.cos(origin.headingRad());
-        double sin = StrictMath.sin(origin.headingRad());
-        return new Pose(
-                cos * dx + sin * dy, cos * dy - sin * dx, wrap(truth.headingRad() - origin.headingRad()));
+    /** Tells where the robot is now, in the world. */
+    public void sense(double worldX, double worldY, double worldHeadingRad) {
+        if (exact) {
+            report(worldX, worldY, worldHeadingRad);
+        } else {
+            count(worldX, worldY, worldHeadingRad);
+        }
+        seenX = worldX;
+        seenY = worldY;
+        seenHeadingRad = worldHeadingRad;
     }
 
-    private Pose count(Pose truth) {
-        double dx = truth.x() - countedAt.x();
-        double dy = truth.y() - countedAt.y();
-        double cos = StrictMath.cos(countedAt.headingRad());
-        double sin = StrictMath.sin(countedAt.headingRad());
-        double turnedRad = wrap(truth.headingRad() - countedAt.headingRad());
-        Pose moved = counted.compose(new Pose(
-                (cos * dx + sin * dy) * (1 + error.x()),
-                (cos * dy - sin * dx) * (1 + error.y()),
-                turnedRad * (1 + error.heading())));
-        counted = new Pose(moved.x(), moved.y(), wrap(moved.headingRad()));
-        countedAt = truth;
-        return counted;
+    private void report(double worldX, double worldY, double worldHeadingRad) {
+        x = cos * (worldX - origin.x()) + sin * (worldY - origin.y());
+        y = cos * (worldY - origin.y()) - sin * (worldX - origin.x());
+        headingRad = wrap(worldHeadingRad - origin.headingRad());
+    }
+
+    private void count(double worldX, double worldY, double worldHeadingRad) {
+        double dx = worldX - seenX;
+        double dy = worldY - seenY;
+        double cosBefore = StrictMath.cos(seenHeadingRad);
+        double sinBefore = StrictMath.sin(seenHeadingRad);
+        double forwardM = (cosBefore * dx + sinBefore * dy) * (1 + error.x());
+        double leftM = (cosBefore * dy - sinBefore * dx) * (1 + error.y());
+        double turnedRad = wrap(worldHeadingRad - seenHeadingRad) * (1 + error.heading());
+        double cosReported = StrictMath.cos(headingRad);
+        double sinReported = StrictMath.sin(headingRad);
+        x += cosReported * forwardM - sinReported * leftM;
+        y += sinReported * forwardM + cosReported * leftM;
+        headingRad = wrap(headingRad + turnedRad);
+    }
+
+    public double x() {
+        return x;
+    }
+
+    public double y() {
+        return y;
+    }
+
+    /** From -pi to pi. */
+    public double headingRad() {
+        return headingRad;
+    }
+
+    /** What odometry reports where the robot was seen last. */
+    public Pose reported() {
+        return new Pose(x, y, headingRad);
     }
 
     private static Pose originFor(Pose truth, Pose reported) {

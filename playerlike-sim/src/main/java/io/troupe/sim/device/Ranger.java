@@ -52,10 +52,10 @@ public final class Ranger {
      *
      * @param into receives {@link #size} ranges: from the sensor to what its ray hits, the greatest range if it hits nothing, the least if it is nearer
      */
-    public void read(Scene scene, int robot, double[] into) {
+    public void read(Scene scene, int robot, Scratch scratch, double[] into) {
         int from = 0;
         for (int i = 0; i < sensors.size(); i++) {
-            sensors.get(i).read(scene, robot, into, from);
+            sensors.get(i).read(scene, robot, scratch, into, from);
             from += sensors.get(i).size();
         }
     }
@@ -63,7 +63,7 @@ public final class Ranger {
     /** The same in a list. */
     public List<Double> read(Scene scene, int robot) {
         double[] ranges = new double[size];
-        read(scene, robot, ranges);
+        read(scene, robot, new Scratch(), ranges);
         return Arrays.stream(ranges).boxed().toList();
     }
 
@@ -84,8 +84,6 @@ public final class Ranger {
         private final DoubleUnaryOperator draw;
         private final double[] headingsRad; // of the rays, in the robot's frame
         private final RayFan fan;
-        private final int[] things;
-        private final double[] distancesM;
         private final boolean noisyDirection;
         private final boolean noisyRange;
 
@@ -100,8 +98,6 @@ public final class Ranger {
                 starts.add(new Pose(spec.mount().x(), spec.mount().y(), headingsRad[i]));
             }
             fan = new RayFan(starts);
-            things = new int[fan.size()];
-            distancesM = new double[fan.size()];
             noisyDirection = spec.noise().angularRad() > 0;
             noisyRange = spec.noise().constantM() > 0 || spec.noise().proportional() > 0;
         }
@@ -132,7 +128,7 @@ public final class Ranger {
             return fan.size();
         }
 
-        void read(Scene scene, int robot, double[] into, int from) {
+        void read(Scene scene, int robot, Scratch scratch, double[] into, int from) {
             if (noisyDirection) {
                 for (int i = 0; i < headingsRad.length; i++) {
                     double headingRad =
@@ -141,8 +137,10 @@ public final class Ranger {
                     fan.dirY[i] = StrictMath.sin(headingRad);
                 }
             }
-            scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), things, distancesM);
-            for (int i = 0; i < distancesM.length; i++) {
+            scratch.fit(fan.size());
+            scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), scratch);
+            double[] distancesM = scratch.distancesM();
+            for (int i = 0; i < fan.size(); i++) {
                 double rangeM = noisyRange ? noisy(distancesM[i]) : distancesM[i];
                 into[from + i] = Math.clamp(rangeM, spec.minRangeM(), spec.maxRangeM());
             }
