@@ -337,6 +337,7 @@ public final class World {
             physics = begin();
             physicsStartMicros = nowMicros;
             pilots.forEach(pilot -> pilot.forget(nowMicros));
+            sense(latest.tick()); // as at the start: each reading moves the random streams on
         }
         for (int i = 0; i < latched.length; i++) {
             latchPlace(i, log);
