@@ -410,9 +410,7 @@ public final class World {
                 odometry,
                 its.sonar() == null ? null : its.sonar().read(scene, robot),
                 its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
-                its.rangers().stream()
-                        .map(ranger -> ranger.read(scene, robot))
-                        .toList(),
+                its.rangers().stream().map(ranger -> ranger.read(scene, robot)).toList(),
                 scene.wallGapM(robot));
     }
 

@@ -117,7 +117,8 @@ class SimulatedDevicesTest {
         assertThat(((DeviceData.LaserScan) client.newest(LASER, 1)).rangesM())
                 .as("looks back at the front of robot two")
                 .containsExactly((float) (2 - 0.2));
-        assertThat(((DeviceData.RangerRanges) client.newest(RANGER, 0)).rangesM()).containsExactly(8.0, 2.9);
+        assertThat(((DeviceData.RangerRanges) client.newest(RANGER, 0)).rangesM())
+                .containsExactly(8.0, 2.9);
     }
 
     @Test
@@ -142,7 +143,8 @@ class SimulatedDevicesTest {
     void configuration_isThatOfTheFile_andCannotBeAnother() {
         var laser = new LaserConfiguration(
                 (float) (-45 * DEGREE), (float) (45 * DEGREE), (float) (45 * DEGREE), 8, 0, false, 10);
-        assertThat(client.ask(LASER, 0, new DeviceRequest.GetConfiguration())).isEqualTo(new DeviceReply.OfLaser(laser));
+        assertThat(client.ask(LASER, 0, new DeviceRequest.GetConfiguration()))
+                .isEqualTo(new DeviceReply.OfLaser(laser));
         assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(laser)))
                 .isEqualTo(new DeviceReply.OfLaser(laser));
         var finer = new LaserConfiguration(0, 1, 0.1f, 8, 0, false, 10);
@@ -168,8 +170,10 @@ class SimulatedDevicesTest {
     }
 
     private static void assertRefused(DeviceReply reply, String reason) {
-        assertThat(reply).isInstanceOfSatisfying(DeviceReply.Nack.class, nack -> assertThat(nack.reason())
-                .contains(reason));
+        assertThat(reply)
+                .isInstanceOfSatisfying(
+                        DeviceReply.Nack.class,
+                        nack -> assertThat(nack.reason()).contains(reason));
     }
 
     // ---- position2d
@@ -178,8 +182,10 @@ class SimulatedDevicesTest {
     void car_isSpeedAndTurnRate_andSidewaysIsIgnored() {
         client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.Car(0.2, 0.5));
         ticks(2);
-        assertThat(simulation.latest().robots().getFirst().odometry().forwardMps()).isEqualTo(0.2);
-        assertThat(simulation.latest().robots().getFirst().odometry().turnRadps()).isEqualTo(0.5);
+        assertThat(simulation.latest().robots().getFirst().odometry().forwardMps())
+                .isEqualTo(0.2);
+        assertThat(simulation.latest().robots().getFirst().odometry().turnRadps())
+                .isEqualTo(0.5);
         client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0, 0.7, 0, true));
         ticks(1);
         Pose before = pose(0);
@@ -251,7 +257,8 @@ class SimulatedDevicesTest {
 
     @Test
     void commandToTheWrongDevice_orWithoutANumber_isRefused() {
-        assertThatThrownBy(() -> client.tell(SONAR, 0, new DeviceCommand.Car(0, 0))).hasMessage("sonar:0 takes no commands");
+        assertThatThrownBy(() -> client.tell(SONAR, 0, new DeviceCommand.Car(0, 0)))
+                .hasMessage("sonar:0 takes no commands");
         assertThatThrownBy(() -> client.tell(POSITION2D, 0, new DeviceCommand.Reset()))
                 .hasMessage("position2d:0 does not understand Reset[]");
         assertThatThrownBy(() -> client.tell(SIMULATION, 0, new DeviceCommand.Car(0, 0)))
@@ -298,7 +305,8 @@ class SimulatedDevicesTest {
                 client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", 2.8, 0, 0)),
                 "it would overlap obstacle 'east'");
         assertRefused(
-                client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", -2, 0.1, 0)), "it would overlap robot 'two'");
+                client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", -2, 0.1, 0)),
+                "it would overlap robot 'two'");
         assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("three", 0, 0, 0)), "no model 'three'");
         assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("east", 0, 0, 0)), "only robots");
         assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("three")), "world 'test' has no model");
@@ -324,13 +332,14 @@ class SimulatedDevicesTest {
         client.tell(SIMULATION, 0, new DeviceCommand.Pause());
         assertThat(simulation.isPaused()).isTrue();
         var answers = new ArrayList<DeviceReply>();
-        simulation.whileWaiting(() -> { // on this thread, while the tick waits for time to go on
-            answers.add(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("two")));
-            if (answers.size() == 3) {
-                assertThat(client.frames).as("nothing is published").isEmpty();
-                simulation.step();
-            }
-        });
+        simulation.whileWaiting(
+                () -> { // on this thread, while the tick waits for time to go on
+                    answers.add(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("two")));
+                    if (answers.size() == 3) {
+                        assertThat(client.frames).as("nothing is published").isEmpty();
+                        simulation.step();
+                    }
+                });
         ticks(1);
         assertThat(answers).hasSizeGreaterThanOrEqualTo(3).hasOnlyElementsOfType(DeviceReply.ModelPose.class);
         assertThat(simulation.latest().tick()).isEqualTo(1);

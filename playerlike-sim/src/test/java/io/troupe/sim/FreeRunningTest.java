@@ -105,7 +105,8 @@ class FreeRunningTest {
                 .subscribe(Interfaces.POSITION2D, 0);
         push.line.answered(-1);
         push.line.neverAnswers();
-        assertThat(simulation.tick().robots().getFirst().odometry().forwardMps()).isEqualTo(0.3);
+        assertThat(simulation.tick().robots().getFirst().odometry().forwardMps())
+                .isEqualTo(0.3);
     }
 
     @Test
