@@ -105,11 +105,13 @@ public final class Physics {
         Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
         body.setSleepingAllowed(false);
         body.setBullet(continuous);
-        for (List<Point> polygon : shape.polygons()) {
-            body.createFixture(fixture(polygon));
+        var proxies = new int[shape.polygons().size()];
+        for (int i = 0; i < proxies.length; i++) {
+            body.createFixture(fixture(shape.polygons().get(i)));
+            proxies[i] = tree.newestProxy();
         }
         setMass(body, massKg);
-        robots.add(new RobotBody(body, pose, stepMicros));
+        robots.add(new RobotBody(body, new FatBoxes(tree, proxies, shape), pose, stepMicros));
     }
 
     private Body createBody(BodyType type, Pose pose, int id) {
@@ -160,7 +162,7 @@ public final class Physics {
     /** Advances by one step. */
     public void step() {
         for (int i = 0; i < robots.size(); i++) {
-            robots.get(i).aim();
+            robots.get(i).aim(timeMicros > 0 && !continuous);
         }
         world.step(stepMicros / 1e6f, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
         timeMicros += stepMicros;

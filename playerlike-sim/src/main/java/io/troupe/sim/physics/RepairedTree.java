@@ -24,6 +24,7 @@ final class RepairedTree implements BroadPhaseStrategy {
     private final AABB large = new AABB();
     private final AABB away = new AABB();
     private final float reachM;
+    private int newestProxy;
     private long moveCount;
     private long reinsertCount;
 
@@ -63,6 +64,11 @@ final class RepairedTree implements BroadPhaseStrategy {
                 && outer.upperBound.y >= inner.upperBound.y;
     }
 
+    /** The box created last. */
+    int newestProxy() {
+        return newestProxy;
+    }
+
     /** How often a box was moved. */
     long moveCount() {
         return moveCount;
@@ -76,7 +82,8 @@ final class RepairedTree implements BroadPhaseStrategy {
     @Override
     public int createProxy(AABB box, Object userData) {
         enlarge(box);
-        return tree.createProxy(large, userData);
+        newestProxy = tree.createProxy(large, userData);
+        return newestProxy;
     }
 
     @Override

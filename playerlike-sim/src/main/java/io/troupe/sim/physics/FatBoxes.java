@@ -1,0 +1,50 @@
+package io.troupe.sim.physics;
+
+import io.troupe.sim.scenario.Point;
+import io.troupe.sim.scenario.Shape;
+import java.util.List;
+import org.jbox2d.collision.AABB;
+import org.jbox2d.common.Settings;
+
+/** The boxes in which the tree keeps a robot's polygons: while these stay inside, jbox2d has nothing to look for. */
+final class FatBoxes {
+    /** The skin, and more than single precision and a table of sines can be wrong by. */
+    private static final double MARGIN_M = Settings.polygonRadius + 1e-3;
+
+    private final RepairedTree tree;
+    private final int[] proxies;
+    private final double[][] x; // of the vertices, by polygon, in the robot's frame
+    private final double[][] y;
+
+    /** @param proxies by polygon */
+    FatBoxes(RepairedTree tree, int[] proxies, Shape shape) {
+        this.tree = tree;
+        this.proxies = proxies;
+        List<List<Point>> polygons = shape.polygons();
+        x = new double[polygons.size()][];
+        y = new double[polygons.size()][];
+        for (int i = 0; i < x.length; i++) {
+            x[i] = polygons.get(i).stream().mapToDouble(Point::x).toArray();
+            y[i] = polygons.get(i).stream().mapToDouble(Point::y).toArray();
+        }
+    }
+
+    /** Whether they surely hold a robot that stands there. */
+    boolean hold(double robotX, double robotY, double cos, double sin) {
+        for (int i = 0; i < proxies.length; i++) {
+            AABB box = tree.getFatAABB(proxies[i]);
+            double minX = box.lowerBound.x + MARGIN_M - robotX;
+            double minY = box.lowerBound.y + MARGIN_M - robotY;
+            double maxX = box.upperBound.x - MARGIN_M - robotX;
+            double maxY = box.upperBound.y - MARGIN_M - robotY;
+            for (int k = 0; k < x[i].length; k++) {
+                double dx = cos * x[i][k] - sin * y[i][k];
+                double dy = sin * x[i][k] + cos * y[i][k];
+                if (dx < minX || dx > maxX || dy < minY || dy > maxY) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+}
