@@ -100,8 +100,7 @@ final class CorrectedStatements {
     }
 
     private Statement deadlockFree() {
-        DeadlockVerdict bySiphons =
-                SiphonAnalysis.of(study.net()).deadlock();
+        DeadlockVerdict bySiphons = SiphonAnalysis.of(study.net()).deadlock();
         boolean proved = bySiphons instanceof DeadlockVerdict.NoDeadMarking;
         boolean byTraps = bySiphons instanceof DeadlockVerdict.NoDeadMarking proof && proof.isByTrapsAlone();
         return new Statement(
