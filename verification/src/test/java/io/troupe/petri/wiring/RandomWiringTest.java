@@ -263,8 +263,8 @@ class RandomWiringTest {
                     .isEqualTo(search.blocks().isEmpty());
             assertThat(search.blocks(progress.losses()))
                     .as("who is blocked in seed %d", seed)
-                    .extracting(story ->
-                            story.waits().stream().map(Wait::component).collect(Collectors.toSet()))
+                    .extracting(
+                            story -> story.waits().stream().map(Wait::component).collect(Collectors.toSet()))
                     .containsExactlyInAnyOrderElementsOf(stuckInTheEnd(net, graph));
             withDead += graph.dead().isEmpty() ? 0 : 1;
             withBlocks += graph.dead().isEmpty() && !search.blocks().isEmpty() ? 1 : 0;
