@@ -20,6 +20,7 @@ import picocli.CommandLine.ParameterException;
         description = "Typed actors and promises on one thread, for robots.",
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
+        scope = CommandLine.ScopeType.INHERIT,
         subcommands = {RunCommand.class, VerifyCommand.class})
 public final class Main {
     /** Exit status for a wrong option, file or number. */

@@ -2,13 +2,18 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Pnml;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The command line: one clear line and exit status 2 for whatever was wrong. */
 class MainTest {
@@ -54,6 +59,29 @@ class MainTest {
         Path file = Files.writeString(directory.resolve("bad.pnml"), "<pnml>");
         assertComplaint(
                 troupe("verify", "--net", file.toString(), "--out", directory.toString()), "bad.pnml", "troupe verify");
+    }
+
+    @Test
+    void netWithMoreTokensThanAnIntHolds_isOneLine() {
+        Path file = directory.resolve("many.pnml");
+        Pnml.write(
+                PetriNet.builder("many")
+                        .place("p", Integer.MAX_VALUE)
+                        .transition("t", List.of(), List.of("p"))
+                        .build(),
+                file);
+
+        assertComplaint(
+                troupe("verify", "--net", file.toString(), "--out", directory.toString()),
+                "many.pnml",
+                "place p would hold 2147483648 tokens");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"run", "verify"})
+    void version_ofACommand_isThatOfTroupe(String command) {
+        assertThat(troupe(command, "--version")).isZero();
+        assertThat(out.toString()).startsWith("Troupe ");
     }
 
     @Test

@@ -44,7 +44,12 @@ public final class MeasureNets {
             throw new IllegalArgumentException(
                     "arguments are " + List.of(args) + ", expected none or --repetitions and a number");
         }
-        int number = Integer.parseInt(args[1]);
+        int number;
+        try {
+            number = Integer.parseInt(args[1]);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("--repetitions is " + args[1] + ", expected a number", e);
+        }
         if (number < 1) {
             throw new IllegalArgumentException("--repetitions is " + number + ", expected 1 or more");
         }

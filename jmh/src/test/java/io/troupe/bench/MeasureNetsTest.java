@@ -38,6 +38,9 @@ class MeasureNetsTest {
                 .isThrownBy(() -> MeasureNets.repetitions("--repetitions", "0"))
                 .withMessage("--repetitions is 0, expected 1 or more");
         assertThatIllegalArgumentException()
+                .isThrownBy(() -> MeasureNets.repetitions("--repetitions", "many"))
+                .withMessage("--repetitions is many, expected a number");
+        assertThatIllegalArgumentException()
                 .isThrownBy(() -> MeasureNets.repetitions("--runs"))
                 .withMessage("arguments are [--runs], expected none or --repetitions and a number");
     }

@@ -1,25 +1,21 @@
 package io.troupe.demo.verify;
 
-import io.troupe.petri.Marking;
-import io.troupe.petri.PaperNets;
-import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.ReachabilityGraph.State;
+import io.troupe.petri.Transition;
 import io.troupe.petri.Verdict;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.OptionalInt;
 
 /** What the paper says about the net whose components stop together. */
 final class CorrectedStatements {
-    private final Reading reading;
     private final NetStudy study;
+    private final StopWays ways;
 
-    CorrectedStatements(Reading reading, NetStudy study) {
-        this.reading = reading;
+    CorrectedStatements(NetStudy study) {
         this.study = study;
+        ways = new StopWays(study.graph(), study.net().transition("Tstop"));
     }
 
     List<Statement> all() {
@@ -28,29 +24,22 @@ final class CorrectedStatements {
 
     private Statement inevitableStop() {
         var wantsToStop = study.net().marking("R10");
-        List<State> stopping = study.graph().states().stream()
-                .filter(state -> state.marking().covers(wantsToStop))
-                .toList();
-        var longest = new HashMap<State, OptionalInt>();
-        OptionalInt firings = stopping.stream()
-                .map(state -> longestWay(state, wantsToStop, longest))
-                .reduce(OptionalInt.of(0), CorrectedStatements::longer);
-        var stop = study.net().transition("Tstop");
+        OptionalInt firings = ways.longest(wantsToStop);
         List<State> before = study.graph().states().stream()
                 .filter(state -> state.successors().stream()
-                        .anyMatch(edge -> edge.transition().equals(stop)))
+                        .anyMatch(edge -> edge.transition().equals(ways.stop())))
                 .toList();
         return new Statement(
                 "5.5.4",
                 "once R10 is marked all must stop, since there is no other path to select",
                 "R10 is marked in %d markings, and Tstop may fire in %d of all; %s"
                         .formatted(
-                                stopping.size(),
+                                study.markingsWith(wantsToStop),
                                 before.size(),
                                 firings.isPresent()
                                         ? "from R10 every way leads to it, after at most " + firings.getAsInt()
                                                 + " other firings"
-                                        : "there is a way round in circles that avoids it"),
+                                        : "not every way from R10 leads to it"),
                 firings.isPresent() && before.size() == 1,
                 before.stream()
                         .limit(1)
@@ -59,47 +48,17 @@ final class CorrectedStatements {
                         .toList());
     }
 
-    /**
-     * The most firings until R10 loses its token; nothing if one can go round in circles, or end before. The graph is some hundred markings
-     * large, so the recursion is not deep.
-     */
-    private static OptionalInt longestWay(State from, Marking wantsToStop, Map<State, OptionalInt> known) {
-        var before = known.get(from);
-        if (before != null) {
-            return before;
-        }
-        known.put(from, OptionalInt.empty()); // whoever comes here again on the way goes round in circles
-        var longest = from.successors().isEmpty() ? OptionalInt.empty() : OptionalInt.of(0);
-        for (var edge : from.successors()) {
-            if (edge.target().marking().covers(wantsToStop)) {
-                var rest = longestWay(edge.target(), wantsToStop, known);
-                longest = longer(longest, rest.isPresent() ? OptionalInt.of(rest.getAsInt() + 1) : rest);
-            }
-        }
-        known.put(from, longest);
-        return longest;
-    }
-
-    private static OptionalInt longer(OptionalInt one, OptionalInt other) {
-        return one.isEmpty() || other.isEmpty()
-                ? OptionalInt.empty()
-                : OptionalInt.of(Math.max(one.getAsInt(), other.getAsInt()));
-    }
-
     private Statement once() {
-        // between two stops Tms2'' and Trp2'' cannot fire twice if each needs a place that only Tstop marks again
-        boolean holds = List.of("P1", "S1").stream()
-                .allMatch(place -> study.net().transitions().stream()
-                        .filter(each -> each.outputs().stream()
-                                .anyMatch(arc -> arc.place().name().equals(place)))
-                        .allMatch(each -> each.name().equals("Tstop")));
+        var gives = List.of(study.net().transition("Trp2''"), study.net().transition("Tms2''"));
+        List<Transition> repeated = gives.stream().filter(ways::canRepeat).toList();
+        boolean fire = study.graph().neverFired().stream().noneMatch(gives::contains);
         return new Statement(
                 "5.5.4",
                 "player gives proxies, and service registers, one time only",
-                holds
-                        ? "once from start to stop: only Tstop puts tokens back on P1 and S1"
-                        : "other transitions than Tstop put tokens back on P1 or S1",
-                holds,
+                repeated.isEmpty()
+                        ? "once from start to stop: neither Trp2'' nor Tms2'' fires twice without Tstop between"
+                        : "these fire twice without Tstop between: " + repeated,
+                repeated.isEmpty() && fire,
                 List.of());
     }
 
@@ -141,8 +100,7 @@ final class CorrectedStatements {
     }
 
     private Statement deadlockFree() {
-        DeadlockVerdict bySiphons =
-                SiphonAnalysis.of(PaperNets.corrected(reading)).deadlock();
+        DeadlockVerdict bySiphons = SiphonAnalysis.of(study.net()).deadlock();
         boolean proved = bySiphons instanceof DeadlockVerdict.NoDeadMarking;
         boolean byTraps = bySiphons instanceof DeadlockVerdict.NoDeadMarking proof && proof.isByTrapsAlone();
         return new Statement(

@@ -59,9 +59,14 @@ final class NetFiles {
             drawing = drawing.pathTo(dead.get(0));
         }
         Files.writeString(directory.resolve(name + ".dot"), drawing.dot());
-        if (graph.size() <= GraphDrawing.MOST_SVG_MARKINGS && graph.edgeCount() <= GraphDrawing.MOST_SVG_EDGES) {
+        if (canDraw(graph)) {
             Files.writeString(directory.resolve(name + ".svg"), drawing.svg());
         }
+    }
+
+    /** Whether a graph is small enough for an SVG file. */
+    static boolean canDraw(ReachabilityGraph graph) {
+        return graph.size() <= GraphDrawing.MOST_SVG_MARKINGS && graph.edgeCount() <= GraphDrawing.MOST_SVG_EDGES;
     }
 
     private void draw(String name, NetDrawing drawing) throws IOException {

@@ -35,6 +35,10 @@ record NetStudy(
     static NetStudy of(PetriNet net) {
         var graph = ReachabilityGraph.explore(net);
         var siphons = Siphons.minimalSiphons(net);
+        if (!graph.isComplete() || !siphons.isComplete()) {
+            throw new IllegalArgumentException(
+                    "net " + net.name() + " is too large to say something of all its markings and siphons: " + graph);
+        }
         var equation = new StateEquation(net);
         return new NetStudy(
                 net,

@@ -4,10 +4,11 @@ import io.troupe.petri.Liveness;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
-import io.troupe.petri.drawing.GraphDrawing;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 
 /** A net of the user's: what is known of it, in words. */
@@ -45,12 +46,18 @@ record OwnNet(PetriNet net, ReachabilityGraph graph, SiphonAnalysis siphons) {
         };
     }
 
-    /** Drawings: the net, its nearest deadlock, and its graph if that is small enough to be drawn. */
-    void write(NetFiles files, String name) throws IOException {
+    /** Drawings: the net, its nearest deadlock, and its graph if that is small enough to be drawn. Answers their names. */
+    List<String> write(NetFiles files, String name) throws IOException {
+        var written = new ArrayList<>(List.of(name));
         files.draw(name, net);
-        files.writeDeadlock(name + "-deadlock", graph);
-        if (graph.isComplete() && graph.size() <= GraphDrawing.MOST_SVG_MARKINGS) {
-            files.write(name + "-graph", graph);
+        if (!graph.dead().isEmpty()) {
+            files.writeDeadlock(name + "-deadlock", graph);
+            written.add(name + "-deadlock");
         }
+        if (graph.isComplete() && NetFiles.canDraw(graph)) {
+            files.write(name + "-graph", graph);
+            written.add(name + "-graph");
+        }
+        return written;
     }
 }

@@ -48,7 +48,7 @@ record ReadingStudy(
         progress.accept("reading " + reading + ": the statements");
         var statements = Stream.concat(
                         new UncorrectedStatements(reading, uncorrected).all().stream(),
-                        new CorrectedStatements(reading, corrected).all().stream())
+                        new CorrectedStatements(corrected).all().stream())
                 .toList();
         return new ReadingStudy(
                 reading, uncorrected, corrected, robotAndPlayer, middlewareAndService, programs, statements);

@@ -107,7 +107,7 @@ final class UncorrectedStatements {
                                 study.emptiedByTheStateEquation(),
                                 study.emptied().size(),
                                 study.withoutMarkedTrap().size()),
-                study.emptiedByTheStateEquation() > 0,
+                study.emptiedByTheStateEquation() > 0 && !study.emptied().isEmpty(),
                 smallest);
     }
 

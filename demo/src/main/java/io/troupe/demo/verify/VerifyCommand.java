@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -33,7 +34,10 @@ public final class VerifyCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "DIR", description = "where verify.md, the nets and the drawings go")
     private Path out = Path.of("out");
 
-    @Option(names = "--robots", paramLabel = "N", description = "how many robots the larger nets and wirings have")
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            description = "how many robots the larger nets and wirings have, 1 to " + MAX_ROBOTS)
     private int robots = 6;
 
     @Option(names = "--net", paramLabel = "FILE", description = "examine this PNML file instead of the paper's nets")
@@ -78,9 +82,15 @@ public final class VerifyCommand implements Callable<Integer> {
     }
 
     private String examine(Path file, TerminalLine line) throws IOException {
-        var own = OwnNet.of(Pnml.read(file), line::show);
+        OwnNet own;
+        try {
+            own = OwnNet.of(Pnml.read(file), line::show);
+        } catch (ArithmeticException e) {
+            throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
+        }
         var name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        own.write(new NetFiles(out), name);
-        return own.summary() + "wrote " + out.resolve(name) + ".dot and .svg\n";
+        var written = own.write(new NetFiles(out), name);
+        return own.summary() + "wrote, as .dot and .svg: "
+                + written.stream().map(each -> out.resolve(each).toString()).collect(Collectors.joining(", ")) + "\n";
     }
 }

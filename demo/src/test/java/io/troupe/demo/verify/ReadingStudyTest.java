@@ -107,9 +107,63 @@ class ReadingStudyTest {
                 .transition("idle", List.of("R10", "M4"), List.of("R10", "M4"))
                 .build();
 
-        var statements = new CorrectedStatements(Reading.A, NetStudy.of(net)).all();
+        var statements = new CorrectedStatements(NetStudy.of(net)).all();
 
         assertThat(statements.get(0).holds()).isFalse();
-        assertThat(statements.get(0).ours()).endsWith("there is a way round in circles that avoids it");
+        assertThat(statements.get(0).ours()).endsWith("not every way from R10 leads to it");
+    }
+
+    @Test
+    void inevitability_ofANetInWhichRobotChangesItsMind_doesNotHold() {
+        // no circle avoids Tstop while R10 is marked, but another transition takes its token
+        var net = A.corrected().net().toBuilder()
+                .transition("back", List.of("R10"), List.of("R5"))
+                .build();
+
+        var statements = new CorrectedStatements(NetStudy.of(net)).all();
+
+        assertThat(statements.get(0).holds()).isFalse();
+    }
+
+    @Test
+    void inevitability_ofANetInWhichRobotNeverWantsToStop_doesNotHold() {
+        var net = A.corrected().net().toBuilder()
+                .remove("Tr6")
+                .transition("other", List.of("R9"), List.of("R9"))
+                .transition("Tr6", List.of("R9", "R10"), List.of("R10"))
+                .build();
+
+        var statements = new CorrectedStatements(NetStudy.of(net)).all();
+
+        assertThat(statements.get(0).ours()).startsWith("R10 is marked in 0 markings");
+        assertThat(statements.get(0).holds()).isFalse();
+        assertThat(statements.get(3).holds()).isFalse();
+    }
+
+    /** Still only Tstop puts tokens back on P1, but player does not need it to give proxies again. */
+    @Test
+    void oneTimeOnly_ofANetInWhichRobotMayAskAgain_doesNotHold() {
+        var net = A.corrected().net().toBuilder()
+                .transition("ask again", List.of("R5", "P4"), List.of("R4''", "P2''"))
+                .build();
+
+        var statements = new CorrectedStatements(NetStudy.of(net)).all();
+
+        assertThat(statements.get(1).holds()).isFalse();
+        assertThat(statements.get(1).ours()).endsWith("without Tstop between: [Trp2'']");
+    }
+
+    /** The statement is about the net that was given, not about the paper's. */
+    @Test
+    void deadlockFreedom_ofANetWithoutIt_isNotSaidToBeProved() {
+        var net = A.corrected().net().toBuilder()
+                .place("gone")
+                .transition("leave", List.of("R10"), List.of("gone"))
+                .build();
+
+        var statements = new CorrectedStatements(NetStudy.of(net)).all();
+
+        assertThat(statements.get(4).holds()).isFalse();
+        assertThat(statements.get(4).ours()).endsWith("its siphons alone do not prove it");
     }
 }

@@ -77,6 +77,10 @@ class VerifyCommandTest {
                         "dead markings: 6, the nearest {P1, M1, S10, R7''}",
                         "live NO, reversible NO",
                         "44 minimal siphons: 20 of them may perhaps be emptied, which decides nothing by itself");
+        var o = directory.resolve("o");
+        assertThat(out.toString())
+                .endsWith("wrote, as .dot and .svg: " + o.resolve("mine") + ", " + o.resolve("mine-deadlock") + ", "
+                        + o.resolve("mine-graph") + "\n");
         assertThat(directory.resolve("o/mine.svg")).isNotEmptyFile();
         assertThat(directory.resolve("o/mine-deadlock.svg")).isNotEmptyFile();
         assertThat(directory.resolve("o/mine-graph.dot")).isNotEmptyFile();

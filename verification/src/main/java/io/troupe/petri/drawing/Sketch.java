@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What is to be laid out: how large everything is, and what is joined with what. Nodes and edges are known by their number. */
+/** What is to be laid out: how large everything is, and what is joined with what. Nodes and edges are known by their number, in the order they are added. */
 final class Sketch {
     /** What a node needs. */
     record Node(Size size, @Nullable Size caption) {}
@@ -36,13 +36,11 @@ final class Sketch {
     }
 
     /** Adds a node; {@code caption} is the text below it. */
-    int node(Size size, @Nullable Size caption) {
+    void node(Size size, @Nullable Size caption) {
         nodes.add(new Node(size, caption));
-        return nodes.size() - 1;
     }
 
-    int edge(int from, int to, @Nullable Size label) {
+    void edge(int from, int to, @Nullable Size label) {
         edges.add(new Edge(from, to, label));
-        return edges.size() - 1;
     }
 }

@@ -7,6 +7,7 @@ import static io.troupe.petri.wiring.Protocol.stops;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.Liveness;
 import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
@@ -24,6 +25,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
 /** Random wirings, checked by way of the net and by playing the declarations directly. */
@@ -259,11 +261,31 @@ class RandomWiringTest {
             assertThat(search.blocks(progress.losses()).isEmpty())
                     .as("no blocks in seed %d", seed)
                     .isEqualTo(search.blocks().isEmpty());
+            assertThat(search.blocks(progress.losses()))
+                    .as("who is blocked in seed %d", seed)
+                    .extracting(
+                            story -> story.waits().stream().map(Wait::component).collect(Collectors.toSet()))
+                    .containsExactlyInAnyOrderElementsOf(stuckInTheEnd(net, graph));
             withDead += graph.dead().isEmpty() ? 0 : 1;
             withBlocks += graph.dead().isEmpty() && !search.blocks().isEmpty() ? 1 : 0;
         }
         assertThat(withDead).isGreaterThan(30);
         assertThat(withBlocks).isGreaterThan(30);
+    }
+
+    /** Of each terminal component of the full graph those that never take a step in it, where there are some. */
+    private static Set<Set<String>> stuckInTheEnd(WiringNet net, ReachabilityGraph graph) {
+        var all = new HashSet<Set<String>>();
+        for (var end : Liveness.of(graph).terminalComponents()) {
+            var stuck = new HashSet<>(net.chosen());
+            net.net().transitions().stream()
+                    .filter(end::fires)
+                    .forEach(transition -> stuck.removeAll(net.event(transition).who()));
+            if (!stuck.isEmpty()) {
+                all.add(stuck);
+            }
+        }
+        return all;
     }
 
     /** In a deadlock all wait, and each in the circle waits for the next. */
