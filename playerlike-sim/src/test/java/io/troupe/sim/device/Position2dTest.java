@@ -71,6 +71,7 @@ class Position2dTest {
     @Test
     void teleport_isNotCounted_butExactOdometryNotices() {
         var counting = new Position2d(Pose.ORIGIN, Pose.ORIGIN, ERROR);
+        counting.sense(1, 0, 0);
         counting.teleported(new Pose(5, 5, 1));
         assertPose(report(counting, new Pose(5, 5, 1)), 1.01, 0, 0);
 
