@@ -142,6 +142,7 @@ public final class Simulation implements AutoCloseable {
         });
         ports.forEach(PlayerPorts.Registration::close);
         left.forEach(line -> line.lose(reason));
+        world.close();
     }
 
     private void publish(Snapshot now, List<ClientLine> audience) {

@@ -11,11 +11,18 @@ package io.troupe.sim;
  * @param physicsStepMicros one step of the physics; divides the world's interval
  * @param maxForwardMps commands are clamped to plus or minus this speed
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
+ * @param sensingThreads how many threads read devices, that of the caller among them; changes nothing but the speed
  */
 public record WorldSettings(
-        long seed, double jitterM, double jitterRad, int physicsStepMicros, double maxForwardMps, double maxTurnRadps) {
-    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most. */
-    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10);
+        long seed,
+        double jitterM,
+        double jitterRad,
+        int physicsStepMicros,
+        double maxForwardMps,
+        double maxTurnRadps,
+        int sensingThreads) {
+    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, one thread. */
+    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10, 1);
 
     public WorldSettings {
         requireAtLeastZero("jitterM", jitterM);
@@ -25,22 +32,30 @@ public record WorldSettings(
         if (physicsStepMicros < 1) {
             throw new IllegalArgumentException("physicsStepMicros is " + physicsStepMicros + ", expected at least 1");
         }
+        if (sensingThreads < 1) {
+            throw new IllegalArgumentException("sensingThreads is " + sensingThreads + ", expected at least 1");
+        }
     }
 
     public WorldSettings withSeed(long seed) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
+    }
+
+    public WorldSettings withSensingThreads(int sensingThreads) {
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     private static void requireAtLeastZero(String name, double value) {
