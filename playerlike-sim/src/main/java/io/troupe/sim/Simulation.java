@@ -250,6 +250,7 @@ public final class Simulation implements AutoCloseable {
         if (recording != null) {
             recording.close();
         }
+        world.close();
     }
 
     private void publish(Snapshot now, List<ClientLine> audience) {

@@ -19,6 +19,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies touch and no more blobs are seen than ever before.
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
-public final class World {
+public final class World implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
     private static final Shape NO_SHAPE = new Shape(List.of());
 
@@ -48,7 +49,8 @@ public final class World {
     private final Scene scene;
     private final List<Pilot> pilots = new ArrayList<>();
     private final WorldView view = new WorldView(this);
-    private final Scratch scratch = new Scratch();
+    private final Scratch[] scratches;
+    private final Sensing sensing;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
@@ -56,6 +58,7 @@ public final class World {
     private Physics physics;
     private long physicsStartMicros; // physics counts its time from the last reset
     private long tick;
+    private volatile boolean closed;
     private volatile boolean wanted; // somebody looked at the latest snapshot
     private volatile Snapshot latest;
 
@@ -92,6 +95,9 @@ public final class World {
         }
         physics = newPhysics();
         devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
+        int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
+        scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
+        sensing = new Sensing(spec.name(), threads, robotCount, this::senseRange);
         sense();
         latest = snapshot();
     }
@@ -321,6 +327,9 @@ public final class World {
             throw new IllegalArgumentException("cannot advance by " + intervals + " intervals, expected at least 1");
         }
         checkThread();
+        if (closed) {
+            throw new IllegalStateException("world '" + spec.name() + "' is closed");
+        }
         try {
             for (long i = 0; i < intervals; i++) {
                 if (wanted) {
@@ -338,6 +347,13 @@ public final class World {
             publish();
         }
         return latest;
+    }
+
+    /** Ends the sensing threads; an advance that is under way goes on to its end, another one is refused. A world of one thread needs no closing. */
+    @Override
+    public void close() {
+        closed = true;
+        sensing.close();
     }
 
     private void publish() {
@@ -430,8 +446,12 @@ public final class World {
             devices.get(i).position2d().sense(x, y, headingRad);
         }
         scene.refresh();
-        for (int i = 0; i < pilots.size(); i++) {
-            devices.get(i).sense(scene, i, scratch);
+        sensing.run();
+    }
+
+    private void senseRange(int range, int fromRobot, int toRobot) {
+        for (int i = fromRobot; i < toRobot; i++) {
+            devices.get(i).sense(scene, i, scratches[range]);
         }
     }
 

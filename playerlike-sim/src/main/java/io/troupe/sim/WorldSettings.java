@@ -12,6 +12,7 @@ package io.troupe.sim;
  * @param maxForwardMps commands are clamped to plus or minus this speed
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
  * @param watchdogMicros a robot that has not been told a speed for so long, in simulated time, stops; 0 = off. A robot on its way to a goal goes on
+ * @param sensingThreads how many threads read devices, that of the caller among them; changes nothing but the speed
  */
 public record WorldSettings(
         long seed,
@@ -20,9 +21,10 @@ public record WorldSettings(
         int physicsStepMicros,
         double maxForwardMps,
         double maxTurnRadps,
-        long watchdogMicros) {
-    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog. */
-    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10);
+        long watchdogMicros,
+        int sensingThreads) {
+    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog, one thread. */
+    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10, 0, 1);
 
     public WorldSettings {
         requireAtLeastZero("jitterM", jitterM);
@@ -35,45 +37,36 @@ public record WorldSettings(
         if (watchdogMicros < 0) {
             throw new IllegalArgumentException("watchdogMicros is " + watchdogMicros + ", expected 0 or more");
         }
-    }
-
-    /** Without a watchdog. */
-    public WorldSettings(
-            long seed,
-            double jitterM,
-            double jitterRad,
-            int physicsStepMicros,
-            double maxForwardMps,
-            double maxTurnRadps) {
-        this(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, 0);
+        if (sensingThreads < 1) {
+            throw new IllegalArgumentException("sensingThreads is " + sensingThreads + ", expected at least 1");
+        }
     }
 
     public WorldSettings withSeed(long seed) {
-        return new WorldSettings(
-                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(
-                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(
-                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(
-                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
     }
 
     public WorldSettings withWatchdogMicros(long watchdogMicros) {
-        return new WorldSettings(
-                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
     }
 
-    /** All values in their order. */
+    public WorldSettings withSensingThreads(int sensingThreads) {
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+    }
+
+    /** All values that change what happens, in their order. */
     String words() {
         return seed + " " + jitterM + " " + jitterRad + " " + physicsStepMicros + " " + maxForwardMps + " "
                 + maxTurnRadps + " " + watchdogMicros;
@@ -92,7 +85,8 @@ public record WorldSettings(
                 Integer.parseInt(each[3]),
                 Double.parseDouble(each[4]),
                 Double.parseDouble(each[5]),
-                Long.parseLong(each[6]));
+                Long.parseLong(each[6]),
+                1);
     }
 
     private static void requireAtLeastZero(String name, double value) {

@@ -12,9 +12,11 @@ class WorldSettingsTest {
                 .withSeed(7)
                 .withJitter(0.02, 0.03)
                 .withPhysicsStepMicros(20_000)
-                .withLimits(1, 2);
+                .withLimits(1, 2)
+                .withWatchdogMicros(500_000)
+                .withSensingThreads(3);
 
-        assertThat(settings).isEqualTo(new WorldSettings(7, 0.02, 0.03, 20_000, 1, 2));
+        assertThat(settings).isEqualTo(new WorldSettings(7, 0.02, 0.03, 20_000, 1, 2, 500_000, 3));
     }
 
     @Test
@@ -26,5 +28,7 @@ class WorldSettingsTest {
                 .hasMessageContaining("maxTurnRadps is NaN");
         assertThatThrownBy(() -> WorldSettings.DEFAULT.withPhysicsStepMicros(0))
                 .hasMessageContaining("physicsStepMicros is 0");
+        assertThatThrownBy(() -> WorldSettings.DEFAULT.withSensingThreads(0))
+                .hasMessageContaining("sensingThreads is 0");
     }
 }
