@@ -19,11 +19,11 @@ class FootprintTest {
     void warmWorld_advancesWithoutGarbage(int robots) {
         World world = World.create(Tiles.world(robots, 1, Specs.RED, Specs.GREEN, Specs.BLUE), WorldSettings.DEFAULT);
         var bytes = new long[2];
-        world.advance(1_100, view -> {
-            if (view.tick() == 600) {
+        world.advance(2_500, view -> {
+            if (view.tick() == 2_000) {
                 bytes[0] = THREADS.getCurrentThreadAllocatedBytes();
             }
-            if (view.tick() == 1_099) {
+            if (view.tick() == 2_499) {
                 bytes[1] = THREADS.getCurrentThreadAllocatedBytes();
             }
             Tiles.wander(view);

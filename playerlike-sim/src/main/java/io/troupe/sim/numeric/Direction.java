@@ -23,6 +23,12 @@ public final class Direction {
     private static final double HALF_PI = 1.57079632673412561417e+00;
 
     private static final double HALF_PI_REST = 6.07710050650619224932e-11;
+    /** The next 33 bits, and the rest; and once more. */
+    private static final double HALF_PI_2 = 6.07710050630396597660e-11;
+
+    private static final double HALF_PI_REST_2 = 2.02226624879595063154e-21;
+    private static final double HALF_PI_3 = 2.02226624871116645580e-21;
+    private static final double HALF_PI_REST_3 = 8.47842766036889956997e-32;
 
     private static final double S1 = -1.66666666666666324348e-01;
     private static final double S2 = 8.33333333332248946124e-03;
@@ -59,25 +65,54 @@ public final class Direction {
         if (high <= QUARTER_PI_HIGH) {
             cos = cosine(newAngleRad, 0);
             sin = sine(newAngleRad, 0, false);
-        } else if (!(Math.abs(newAngleRad) < MOST_RAD)
-                || high == HALF_PI_HIGH
-                || high == PI_HIGH
-                || high == THREE_HALVES_PI_HIGH) { // so near a multiple of pi / 2 the reduction needs more digits
+        } else if (Math.abs(newAngleRad) < MOST_RAD) {
+            reduce(newAngleRad, high);
+        } else {
             cos = StrictMath.cos(newAngleRad);
             sin = StrictMath.sin(newAngleRad);
-        } else {
-            reduce(newAngleRad);
         }
     }
 
-    private void reduce(double angle) {
+    private void reduce(double angle, int high) {
         double size = Math.abs(angle);
         int quarters = (int) (size * TWO_OVER_PI + 0.5);
         double rough = size - quarters * HALF_PI;
         double correction = quarters * HALF_PI_REST;
         double rest = rough - correction;
+        if (high == HALF_PI_HIGH) { // here, and near other multiples of pi / 2, the rest needs more digits
+            rough -= HALF_PI_2;
+            correction = HALF_PI_REST_2;
+            rest = rough - correction;
+        } else if (high == PI_HIGH || high == THREE_HALVES_PI_HIGH) {
+            int exponent = high >> 20;
+            if (exponent - exponent(rest) > 16) {
+                double before = rough;
+                double step = quarters * HALF_PI_2;
+                rough = before - step;
+                correction = quarters * HALF_PI_REST_2 - ((before - rough) - step);
+                rest = rough - correction;
+            }
+            if (exponent - exponent(rest) > 49) {
+                double before = rough;
+                double step = quarters * HALF_PI_3;
+                rough = before - step;
+                correction = quarters * HALF_PI_REST_3 - ((before - rough) - step);
+                rest = rough - correction;
+            }
+        }
         double tail = (rough - rest) - correction;
-        if (angle < 0) {
+        turn(angle < 0, quarters, rest, tail);
+    }
+
+    private static int exponent(double value) {
+        return high(value) >> 20 & 0x7ff;
+    }
+
+    private void turn(boolean negative, int quartersOfSize, double restOfSize, double tailOfSize) {
+        int quarters = quartersOfSize;
+        double rest = restOfSize;
+        double tail = tailOfSize;
+        if (negative) {
             rest = -rest;
             tail = -tail;
             quarters = -quarters;

@@ -27,6 +27,7 @@ final class RobotBody {
     private final double centreY;
     private final StallMeter stallMeter;
     private final Vec2 velocity = new Vec2();
+    private final Direction halfTurn = new Direction();
     private final Direction chordDirection = new Direction();
     private final Direction bodyDirection = new Direction();
 
@@ -58,7 +59,8 @@ final class RobotBody {
     void drive(double forwardMps, double turnRadps) {
         this.turnRadps = turnRadps;
         halfTurnRad = turnRadps * stepS / 2;
-        chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : StrictMath.sin(halfTurnRad) / halfTurnRad);
+        halfTurn.set(halfTurnRad);
+        chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : halfTurn.sin() / halfTurnRad);
     }
 
     void teleport(Pose pose) {
