@@ -126,6 +126,7 @@ public final class Position2d {
     }
 
     private static double wrap(double angleRad) {
-        return StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
+        // between the bounds the remainder is the angle itself
+        return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
     }
 }
