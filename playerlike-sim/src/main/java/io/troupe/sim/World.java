@@ -9,6 +9,7 @@ import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.physics.Physics;
 import io.troupe.sim.physics.Touch;
+import io.troupe.sim.scenario.DriveSpec;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
@@ -94,9 +95,9 @@ public final class World {
         for (int i = 0; i < robotCount; i++) {
             RobotSpec robot = spec.robots().get(i);
             Pose start = startPoses.get(i);
-            physics.addRobot(start, robot.shape(), robot.massKg());
+            physics.addRobot(start, robot.collisionShape(), robot.massKg(), robot.blocksBodies());
             devices.add(devicesOf(robot, start));
-            newestCommands.set(i, Command.ZERO);
+            command(i, robot.drive().startForwardMps(), robot.drive().startTurnRadps());
             latched[i] = Command.ZERO;
         }
         latest = sense(0);
@@ -120,7 +121,7 @@ public final class World {
         boolean fast = false;
         for (RobotSpec robot : spec.robots()) {
             List<Point> points =
-                    robot.shape().polygons().stream().flatMap(List::stream).toList();
+                    robot.collisionShape().polygons().stream().flatMap(List::stream).toList();
             var x = points.stream().mapToDouble(Point::x).summaryStatistics();
             var y = points.stream().mapToDouble(Point::y).summaryStatistics();
             double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
@@ -152,7 +153,7 @@ public final class World {
     /**
      * Sets a robot's speed from the next {@link #advance} on, until another command replaces it.
      *
-     * @param forwardMps clamped to the settings' limits, as is the turn rate
+     * @param forwardMps clamped to the robot's bounds and the settings' limits, as is the turn rate
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
@@ -161,11 +162,16 @@ public final class World {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
+        DriveSpec.Bounds bounds = target.drive().velocityBounds();
         newestCommands.set(
                 robot,
                 new Command(
-                        Math.clamp(forwardMps, -settings.maxForwardMps(), settings.maxForwardMps()),
-                        Math.clamp(turnRadps, -settings.maxTurnRadps(), settings.maxTurnRadps())));
+                        clamped(forwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps()),
+                        clamped(turnRadps, bounds.leastTurn(), bounds.mostTurn(), settings.maxTurnRadps())));
+    }
+
+    private static double clamped(double wanted, double least, double most, double limit) {
+        return Math.clamp(Math.clamp(wanted, least, most), -limit, limit);
     }
 
     /** The same as a command to stand still. */

@@ -12,9 +12,13 @@ import java.util.List;
  */
 public final class Outline {
     private final List<ConvexPolygon> polygons;
+    private final List<? extends Ring> rings;
 
     public Outline(Shape shape, Pose pose) {
         polygons = shape.polygons().stream().map(ConvexPolygon::new).toList();
+        rings = shape.outlines().equals(shape.polygons())
+                ? polygons
+                : shape.outlines().stream().map(Ring::new).toList();
         place(pose);
     }
 
@@ -22,6 +26,11 @@ public final class Outline {
     public void place(Pose pose) {
         for (int i = 0; i < polygons.size(); i++) {
             polygons.get(i).place(pose);
+        }
+        if (rings != polygons) {
+            for (int i = 0; i < rings.size(); i++) {
+                rings.get(i).place(pose);
+            }
         }
     }
 
@@ -50,7 +59,8 @@ public final class Outline {
         return polygons.stream().anyMatch(mine -> other.polygons.stream().anyMatch(mine::overlaps));
     }
 
-    List<ConvexPolygon> polygons() {
-        return polygons;
+    /** The lines at which rays end. */
+    List<? extends Ring> rings() {
+        return rings;
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.sim.device;
 
+import io.troupe.sim.scenario.CargoSpec;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
@@ -21,13 +22,16 @@ public final class Scene {
     private final List<Outline> walls = new ArrayList<>(); // those that block bodies
     private final Outline[] robots;
     private final Pose[] poses;
-    private final int[] robotRayKinds;
-    private final int[] colours; // by thing: obstacles, then robots
+    private final List<List<Part>> parts = new ArrayList<>(); // by robot
+    private final int[] colours; // by thing: obstacles, then robots, then what they carry
     private final int firstRobot;
     private final Segments moving = new Segments();
     private final CellIndex movingIndex;
     private final RayCaster caster;
     private final Ray ray = new Ray();
+
+    /** What rays see of a robot: its body, or a thing it carries. */
+    private record Part(Outline outline, int thing, int rayKinds) {}
 
     /** The world with every robot at its start pose. */
     public Scene(WorldSpec spec) {
@@ -36,8 +40,9 @@ public final class Scene {
         int robotCount = spec.robots().size();
         robots = new Outline[robotCount];
         poses = new Pose[robotCount];
-        robotRayKinds = new int[robotCount];
-        colours = new int[firstRobot + robotCount];
+        int cargoCount =
+                spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
+        colours = new int[firstRobot + robotCount + cargoCount];
         var fixed = new Segments();
         for (int i = 0; i < firstRobot; i++) {
             ObstacleSpec obstacle = obstacles.get(i);
@@ -48,20 +53,34 @@ public final class Scene {
                 walls.add(outline);
             }
         }
+        int cargo = firstRobot + robotCount;
         for (int i = 0; i < robotCount; i++) {
-            RobotSpec robot = spec.robots().get(i);
-            robots[i] = new Outline(robot.shape(), robot.pose());
-            poses[i] = robot.pose();
-            robotRayKinds[i] = rayKinds(robot.blocksRangers(), robot.visible());
-            colours[firstRobot + i] = robot.colour();
-            moving.add(robots[i], firstRobot + i, robotRayKinds[i]);
+            addRobot(i, spec.robots().get(i), cargo);
+            cargo += spec.robots().get(i).cargo().size();
         }
+        showRobots();
         Grid grid = gridAround(fixed, moving);
         var fixedIndex = new CellIndex(grid, fixed);
         fixedIndex.rebuild();
         movingIndex = new CellIndex(grid, moving);
         caster = new RayCaster(grid, fixedIndex, movingIndex);
         refresh();
+    }
+
+    private void addRobot(int index, RobotSpec robot, int firstCargo) {
+        robots[index] = new Outline(robot.collisionShape(), robot.pose());
+        poses[index] = robot.pose();
+        Outline body = robot.cargo().isEmpty() ? robots[index] : new Outline(robot.shape(), robot.pose());
+        var seen = new ArrayList<Part>();
+        seen.add(new Part(body, firstRobot + index, rayKinds(robot.blocksRangers(), robot.visible())));
+        colours[firstRobot + index] = robot.colour();
+        int thing = firstCargo;
+        for (CargoSpec piece : robot.cargo()) {
+            var outline = new Outline(piece.shape(), robot.pose());
+            seen.add(new Part(outline, thing, rayKinds(piece.blocksRangers(), piece.visible())));
+            colours[thing++] = piece.colour();
+        }
+        parts.add(seen);
     }
 
     private static int rayKinds(boolean blocksRangers, boolean visible) {
@@ -88,15 +107,30 @@ public final class Scene {
     public void place(int robot, Pose pose) {
         poses[robot] = pose;
         robots[robot].place(pose);
+        List<Part> seen = parts.get(robot);
+        for (int i = 0; i < seen.size(); i++) {
+            Outline outline = seen.get(i).outline;
+            if (outline != robots[robot]) {
+                outline.place(pose);
+            }
+        }
     }
 
     /** Lets rays see the robots where they are now. */
     public void refresh() {
+        showRobots();
+        movingIndex.rebuild();
+    }
+
+    private void showRobots() {
         moving.clear();
         for (int i = 0; i < robots.length; i++) {
-            moving.add(robots[i], firstRobot + i, robotRayKinds[i]);
+            List<Part> seen = parts.get(i);
+            for (int j = 0; j < seen.size(); j++) {
+                Part part = seen.get(j);
+                moving.add(part.outline, part.thing, firstRobot + i, part.rayKinds);
+            }
         }
-        movingIndex.rebuild();
     }
 
     /** From the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is none. */

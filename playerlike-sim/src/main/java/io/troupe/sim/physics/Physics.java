@@ -102,11 +102,24 @@ public final class Physics {
 
     /** Adds the next robot; the origin of its shape is the centre it turns about. */
     public void addRobot(Pose pose, Shape shape, double massKg) {
+        addRobot(pose, shape, massKg, true);
+    }
+
+    /**
+     * Adds the next robot; the origin of its shape is the centre it turns about.
+     *
+     * @param blocksBodies if not, it touches nothing and nothing touches it
+     */
+    public void addRobot(Pose pose, Shape shape, double massKg, boolean blocksBodies) {
         Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
         body.setSleepingAllowed(false);
         body.setBullet(continuous);
         for (List<Point> polygon : shape.polygons()) {
-            body.createFixture(fixture(polygon));
+            FixtureDef fixture = fixture(polygon);
+            if (!blocksBodies) {
+                fixture.filter.maskBits = 0;
+            }
+            body.createFixture(fixture);
         }
         setMass(body, massKg);
         robots.add(new RobotBody(body, pose, stepMicros));

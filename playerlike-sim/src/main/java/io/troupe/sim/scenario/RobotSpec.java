@@ -16,6 +16,11 @@ import org.jspecify.annotations.Nullable;
  * @param sonar null if it has none
  * @param blobfinder null if it has none
  * @param rangers its lasers and rangers, in the order of the file
+ * @param blocksRangers rays of others end at it
+ * @param visible the blobfinders of others see it
+ * @param blocksBodies if not, it drives through everything and everybody
+ * @param drive how it moves
+ * @param cargo what it carries
  */
 public record RobotSpec(
         String name,
@@ -32,8 +37,59 @@ public record RobotSpec(
         List<RangerSpec> rangers,
         boolean blocksRangers,
         boolean visible,
+        boolean blocksBodies,
+        DriveSpec drive,
+        List<CargoSpec> cargo,
         SourcePosition where) {
     public RobotSpec {
         rangers = List.copyOf(rangers);
+        cargo = List.copyOf(cargo);
+    }
+
+    /** A robot that blocks bodies, drives without limits and carries nothing. */
+    public RobotSpec(
+            String name,
+            Pose pose,
+            Shape shape,
+            int colour,
+            double lengthM,
+            double widthM,
+            double massKg,
+            Pose origin,
+            Pose startOdometry,
+            @Nullable SonarSpec sonar,
+            @Nullable BlobfinderSpec blobfinder,
+            List<RangerSpec> rangers,
+            boolean blocksRangers,
+            boolean visible,
+            SourcePosition where) {
+        this(
+                name,
+                pose,
+                shape,
+                colour,
+                lengthM,
+                widthM,
+                massKg,
+                origin,
+                startOdometry,
+                sonar,
+                blobfinder,
+                rangers,
+                blocksRangers,
+                visible,
+                true,
+                DriveSpec.STANDARD,
+                List.of(),
+                where);
+    }
+
+    /** Everything of it that bumps into things: the body and what it carries. */
+    public Shape collisionShape() {
+        Shape whole = shape;
+        for (CargoSpec piece : cargo) {
+            whole = piece.blocksBodies() ? whole.with(piece.shape()) : whole;
+        }
+        return whole;
     }
 }
