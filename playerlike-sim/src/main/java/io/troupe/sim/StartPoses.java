@@ -65,7 +65,7 @@ final class StartPoses {
                     from.headingRad() + random.nextWithin(settings.jitterRad()));
             outline.place(candidate);
             if (!robot.blocksBodies()
-                    || placed.stream().noneMatch(body -> body.outline().gapM(outline) <= Physics.SKIN_M)) {
+                    || placed.stream().noneMatch(body -> body.outline().isWithin(outline, Physics.SKIN_M))) {
                 return candidate;
             }
         }

@@ -13,7 +13,8 @@ final class ConvexPolygon extends Ring {
     }
 
     boolean overlaps(ConvexPolygon other) {
-        return !separatedByAnEdgeOf(this, other) && !separatedByAnEdgeOf(other, this);
+        boolean far = other.minX > maxX || minX > other.maxX || other.minY > maxY || minY > other.maxY;
+        return !far && !separatedByAnEdgeOf(this, other) && !separatedByAnEdgeOf(other, this);
     }
 
     private static boolean separatedByAnEdgeOf(ConvexPolygon a, ConvexPolygon b) {

@@ -54,6 +54,11 @@ public final class Outline {
         return gap;
     }
 
+    /** Whether the gap is at most {@code distanceM}; cheap if it is much more. */
+    public boolean isWithin(Outline other, double distanceM) {
+        return gapM(other, Math.nextUp(distanceM)) <= distanceM;
+    }
+
     /** Whether the bodies reach into each other; touching is not overlapping. */
     public boolean overlaps(Outline other) {
         return polygons.stream().anyMatch(mine -> other.polygons.stream().anyMatch(mine::overlaps));
