@@ -1,6 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.scenario.DriveSpec;
 import io.troupe.sim.scenario.Pose;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -12,6 +13,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> What the advancing thread tells by {@link #driveNow} allocates nothing.
  */
 final class Pilot {
+    private final DriveSpec spec;
     private final int robot;
     private final WorldSettings settings;
     private final AtomicReference<@Nullable Drive> newestDrive = new AtomicReference<>();
@@ -29,9 +31,11 @@ final class Pilot {
     private boolean powered = true;
     private long toldAtMicros;
 
-    Pilot(int robot, WorldSettings settings) {
+    Pilot(DriveSpec spec, int robot, WorldSettings settings) {
+        this.spec = spec;
         this.robot = robot;
         this.settings = settings;
+        hold(spec.startForwardMps(), spec.startTurnRadps(), 0);
     }
 
     void drive(Drive command) {
@@ -156,8 +160,14 @@ final class Pilot {
     }
 
     private void clamp(double wantedForwardMps, double wantedTurnRadps) {
-        forwardMps = Math.clamp(wantedForwardMps, -settings.maxForwardMps(), settings.maxForwardMps());
-        turnRadps = Math.clamp(wantedTurnRadps, -settings.maxTurnRadps(), settings.maxTurnRadps());
+        DriveSpec.Bounds bounds = spec.velocityBounds();
+        forwardMps =
+                clamp(wantedForwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps());
+        turnRadps = clamp(wantedTurnRadps, bounds.leastTurn(), bounds.mostTurn(), settings.maxTurnRadps());
+    }
+
+    private static double clamp(double wanted, double least, double most, double limit) {
+        return Math.clamp(Math.clamp(wanted, least, most), -limit, limit);
     }
 
     double forwardMps() {
@@ -170,7 +180,7 @@ final class Pilot {
 
     /** The world starts again. */
     void forget(long nowMicros) {
-        hold(0, 0, nowMicros);
+        hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros);
         toldNow = false;
         powered = true;
         clamp(0, 0);

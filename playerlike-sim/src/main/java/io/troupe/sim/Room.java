@@ -44,7 +44,7 @@ final class Room {
         if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
             return attempt + "expected finite numbers";
         }
-        for (List<Point> polygon : robots.get(robot).shape().polygons()) {
+        for (List<Point> polygon : robots.get(robot).collisionShape().polygons()) {
             for (Point vertex : polygon) {
                 Point placed = pose.place(vertex);
                 if (Math.abs(placed.x()) > SpecCheck.FARTHEST_M || Math.abs(placed.y()) > SpecCheck.FARTHEST_M) {
@@ -52,15 +52,21 @@ final class Room {
                 }
             }
         }
-        var outline = new Outline(robots.get(robot).shape(), pose);
+        if (!robots.get(robot).blocksBodies()) {
+            return null;
+        }
+        var outline = new Outline(robots.get(robot).collisionShape(), pose);
         for (Obstacle obstacle : obstacles) {
             if (obstacle.outline().overlaps(outline)) {
                 return attempt + "it would overlap " + obstacle.title();
             }
         }
         for (int i = 0; i < robots.size(); i++) {
-            if (i != robot && new Outline(robots.get(i).shape(), others.apply(i)).overlaps(outline)) {
-                return attempt + "it would overlap robot '" + robots.get(i).name() + "'";
+            RobotSpec other = robots.get(i);
+            if (i != robot
+                    && other.blocksBodies()
+                    && new Outline(other.collisionShape(), others.apply(i)).overlaps(outline)) {
+                return attempt + "it would overlap robot '" + other.name() + "'";
             }
         }
         return null;

@@ -27,7 +27,7 @@ final class SpecCheck {
         }
         for (RobotSpec robot : spec.robots()) {
             String title = "robot '" + robot.name() + "'";
-            checkBody(title, robot.pose(), robot.shape(), robot.where());
+            checkBody(title, robot.pose(), robot.collisionShape(), robot.where());
             if (robot.shape().polygons().isEmpty()) {
                 throw new WorldFileException(robot.where(), title + " has no body");
             }

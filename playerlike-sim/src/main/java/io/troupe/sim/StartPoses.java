@@ -40,8 +40,8 @@ final class StartPoses {
 
     private Pose choose(RobotSpec robot) {
         Pose wanted = robot.pose();
-        var outline = new Outline(robot.shape(), wanted);
-        Body inTheWay = firstOverlapping(outline);
+        var outline = new Outline(robot.collisionShape(), wanted);
+        Body inTheWay = robot.blocksBodies() ? firstOverlapping(outline) : null;
         if (inTheWay != null) {
             throw new WorldFileException(
                     robot.where(), "robot '" + robot.name() + "' overlaps " + inTheWay.title() + ": move one of them");
@@ -49,7 +49,9 @@ final class StartPoses {
         boolean jitter = settings.jitterM() > 0 || settings.jitterRad() > 0;
         Pose chosen = jitter ? jittered(robot, outline) : wanted;
         outline.place(chosen);
-        add("robot", robot.name(), outline);
+        if (robot.blocksBodies()) {
+            add("robot", robot.name(), outline);
+        }
         return chosen;
     }
 
@@ -62,7 +64,8 @@ final class StartPoses {
                     from.y() + random.nextWithin(settings.jitterM()),
                     from.headingRad() + random.nextWithin(settings.jitterRad()));
             outline.place(candidate);
-            if (placed.stream().noneMatch(body -> body.outline().gapM(outline) <= Physics.SKIN_M)) {
+            if (!robot.blocksBodies()
+                    || placed.stream().noneMatch(body -> body.outline().isWithin(outline, Physics.SKIN_M))) {
                 return candidate;
             }
         }

@@ -91,7 +91,7 @@ public final class World implements AutoCloseable {
         room = new Room(spec);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         for (int i = 0; i < robotCount; i++) {
-            pilots.add(new Pilot(i, settings));
+            pilots.add(new Pilot(spec.robots().get(i).drive(), i, settings));
         }
         physics = newPhysics();
         devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
@@ -110,7 +110,7 @@ public final class World implements AutoCloseable {
         }
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
-            begun.addRobot(startPoses.get(i), robot.shape(), robot.massKg());
+            begun.addRobot(startPoses.get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
         }
         return begun;
     }
@@ -122,7 +122,7 @@ public final class World implements AutoCloseable {
         boolean fast = false;
         for (RobotSpec robot : spec.robots()) {
             List<Point> points =
-                    robot.shape().polygons().stream().flatMap(List::stream).toList();
+                    robot.collisionShape().polygons().stream().flatMap(List::stream).toList();
             var x = points.stream().mapToDouble(Point::x).summaryStatistics();
             var y = points.stream().mapToDouble(Point::y).summaryStatistics();
             double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
@@ -162,7 +162,7 @@ public final class World implements AutoCloseable {
     /**
      * Sets a robot's speed from the next {@link #advance} on, until another command replaces it.
      *
-     * @param forwardMps clamped to the settings' limits, as is the turn rate
+     * @param forwardMps clamped to the robot's bounds and the settings' limits, as is the turn rate
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {

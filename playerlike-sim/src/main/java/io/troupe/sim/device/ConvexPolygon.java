@@ -4,45 +4,17 @@ import io.troupe.sim.scenario.Point;
 import java.util.List;
 
 /** One convex polygon, counter-clockwise, that can be moved without allocating. */
-final class ConvexPolygon {
+final class ConvexPolygon extends Ring {
     /** Polygons that reach into each other no deeper than this merely touch. */
     private static final double TOUCH_M = 1e-9;
 
-    private final double[] localX;
-    private final double[] localY;
-    final double[] x;
-    final double[] y;
-    double minX;
-    double minY;
-    double maxX;
-    double maxY;
-
     ConvexPolygon(List<Point> vertices) {
-        localX = vertices.stream().mapToDouble(Point::x).toArray();
-        localY = vertices.stream().mapToDouble(Point::y).toArray();
-        x = new double[localX.length];
-        y = new double[localX.length];
-    }
-
-    void place(double poseX, double poseY, double cos, double sin) {
-        minX = minY = Double.POSITIVE_INFINITY;
-        maxX = maxY = Double.NEGATIVE_INFINITY;
-        for (int i = 0; i < x.length; i++) {
-            x[i] = poseX + cos * localX[i] - sin * localY[i];
-            y[i] = poseY + sin * localX[i] + cos * localY[i];
-            minX = Math.min(minX, x[i]);
-            minY = Math.min(minY, y[i]);
-            maxX = Math.max(maxX, x[i]);
-            maxY = Math.max(maxY, y[i]);
-        }
-    }
-
-    int next(int vertex) {
-        return vertex + 1 == x.length ? 0 : vertex + 1;
+        super(vertices);
     }
 
     boolean overlaps(ConvexPolygon other) {
-        return !separatedByAnEdgeOf(this, other) && !separatedByAnEdgeOf(other, this);
+        boolean far = other.minX > maxX || minX > other.maxX || other.minY > maxY || minY > other.maxY;
+        return !far && !separatedByAnEdgeOf(this, other) && !separatedByAnEdgeOf(other, this);
     }
 
     private static boolean separatedByAnEdgeOf(ConvexPolygon a, ConvexPolygon b) {

@@ -12,9 +12,13 @@ import java.util.List;
  */
 public final class Outline {
     private final List<ConvexPolygon> polygons;
+    private final List<? extends Ring> rings;
 
     public Outline(Shape shape, Pose pose) {
         polygons = shape.polygons().stream().map(ConvexPolygon::new).toList();
+        rings = shape.outlines().equals(shape.polygons())
+                ? polygons
+                : shape.outlines().stream().map(Ring::new).toList();
         place(pose);
     }
 
@@ -27,6 +31,11 @@ public final class Outline {
     void place(double x, double y, double cos, double sin) {
         for (int i = 0; i < polygons.size(); i++) {
             polygons.get(i).place(x, y, cos, sin);
+        }
+        if (rings != polygons) {
+            for (int i = 0; i < rings.size(); i++) {
+                rings.get(i).place(x, y, cos, sin);
+            }
         }
     }
 
@@ -50,6 +59,11 @@ public final class Outline {
         return gap;
     }
 
+    /** Whether the gap is at most {@code distanceM}; cheap if it is much more. */
+    public boolean isWithin(Outline other, double distanceM) {
+        return gapM(other, Math.nextUp(distanceM)) <= distanceM;
+    }
+
     /** Whether the bodies reach into each other; touching is not overlapping. */
     public boolean overlaps(Outline other) {
         return polygons.stream().anyMatch(mine -> other.polygons.stream().anyMatch(mine::overlaps));
@@ -71,5 +85,10 @@ public final class Outline {
 
     List<ConvexPolygon> polygons() {
         return polygons;
+    }
+
+    /** The lines at which rays end. */
+    List<? extends Ring> rings() {
+        return rings;
     }
 }

@@ -62,7 +62,7 @@ final class RayCaster {
         int end = index.start[cell + 1];
         for (int i = index.start[cell]; i < end; i++) {
             int s = index.items[i];
-            if ((segments.stops[s] & ray.kind) == 0 || segments.thing[s] == ray.skip) {
+            if ((segments.stops[s] & ray.kind) == 0 || segments.carrier[s] == ray.skip) {
                 continue;
             }
             double dx = segments.dx[s];

@@ -1,6 +1,7 @@
 package io.troupe.sim.device;
 
 import io.troupe.sim.numeric.Direction;
+import io.troupe.sim.scenario.CargoSpec;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
@@ -28,8 +29,8 @@ public final class Scene {
     private final double[] y;
     private final double[] cos;
     private final double[] sin;
-    private final int[] robotRayKinds;
-    private final int[] colours; // by thing: obstacles, then robots
+    private final List<List<Part>> parts = new ArrayList<>(); // by robot
+    private final int[] colours; // by thing: obstacles, then robots, then what they carry
     private final int firstRobot;
     private final Segments moving = new Segments();
     private final CellIndex movingIndex;
@@ -38,6 +39,9 @@ public final class Scene {
     private final Circles circles;
     private final List<ColourGroup> fixedGroups = new ArrayList<>();
     private final List<ColourGroup> movingGroups = new ArrayList<>();
+
+    /** What rays see of a robot: its body, or a thing it carries. */
+    private record Part(Outline outline, int thing, int rayKinds) {}
 
     /** The world with every robot at its start pose. */
     public Scene(WorldSpec spec) {
@@ -49,11 +53,12 @@ public final class Scene {
         y = new double[robotCount];
         cos = new double[robotCount];
         sin = new double[robotCount];
-        circles = new Circles(firstRobot + robotCount);
+        int cargoCount =
+                spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
+        circles = new Circles(firstRobot + robotCount + cargoCount);
         Map<Integer, List<Integer>> fixedByColour = new LinkedHashMap<>();
         Map<Integer, List<Integer>> movingByColour = new LinkedHashMap<>();
-        robotRayKinds = new int[robotCount];
-        colours = new int[firstRobot + robotCount];
+        colours = new int[firstRobot + robotCount + cargoCount];
         var fixed = new Segments();
         for (int i = 0; i < firstRobot; i++) {
             ObstacleSpec obstacle = obstacles.get(i);
@@ -65,15 +70,12 @@ public final class Scene {
                 walls.add(outline);
             }
         }
+        int cargo = firstRobot + robotCount;
         for (int i = 0; i < robotCount; i++) {
-            RobotSpec robot = spec.robots().get(i);
-            robots[i] = new Outline(robot.shape(), robot.pose());
-            circles.set(firstRobot + i, robot.pose().x(), robot.pose().y(), robots[i]);
-            paint(firstRobot + i, robot.colour(), robot.visible(), movingByColour);
-            place(i, robot.pose());
-            robotRayKinds[i] = rayKinds(robot.blocksRangers(), robot.visible());
-            moving.add(robots[i], firstRobot + i, robotRayKinds[i]);
+            addRobot(i, spec.robots().get(i), cargo, movingByColour);
+            cargo += spec.robots().get(i).cargo().size();
         }
+        showRobots();
         Grid grid = gridAround(fixed, moving);
         var fixedIndex = new CellIndex(grid, fixed);
         fixedIndex.rebuild();
@@ -89,6 +91,25 @@ public final class Scene {
         if (visible) {
             byColour.computeIfAbsent(colour, each -> new ArrayList<>()).add(thing);
         }
+    }
+
+    private void addRobot(int index, RobotSpec robot, int firstCargo, Map<Integer, List<Integer>> byColour) {
+        Pose pose = robot.pose();
+        robots[index] = new Outline(robot.collisionShape(), pose);
+        Outline body = robot.cargo().isEmpty() ? robots[index] : new Outline(robot.shape(), pose);
+        var seen = new ArrayList<Part>();
+        seen.add(new Part(body, firstRobot + index, rayKinds(robot.blocksRangers(), robot.visible())));
+        circles.set(firstRobot + index, pose.x(), pose.y(), body);
+        paint(firstRobot + index, robot.colour(), robot.visible(), byColour);
+        int thing = firstCargo;
+        for (CargoSpec piece : robot.cargo()) {
+            var outline = new Outline(piece.shape(), pose);
+            seen.add(new Part(outline, thing, rayKinds(piece.blocksRangers(), piece.visible())));
+            circles.set(thing, pose.x(), pose.y(), outline);
+            paint(thing++, piece.colour(), piece.visible(), byColour);
+        }
+        parts.add(seen);
+        place(index, pose);
     }
 
     private static int rayKinds(boolean blocksRangers, boolean visible) {
@@ -124,19 +145,34 @@ public final class Scene {
         cos[robot] = direction.cos();
         sin[robot] = direction.sin();
         robots[robot].place(robotX, robotY, cos[robot], sin[robot]);
-        circles.x[firstRobot + robot] = robotX;
-        circles.y[firstRobot + robot] = robotY;
+        List<Part> seen = parts.get(robot);
+        for (int i = 0; i < seen.size(); i++) {
+            Part part = seen.get(i);
+            if (part.outline != robots[robot]) {
+                part.outline.place(robotX, robotY, cos[robot], sin[robot]);
+            }
+            circles.x[part.thing] = robotX;
+            circles.y[part.thing] = robotY;
+        }
     }
 
     /** Lets rays see the robots where they are now. */
     public void refresh() {
-        moving.clear();
-        for (int i = 0; i < robots.length; i++) {
-            moving.add(robots[i], firstRobot + i, robotRayKinds[i]);
-        }
+        showRobots();
         movingIndex.rebuild();
         for (int i = 0; i < movingGroups.size(); i++) {
             movingGroups.get(i).sort();
+        }
+    }
+
+    private void showRobots() {
+        moving.clear();
+        for (int i = 0; i < robots.length; i++) {
+            List<Part> seen = parts.get(i);
+            for (int j = 0; j < seen.size(); j++) {
+                Part part = seen.get(j);
+                moving.add(part.outline, part.thing, firstRobot + i, part.rayKinds);
+            }
         }
     }
 

@@ -9,6 +9,7 @@ final class Segments {
     double[] dx = new double[64];
     double[] dy = new double[64];
     int[] thing = new int[64];
+    int[] carrier = new int[64]; // whose own rays pass
     int[] stops = new int[64]; // kinds of ray, as bits
     int count;
 
@@ -17,18 +18,24 @@ final class Segments {
     }
 
     void add(Outline outline, int thingNumber, int rayKinds) {
-        for (int p = 0; p < outline.polygons().size(); p++) {
-            ConvexPolygon polygon = outline.polygons().get(p);
-            for (int i = 0; i < polygon.x.length; i++) {
-                int j = polygon.next(i);
+        add(outline, thingNumber, thingNumber, rayKinds);
+    }
+
+    /** A thing that another one carries. */
+    void add(Outline outline, int thingNumber, int carrierNumber, int rayKinds) {
+        for (int p = 0; p < outline.rings().size(); p++) {
+            Ring ring = outline.rings().get(p);
+            for (int i = 0; i < ring.x.length; i++) {
+                int j = ring.next(i);
                 if (count == x.length) {
                     grow();
                 }
-                x[count] = polygon.x[i];
-                y[count] = polygon.y[i];
-                dx[count] = polygon.x[j] - polygon.x[i];
-                dy[count] = polygon.y[j] - polygon.y[i];
+                x[count] = ring.x[i];
+                y[count] = ring.y[i];
+                dx[count] = ring.x[j] - ring.x[i];
+                dy[count] = ring.y[j] - ring.y[i];
                 thing[count] = thingNumber;
+                carrier[count] = carrierNumber;
                 stops[count] = rayKinds;
                 count++;
             }
@@ -42,6 +49,7 @@ final class Segments {
         dx = Arrays.copyOf(dx, length);
         dy = Arrays.copyOf(dy, length);
         thing = Arrays.copyOf(thing, length);
+        carrier = Arrays.copyOf(carrier, length);
         stops = Arrays.copyOf(stops, length);
     }
 }

@@ -102,12 +102,25 @@ public final class Physics {
 
     /** Adds the next robot; the origin of its shape is the centre it turns about. */
     public void addRobot(Pose pose, Shape shape, double massKg) {
+        addRobot(pose, shape, massKg, true);
+    }
+
+    /**
+     * Adds the next robot; the origin of its shape is the centre it turns about.
+     *
+     * @param blocksBodies if not, it touches nothing and nothing touches it
+     */
+    public void addRobot(Pose pose, Shape shape, double massKg, boolean blocksBodies) {
         Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
         body.setSleepingAllowed(false);
         body.setBullet(continuous);
         var proxies = new int[shape.polygons().size()];
         for (int i = 0; i < proxies.length; i++) {
-            body.createFixture(fixture(shape.polygons().get(i)));
+            FixtureDef fixture = fixture(shape.polygons().get(i));
+            if (!blocksBodies) {
+                fixture.filter.maskBits = 0;
+            }
+            body.createFixture(fixture);
             proxies[i] = tree.newestProxy();
         }
         setMass(body, massKg);

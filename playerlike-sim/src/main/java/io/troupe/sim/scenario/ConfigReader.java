@@ -2,38 +2,50 @@ package io.troupe.sim.scenario;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 
 /** Turns the tree of a Player {@code .cfg} file into a {@link Scenario}. */
 final class ConfigReader {
     private final WorldSpec world;
+    private final Findings findings;
     private final List<DeviceBinding> devices = new ArrayList<>();
 
-    private ConfigReader(WorldSpec world) {
+    private ConfigReader(WorldSpec world, Findings findings) {
         this.world = world;
+        this.findings = findings;
     }
 
-    static Scenario read(Path file) {
+    static Scenario read(Path file, Findings findings) {
         Document document = EntityParser.parse(Vocabulary.CONFIG, file, null);
-        VocabularyCheck.check(document);
-        document.entities().forEach(ConfigReader::checkDriver);
-        Entity simulation = simulationDriver(document);
+        VocabularyCheck.check(document, findings);
+        List<Entity> drivers = document.entities().stream()
+                .filter(driver -> isStage(driver, findings))
+                .toList();
+        drivers.forEach(ConfigReader::checkDriver);
+        Entity simulation = simulationDriver(document, drivers);
         SourcePosition where = simulation.whereOf("worldfile");
         Path worldFile = SourceText.sibling(file, simulation.text("worldfile", ""), where);
-        var reader = new ConfigReader(WorldReader.read(worldFile, where));
-        document.entities().forEach(reader::driver);
+        Document worldDocument = EntityParser.parse(Vocabulary.WORLD, worldFile, where);
+        var reader = new ConfigReader(WorldReader.read(worldDocument, findings), findings);
+        drivers.forEach(reader::driver);
         return new Scenario(reader.world, reader.devices);
     }
 
-    private static void checkDriver(Entity driver) {
+    private static boolean isStage(Entity driver, Findings findings) {
         String name = driver.text("name", "");
-        if (!name.equals("stage")) {
-            throw new WorldFileException(
-                    driver.whereOf("name"),
-                    driver.has("name")
-                            ? "driver \"" + name + "\" is not supported; expected \"stage\""
-                            : "a driver needs a \"name\"; expected \"stage\"");
+        if (!driver.has("name")) {
+            throw new WorldFileException(driver.where(), "a driver needs a \"name\"; expected \"stage\"");
         }
+        if (!name.equals("stage")) {
+            findings.leaveOut(
+                    driver.whereOf("name"), "driver \"" + name + "\" is not supported; expected \"stage\"");
+        }
+        return name.equals("stage");
+    }
+
+    private static void checkDriver(Entity driver) {
         if (driver.texts("provides").isEmpty()) {
             throw new WorldFileException(
                     driver.whereOf("provides"), "a driver must provide something, such as [ \"position2d:0\" ]");
@@ -46,8 +58,8 @@ final class ConfigReader {
         }
     }
 
-    private static Entity simulationDriver(Document document) {
-        List<Entity> drivers = document.entities().stream()
+    private static Entity simulationDriver(Document document, List<Entity> stage) {
+        List<Entity> drivers = stage.stream()
                 .filter(driver -> driver.has("worldfile"))
                 .toList();
         if (drivers.isEmpty()) {
@@ -67,20 +79,39 @@ final class ConfigReader {
 
     private void driver(Entity driver) {
         for (Value.Text item : driver.texts("provides")) {
-            Provided provided = Provided.parse(item);
-            boolean simulation = provided.interfaceName().equals(DeviceOffer.SIMULATION);
-            if (simulation != driver.has("worldfile")) {
-                throw new WorldFileException(
-                        item.where(),
-                        simulation
-                                ? "simulation is provided by the driver with the \"worldfile\", not by one with a"
-                                        + " \"model\""
-                                : provided.interfaceName() + " is provided by a driver with a \"model\", not by the one"
-                                        + " with the \"worldfile\"");
+            Provided provided = Provided.parse(item, findings);
+            if (provided != null) {
+                provide(driver, provided, item);
             }
-            String model = simulation ? "" : robot(driver, provided, item).name();
-            add(new DeviceBinding(provided.port(), provided.interfaceName(), provided.index(), model, 0, item.where()));
         }
+    }
+
+    private void provide(Entity driver, Provided provided, Value.Text item) {
+        String type = provided.interfaceName();
+        boolean simulation = type.equals(DeviceOffer.SIMULATION);
+        if (simulation != driver.has("worldfile")) {
+            throw new WorldFileException(
+                    item.where(),
+                    simulation
+                            ? "simulation is provided by the driver with the \"worldfile\", not by one with a \"model\""
+                            : type + " is provided by a driver with a \"model\", not by the one with the \"worldfile\"");
+        }
+        requireFreeAddress(provided, item);
+        String model = "";
+        int ranger = 0;
+        if (!simulation) {
+            RobotSpec robot = robot(driver, provided, item);
+            model = robot.name();
+            ranger = DeviceOffer.rangerOf(robot, type, used(model, type).size());
+        }
+        devices.add(new DeviceBinding(provided.port(), type, provided.index(), model, ranger, item.where()));
+    }
+
+    private List<DeviceBinding> used(String model, String interfaceName) {
+        return devices.stream()
+                .filter(device -> device.model().equals(model)
+                        && device.interfaceName().equals(interfaceName))
+                .toList();
     }
 
     private RobotSpec robot(Entity driver, Provided provided, Value.Text item) {
@@ -90,11 +121,21 @@ final class ConfigReader {
                 .findFirst()
                 .orElseThrow(() -> noRobot(driver, name));
         List<String> offered = DeviceOffer.of(robot);
-        if (!offered.contains(provided.interfaceName())) {
+        String type = provided.interfaceName();
+        int count = Collections.frequency(offered, type);
+        if (count == 0) {
             throw new WorldFileException(
                     item.where(),
-                    "robot \"" + name + "\" (" + robot.where() + ") cannot provide " + provided.interfaceName()
-                            + "; it can provide " + String.join(", ", offered));
+                    "robot \"" + name + "\" (" + robot.where() + ") cannot provide " + type + "; it can provide "
+                            + String.join(", ", new LinkedHashSet<>(offered)));
+        }
+        List<DeviceBinding> used = used(name, type);
+        if (used.size() == count) {
+            throw new WorldFileException(
+                    item.where(),
+                    "robot \"" + name + "\" has " + (count == 1 ? "one " : count + " of ") + type
+                            + (count == 1 ? ", and it is already provided at " : ", and they are already provided, the last at ")
+                            + used.getLast().where());
         }
         return robot;
     }
@@ -108,24 +149,16 @@ final class ConfigReader {
                         + world.file() + Suggestions.of(name, names));
     }
 
-    private void add(DeviceBinding device) {
+    private void requireFreeAddress(Provided wanted, Value.Text item) {
         for (DeviceBinding other : devices) {
-            boolean sameInterface = other.interfaceName().equals(device.interfaceName());
-            if (sameInterface && other.index() == device.index() && other.port() == device.port()) {
+            if (other.interfaceName().equals(wanted.interfaceName())
+                    && other.index() == wanted.index()
+                    && other.port() == wanted.port()) {
                 throw new WorldFileException(
-                        device.where(),
-                        device.interfaceName() + ":" + device.index() + " on port " + device.port()
+                        item.where(),
+                        wanted.interfaceName() + ":" + wanted.index() + " on port " + wanted.port()
                                 + " is already provided at " + other.where());
             }
-            if (sameInterface
-                    && other.model().equals(device.model())
-                    && !device.model().isEmpty()) {
-                throw new WorldFileException(
-                        device.where(),
-                        "robot \"" + device.model() + "\" has one " + device.interfaceName()
-                                + ", and it is already provided at " + other.where());
-            }
         }
-        devices.add(device);
     }
 }

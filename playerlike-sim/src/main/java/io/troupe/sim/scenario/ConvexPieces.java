@@ -56,17 +56,37 @@ final class ConvexPieces {
         var triangles = new ArrayList<List<Integer>>();
         while (rest.size() > 3) {
             int ear = ear(rest);
-            if (ear < 0) {
+            if (ear >= 0) {
+                triangles.add(List.of(at(rest, ear - 1), at(rest, ear), at(rest, ear + 1)));
+                rest.remove(ear);
+                continue;
+            }
+            // clipping may leave a corner on the line between its neighbours: it bounds no area
+            int flat = flat(rest);
+            if (flat < 0) {
                 return List.of();
             }
-            triangles.add(List.of(at(rest, ear - 1), at(rest, ear), at(rest, ear + 1)));
-            rest.remove(ear);
+            rest.remove(flat);
         }
-        if (!isConvex(rest)) {
+        if (isConvex(rest)) {
+            triangles.add(List.copyOf(rest));
+        } else if (flat(rest) < 0) {
             return List.of();
         }
-        triangles.add(List.copyOf(rest));
         return triangles;
+    }
+
+    /** A corner from which the way goes straight on, or straight back; -1 if there is none. */
+    private int flat(List<Integer> polygon) {
+        for (int i = 0; i < polygon.size(); i++) {
+            Point a = points.get(at(polygon, i - 1));
+            Point b = points.get(at(polygon, i));
+            Point c = points.get(at(polygon, i + 1));
+            if (!Polygons.turnsLeft(a, b, c) && !Polygons.turnsLeft(c, b, a)) {
+                return i;
+            }
+        }
+        return -1;
     }
 
     /** A corner whose triangle with its neighbours lies inside the polygon, -1 if there is none. */

@@ -2,6 +2,8 @@ package io.troupe.sim.scenario;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 
 /** Which Player interfaces there are, and which of them a robot can provide. */
 final class DeviceOffer {
@@ -10,12 +12,12 @@ final class DeviceOffer {
     private static final String POSITION = "position2d";
     private static final String SONAR = "sonar";
     private static final String BLOBFINDER = "blobfinder";
-    static final List<String> INTERFACES = List.of(SIMULATION, POSITION, SONAR, BLOBFINDER);
+    private static final String LASER = "laser";
+    private static final String RANGER = "ranger";
+    static final List<String> INTERFACES = List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER);
 
     /** Interfaces of Player that other releases may provide. */
     static final List<String> LATER = List.of(
-            "ranger",
-            "laser",
             "fiducial",
             "gripper",
             "bumper",
@@ -38,25 +40,53 @@ final class DeviceOffer {
 
     private DeviceOffer() {}
 
+    /** The interfaces of a robot's devices, one for each device. */
     static List<String> of(RobotSpec robot) {
         var offer = new ArrayList<>(List.of(POSITION));
         if (robot.sonar() != null) {
             offer.add(SONAR);
         }
+        robot.rangers().forEach(ranger -> offer.add(interfaceOf(ranger)));
         if (robot.blobfinder() != null) {
             offer.add(BLOBFINDER);
         }
         return offer;
     }
 
-    /** Everything in the world, the n-th robot's devices with index n. */
+    private static String interfaceOf(RangerSpec ranger) {
+        return switch (ranger.kind()) {
+            case LASER -> LASER;
+            case RANGER -> RANGER;
+        };
+    }
+
+    /** Which of the robot's rangers is its n-th device of an interface; 0 for interfaces that are not of rangers. */
+    static int rangerOf(RobotSpec robot, String interfaceName, int nth) {
+        int left = nth;
+        for (int i = 0; i < robot.rangers().size(); i++) {
+            if (interfaceOf(robot.rangers().get(i)).equals(interfaceName) && left-- == 0) {
+                return i;
+            }
+        }
+        return 0;
+    }
+
+    /** Everything in the world, as {@link ScenarioReader#read(java.nio.file.Path)} describes it. */
     static Scenario everything(WorldSpec world) {
         var devices = new ArrayList<DeviceBinding>();
         devices.add(new DeviceBinding(DEFAULT_PORT, SIMULATION, 0, "", 0, new SourcePosition(world.file(), 1, 1)));
-        for (int index = 0; index < world.robots().size(); index++) {
-            RobotSpec robot = world.robots().get(index);
+        Map<String, Integer> further = new TreeMap<>();
+        for (int robotIndex = 0; robotIndex < world.robots().size(); robotIndex++) {
+            RobotSpec robot = world.robots().get(robotIndex);
+            Map<String, Integer> taken = new TreeMap<>();
             for (String interfaceName : of(robot)) {
-                devices.add(new DeviceBinding(DEFAULT_PORT, interfaceName, index, robot.name(), 0, robot.where()));
+                int nth = taken.merge(interfaceName, 1, Integer::sum) - 1;
+                int index = nth == 0
+                        ? robotIndex
+                        : world.robots().size() + further.merge(interfaceName, 1, Integer::sum) - 1;
+                int ranger = rangerOf(robot, interfaceName, nth);
+                devices.add(
+                        new DeviceBinding(DEFAULT_PORT, interfaceName, index, robot.name(), ranger, robot.where()));
             }
         }
         return new Scenario(world, devices);

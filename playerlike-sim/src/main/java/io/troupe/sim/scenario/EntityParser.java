@@ -43,9 +43,20 @@ final class EntityParser {
         return new Document(parser.root.build(), parser.macros);
     }
 
+    /** The tree of a text, as if it were read from {@code file}, which need not exist. */
+    static Document parseText(String rootType, String text, Path file) {
+        var parser = new EntityParser(rootType, file);
+        parser.text(text, file);
+        return new Document(parser.root.build(), parser.macros);
+    }
+
     private void file(Path file, @Nullable SourcePosition asker) {
         String text = SourceText.read(file, asker);
         guardIncludes(file, asker);
+        text(text, file);
+    }
+
+    private void text(String text, Path file) {
         open.add(file);
         var cursor = new TokenCursor(file, Lexer.tokens(text, file));
         while (!cursor.at(Kind.END)) {

@@ -1,13 +1,15 @@
 package io.troupe.sim.scenario;
 
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /** One item of {@code provides}, {@code key:host:port:interface:index}; leading fields may be left out or empty. */
 record Provided(int port, String interfaceName, int index) {
     private static final int HIGHEST = 65_535;
     private static final Set<String> HERE = Set.of("", "localhost", "127.0.0.1");
 
-    static Provided parse(Value.Text item) {
+    /** The item, null if it is left out. */
+    static @Nullable Provided parse(Value.Text item, Findings findings) {
         String[] fields = item.text().split(":", -1);
         if (fields.length > 5) {
             throw new WorldFileException(
@@ -17,7 +19,9 @@ record Provided(int port, String interfaceName, int index) {
         int last = fields.length - 1;
         String interfaceName = fields[Math.max(0, last - 1)];
         int index = last == 0 ? 0 : number(fields[last], "index", 0, item);
-        checkInterface(interfaceName, item);
+        if (!isOffered(interfaceName, item, findings)) {
+            return null;
+        }
         boolean portGiven = last >= 2 && !fields[last - 2].isEmpty();
         int port = portGiven ? number(fields[last - 2], "port", 1, item) : DeviceOffer.DEFAULT_PORT;
         if (last >= 3 && !HERE.contains(fields[last - 3])) {
@@ -29,15 +33,17 @@ record Provided(int port, String interfaceName, int index) {
         return new Provided(port, interfaceName, index);
     }
 
-    private static void checkInterface(String name, Value.Text item) {
+    /** False for an interface that is known to Player and not offered here. */
+    private static boolean isOffered(String name, Value.Text item, Findings findings) {
         if (DeviceOffer.INTERFACES.contains(name)) {
-            return;
+            return true;
         }
         if (DeviceOffer.LATER.contains(name)) {
-            throw new WorldFileException(
+            findings.leaveOut(
                     item.where(),
-                    "interface \"" + name + "\" is not supported yet; supported: "
+                    "interface \"" + name + "\" is not supported; supported: "
                             + Suggestions.list(DeviceOffer.INTERFACES));
+            return false;
         }
         throw new WorldFileException(
                 item.where(),

@@ -16,7 +16,11 @@ import org.jspecify.annotations.Nullable;
  * @param sonar null if it has none
  * @param blobfinder null if it has none
  * @param rangers its lasers and rangers, in the order of the file
- * @param odometryError how wrong its odometry may be; {@link OdometryError#NONE} unless the file asks for it
+ * @param blocksRangers rays of others end at it
+ * @param visible the blobfinders of others see it
+ * @param blocksBodies if not, it drives through everything and everybody
+ * @param drive how it moves
+ * @param cargo what it carries
  */
 public record RobotSpec(
         String name,
@@ -33,13 +37,16 @@ public record RobotSpec(
         List<RangerSpec> rangers,
         boolean blocksRangers,
         boolean visible,
-        SourcePosition where,
-        OdometryError odometryError) {
+        boolean blocksBodies,
+        DriveSpec drive,
+        List<CargoSpec> cargo,
+        SourcePosition where) {
     public RobotSpec {
         rangers = List.copyOf(rangers);
+        cargo = List.copyOf(cargo);
     }
 
-    /** With exact odometry. */
+    /** A robot that blocks bodies, drives without limits and carries nothing. */
     public RobotSpec(
             String name,
             Pose pose,
@@ -71,33 +78,42 @@ public record RobotSpec(
                 rangers,
                 blocksRangers,
                 visible,
-                where,
-                OdometryError.NONE);
+                true,
+                DriveSpec.STANDARD,
+                List.of(),
+                where);
     }
 
-    /** The same robot with other odometry. */
+    /** Everything of it that bumps into things: the body and what it carries. */
+    public Shape collisionShape() {
+        Shape whole = shape;
+        for (CargoSpec piece : cargo) {
+            whole = piece.blocksBodies() ? whole.with(piece.shape()) : whole;
+        }
+        return whole;
+    }
+
+    /** How wrong its odometry may be; {@link OdometryError#NONE} unless the file asks for it. */
+    public OdometryError odometryError() {
+        return switch (drive.localization()) {
+            case DriveSpec.Localization.Gps gps -> OdometryError.NONE;
+            case DriveSpec.Localization.DeadReckoning counted ->
+                new OdometryError(counted.forward(), counted.sideways(), counted.turn());
+        };
+    }
+
+    /** The same robot with odometry that adds up what the wheels do, and is wrong by this. */
     public RobotSpec withOdometryError(OdometryError error) {
-        return new RobotSpec(
-                name,
-                pose,
-                shape,
-                colour,
-                lengthM,
-                widthM,
-                massKg,
-                origin,
-                startOdometry,
-                sonar,
-                blobfinder,
-                rangers,
-                blocksRangers,
-                visible,
-                where,
-                error);
+        var counted = new DriveSpec.Localization.DeadReckoning(error.x(), error.y(), error.heading());
+        return with(rangers, drive.withLocalization(counted));
     }
 
     /** The same robot with these lasers and rangers. */
     public RobotSpec withRangers(List<RangerSpec> others) {
+        return with(others, drive);
+    }
+
+    private RobotSpec with(List<RangerSpec> otherRangers, DriveSpec otherDrive) {
         return new RobotSpec(
                 name,
                 pose,
@@ -110,10 +126,12 @@ public record RobotSpec(
                 startOdometry,
                 sonar,
                 blobfinder,
-                others,
+                otherRangers,
                 blocksRangers,
                 visible,
-                where,
-                odometryError);
+                blocksBodies,
+                otherDrive,
+                cargo,
+                where);
     }
 }

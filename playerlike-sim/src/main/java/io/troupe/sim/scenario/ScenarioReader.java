@@ -5,16 +5,26 @@ import static java.util.Objects.requireNonNull;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 
 /**
- * Reads worlds in the Stage language (classic dialect) and Player configuration files.
+ * Reads worlds in the Stage language, both dialects, and Player configuration files.
+ *
+ * <p><b>Role.</b> A world that uses {@code sensor}, {@code velocity_bounds} or {@code acceleration_bounds} is read as Stage 4 means
+ * it: odometry starts at the global pose, speeds are limited to 1 m/s and 90 degrees/s unless the file says otherwise, and a
+ * {@code ranger_return} of 0 is seen. Every other world is classic: odometry starts at zero, nothing limits the speed, and a
+ * {@code ranger_return} of 0 is not seen. A world that mixes both is refused.
  *
  * <p><b>Units and shapes.</b> Files speak degrees, records radians. Concave outlines have been cut into convex pieces,
- * clockwise ones turned round. The world is flat: heights are read and play no part.
+ * clockwise ones turned round. The dark pixels of a bitmap (first channel at most 127 of 255) are walls; their bounding box fills
+ * {@code size}. The world is flat: heights are read and play no part. Models on a robot are its cargo; bodies of sensors are left
+ * out. A laser's {@code resolution} is read, and every sample is cast all the same.
  *
  * <p><b>Errors.</b> {@link WorldFileException}, which begins with {@code file:line:column} where there is one: unknown
- * names, wrong values, missing files, what is not supported yet, bodies that overlap or stand outside the walls. What
- * steers Stage's window, its pace or devices nobody can ask for here (fiducials, grippers) is accepted without effect.
+ * names, wrong values, missing files, what is not supported, bodies that overlap or stand outside the walls. What steers
+ * Stage's window or its pace is accepted without effect. A lenient reader leaves out, with a warning, what it does not know
+ * or need: unknown properties, devices nobody can ask for here (fiducial, gripper, bumper, camera, ..), other drivers and
+ * interfaces of Player, a second ring of sonars.
  */
 public final class ScenarioReader {
     private ScenarioReader() {}
@@ -23,14 +33,24 @@ public final class ScenarioReader {
      * Reads a {@code .world} file with its {@code .cfg}, or a {@code .cfg} file with its world.
      *
      * <p>For a world the configuration is the file of the same base name beside it. If there is none, every robot is
-     * offered on port 6665: the first as {@code position2d:0}, {@code sonar:0} and {@code blobfinder:0} as far as it has
-     * them, the next with index 1, and so on.
+     * offered on port 6665: the first as {@code position2d:0}, {@code sonar:0}, {@code laser:0}, {@code ranger:0} and
+     * {@code blobfinder:0} as far as it has them, the next with index 1, and so on; second and further lasers and rangers of
+     * one robot follow after all the first ones.
      */
     public static Scenario read(Path file) {
+        return read(file, Findings.strict());
+    }
+
+    /** The same, leniently: what would be left out is told to {@code warnings} instead of stopping the reading. */
+    public static Scenario read(Path file, Consumer<WorldFileWarning> warnings) {
+        return read(file, Findings.lenient(requireNonNull(warnings, "warnings")));
+    }
+
+    private static Scenario read(Path file, Findings findings) {
         requireNonNull(file, "file");
         String name = String.valueOf(file.getFileName());
         if (name.endsWith(".cfg")) {
-            return readConfig(file);
+            return ConfigReader.read(file, findings);
         }
         if (!name.endsWith(".world")) {
             throw new WorldFileException("expected a .world or a .cfg file, not " + file);
@@ -38,9 +58,9 @@ public final class ScenarioReader {
         String base = name.substring(0, name.length() - ".world".length());
         Path config = file.resolveSibling(base + ".cfg");
         if (!Files.exists(config) || !Files.exists(file)) {
-            return DeviceOffer.everything(readWorld(file));
+            return DeviceOffer.everything(WorldReader.read(parse(file), findings));
         }
-        Scenario scenario = readConfig(config);
+        Scenario scenario = ConfigReader.read(config, findings);
         if (!isSame(scenario.world().file(), file)) {
             throw new WorldFileException(config + " beside " + file + " is for another world, "
                     + scenario.world().file() + "; name the .cfg file to use it");
@@ -50,12 +70,27 @@ public final class ScenarioReader {
 
     /** Reads the world alone, without devices. */
     public static WorldSpec readWorld(Path file) {
-        return WorldReader.read(requireNonNull(file, "file"), null);
+        return WorldReader.read(parse(requireNonNull(file, "file")), Findings.strict());
+    }
+
+    /**
+     * Reads a world from a text, and offers every robot as {@link #read(Path)} does.
+     *
+     * @param file the name it has in messages; files it includes are relative to it
+     */
+    public static Scenario readText(String text, Path file) {
+        requireNonNull(text, "text");
+        Document document = EntityParser.parseText(Vocabulary.WORLD, text, requireNonNull(file, "file"));
+        return DeviceOffer.everything(WorldReader.read(document, Findings.strict()));
     }
 
     /** Reads a {@code .cfg} file and the world its {@code worldfile} names, relative to it. */
     public static Scenario readConfig(Path file) {
-        return ConfigReader.read(requireNonNull(file, "file"));
+        return ConfigReader.read(requireNonNull(file, "file"), Findings.strict());
+    }
+
+    private static Document parse(Path worldFile) {
+        return EntityParser.parse(Vocabulary.WORLD, worldFile, null);
     }
 
     private static boolean isSame(Path one, Path other) {

@@ -8,7 +8,7 @@ final class SensorReader {
     private static final int MOST_SONARS = 1000;
     private static final int MOST_PIXELS = 10_000;
     private static final double FARTHEST_M = 1000;
-    private static final double FULL_CIRCLE_RAD = 2 * Math.PI;
+    static final double FULL_CIRCLE_RAD = 2 * Math.PI;
 
     private final Units units;
 
@@ -16,9 +16,10 @@ final class SensorReader {
         this.units = units;
     }
 
-    SonarSpec sonar(Entity ranger) {
+    /** A {@code ranger} of the classic dialect, mounted at {@code pose}. */
+    SonarSpec sonar(Entity ranger, Pose pose) {
         if (!ranger.has("scount")) {
-            throw new WorldFileException(ranger.where(), "a ranger needs \"scount\", the number of its sonars");
+            throw new WorldFileException(ranger.where(), "a ranger needs \"scount\", the number of its sonars, or a sensor( .. ) as in Stage 4");
         }
         int count = ranger.whole("scount", 0);
         SourcePosition where = ranger.whereOf("scount");
@@ -28,7 +29,6 @@ final class SensorReader {
         long given = ranger.properties().values().stream()
                 .filter(p -> p.name().equals("spose"))
                 .count();
-        Pose pose = units.pose(ranger, "pose");
         var mounts = new ArrayList<Pose>();
         for (int i = 0; i < count; i++) {
             String key = Property.key("spose", i);
@@ -58,7 +58,7 @@ final class SensorReader {
         return new SonarSpec(mounts, least, most, fieldOfView(view[2], where));
     }
 
-    BlobfinderSpec blobfinder(Entity blobfinder) {
+    BlobfinderSpec blobfinder(Entity blobfinder, Pose pose) {
         double[] image = blobfinder.numbers("image", 80, 60);
         for (double pixels : image) {
             if (pixels < 1 || pixels > MOST_PIXELS || pixels != StrictMath.rint(pixels)) {
@@ -75,7 +75,7 @@ final class SensorReader {
         double fov = blobfinder.has("fov")
                 ? fieldOfView(blobfinder.number("fov", 0), blobfinder.whereOf("fov"))
                 : StrictMath.toRadians(60);
-        Pose mount = units.pose(blobfinder, "pose").compose(new Pose(0, 0, units.radians(blobfinder.number("pan", 0))));
+        Pose mount = pose.compose(new Pose(0, 0, units.radians(blobfinder.number("pan", 0))));
         return new BlobfinderSpec(mount, (int) image[0], (int) image[1], range, fov, colours(blobfinder));
     }
 

@@ -1,15 +1,51 @@
 package io.troupe.sim.scenario;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
- * The outline of a body: convex polygons in the body's own frame, origin at the pose point (a robot's centre of rotation).
+ * A body seen from above, in its own frame, origin at the pose point (a robot's centre of rotation).
  *
- * <p><b>Units and shapes.</b> Metres; each polygon has 3 to 8 vertices, counter-clockwise, convex; one that is not convex in the
- * file has been cut into pieces that are.
+ * <p><b>Units and shapes.</b> Metres. What bodies bump into and what rays end at are the same area, said twice: as convex pieces
+ * and as lines around it, because rays must not see where one piece ends and the next begins.
+ *
+ * @param polygons the area as pieces of 3 to 8 vertices, counter-clockwise, convex
+ * @param outlines the lines around it, each closed by itself, the body to the left: counter-clockwise outside, clockwise around
+ *     a hole
  */
-public record Shape(List<List<Point>> polygons) {
+public record Shape(List<List<Point>> polygons, List<List<Point>> outlines) {
     public Shape {
-        polygons = polygons.stream().map(List::copyOf).toList();
+        boolean same = outlines.equals(polygons);
+        polygons = copy(polygons);
+        outlines = same ? polygons : copy(outlines);
+    }
+
+    /** A body whose pieces are seen as they are. */
+    public Shape(List<List<Point>> polygons) {
+        this(polygons, polygons);
+    }
+
+    private static List<List<Point>> copy(List<List<Point>> rings) {
+        return rings.stream().map(List::copyOf).toList();
+    }
+
+    /** Both bodies as one. */
+    Shape with(Shape other) {
+        return new Shape(join(polygons, other.polygons), join(outlines, other.outlines));
+    }
+
+    /** The body in the frame in which {@code pose} is given. */
+    Shape at(Pose pose) {
+        return pose.equals(Pose.ORIGIN) ? this : new Shape(place(polygons, pose), place(outlines, pose));
+    }
+
+    private static List<List<Point>> join(List<List<Point>> one, List<List<Point>> other) {
+        return Stream.concat(one.stream(), other.stream()).toList();
+    }
+
+    private static List<List<Point>> place(List<List<Point>> rings, Pose pose) {
+        return rings.stream()
+                .map(ring -> ring.stream().map(pose::place).toList())
+                .toList();
     }
 }

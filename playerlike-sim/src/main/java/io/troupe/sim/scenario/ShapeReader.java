@@ -9,10 +9,15 @@ final class ShapeReader {
     private static final double LARGEST_M = 1000;
     private static final double BOUNDARY_THICKNESS_M = 0.02;
 
-    private ShapeReader() {}
+    private final Units units;
+    private final BitmapShapes bitmaps = new BitmapShapes();
+
+    ShapeReader(Units units) {
+        this.units = units;
+    }
 
     /** Width and depth of the body, {@code {x, y}}. */
-    static double[] size(Entity model, Units units) {
+    double[] size(Entity model) {
         double[] size = model.numbers("size", 0.1, 0.1);
         SourcePosition where = model.whereOf("size");
         for (int i = 0; i < 2; i++) {
@@ -26,32 +31,41 @@ final class ShapeReader {
         return new double[] {size[0], size[1]};
     }
 
-    /** The outline in the frame of the pose point. */
-    static Shape shape(Entity model, double[] size, Pose origin) {
-        var pieces = new ArrayList<List<Point>>();
+    /** The body in the frame of the pose point. */
+    Shape shape(Entity model) {
+        double[] size = size(model);
         List<Entity> blocks = model.children().stream()
                 .filter(child -> child.type().equals("block"))
                 .toList();
-        if (!blocks.isEmpty()) {
-            pieces.addAll(blocks(blocks, size));
+        boolean bitmap = !model.text("bitmap", "").isEmpty();
+        if (bitmap && !blocks.isEmpty()) {
+            throw new WorldFileException(
+                    model.whereOf("bitmap"),
+                    "a model has a \"bitmap\" or blocks, not both; the first block is at "
+                            + blocks.getFirst().where());
+        }
+        var shape = new Shape(List.of());
+        if (bitmap) {
+            shape = bitmaps.shape(model, size);
+        } else if (!blocks.isEmpty()) {
+            shape = blocks(blocks, size);
         }
         if (model.flag("boundary", false)) {
-            pieces.addAll(boundary(size));
-        } else if (blocks.isEmpty()) {
-            pieces.add(Polygons.rectangle(-size[0] / 2, -size[1] / 2, size[0] / 2, size[1] / 2));
+            shape = shape.with(boundary(size));
+        } else if (shape.polygons().isEmpty()) {
+            shape = new Shape(List.of(Polygons.rectangle(-size[0] / 2, -size[1] / 2, size[0] / 2, size[1] / 2)));
         }
-        return new Shape(pieces.stream()
-                .map(piece -> piece.stream().map(origin::place).toList())
-                .toList());
+        return shape.at(units.pose(model, "origin"));
     }
 
-    private static List<List<Point>> blocks(List<Entity> blocks, double[] size) {
+    private static Shape blocks(List<Entity> blocks, double[] size) {
         List<List<Point>> outlines = blocks.stream().map(BlockReader::read).toList();
         Box drawn = Box.around(outlines);
         if (drawn.width() <= 0 || drawn.height() <= 0) {
             throw new WorldFileException(blocks.getFirst().where(), "the block has no area: its points lie on a line");
         }
         var pieces = new ArrayList<List<Point>>();
+        var lines = new ArrayList<List<Point>>();
         for (int i = 0; i < blocks.size(); i++) {
             Entity block = blocks.get(i);
             List<Point> outline = outlines.get(i).stream()
@@ -66,19 +80,20 @@ final class ShapeReader {
                         block.where(), "the block is too thin: scaled to \"size\" it is narrower than a micrometre");
             }
             pieces.addAll(cut);
+            lines.addAll(cut.size() == 1 ? cut : List.of(Polygons.counterClockwise(outline)));
         }
-        return pieces;
+        return new Shape(pieces, lines);
     }
 
     /** Four walls along the inside of the bounding box. */
-    private static List<List<Point>> boundary(double[] size) {
+    private static Shape boundary(double[] size) {
         double x = size[0] / 2;
         double y = size[1] / 2;
         double thick = Math.min(BOUNDARY_THICKNESS_M, Math.min(x, y));
-        return List.of(
+        return new Shape(List.of(
                 Polygons.rectangle(-x, -y, x, -y + thick),
                 Polygons.rectangle(-x, y - thick, x, y),
                 Polygons.rectangle(-x, -y, -x + thick, y),
-                Polygons.rectangle(x - thick, -y, x, y));
+                Polygons.rectangle(x - thick, -y, x, y)));
     }
 }

@@ -14,7 +14,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** The entity types and properties of the classic Stage language and of Player's configuration files, as data. */
+/** The entity types and properties of both dialects of the Stage language and of Player's configuration files, as data. */
 final class Vocabulary {
     /** Stands for a world file itself: its properties and entities at the top level. */
     static final String WORLD = "world file";
@@ -36,13 +36,15 @@ final class Vocabulary {
         }
     }
 
-    /** Types real Stage knows and we do not read yet. */
-    private static final Set<String> LATER =
-            Set.of("laser", "fiducial", "gripper", "bumper", "actuator", "camera", "lightindicator", "ptz", "sensor");
+    /** Types real Stage knows and nobody can use here. */
+    private static final Set<String> WITHOUT_USE =
+            Set.of("fiducial", "gripper", "bumper", "actuator", "camera", "lightindicator", "ptz");
 
-    private static final String SECOND_DIALECT = "belongs to the Stage 4 dialect, which is not supported yet";
-    private static final String NESTED_ROBOT = "a position inside another entity is not supported yet";
-    private static final String CARGO = "a model on a robot is not supported yet";
+    private static final Set<String> SENSORS = Set.of("ranger", "laser", "blobfinder");
+
+    private static final String NESTED_ROBOT = "a position inside another entity is not supported";
+    private static final Map<String, String> MODEL_CHILDREN = Map.of(
+            "model", "", "block", "", "ranger", "", "laser", "", "blobfinder", "", "position", NESTED_ROBOT);
 
     private static final Map<String, PropertyRule> WORLD_PROPERTIES = union(
             all(TEXT, "name", "unit_length", "unit_angle"),
@@ -72,8 +74,8 @@ final class Vocabulary {
             MODEL_PROPERTIES,
             all(TEXT, "drive", "localization"),
             all(numbers(3, 4), "velocity", "localization_origin", "odom_error"),
-            all(NUMBER, "wheelbase"),
-            all(refused(SECOND_DIALECT), "velocity_bounds", "acceleration_bounds"));
+            all(numbers(8, 8), "velocity_bounds", "acceleration_bounds"),
+            all(NUMBER, "wheelbase"));
 
     private static final Map<String, PropertyRule> RANGER_PROPERTIES = union(
             MODEL_PROPERTIES,
@@ -81,6 +83,19 @@ final class Vocabulary {
             all(array(3, 3), "spose"),
             all(numbers(3, 3), "sview"),
             all(numbers(2, 3), "ssize"));
+
+    private static final Map<String, PropertyRule> SENSOR_PROPERTIES = union(
+            all(numbers(3, 4), "pose"),
+            all(numbers(2, 3), "size"),
+            all(numbers(2, 2), "range"),
+            all(numbers(3, 3), "noise"),
+            all(NUMBER, "fov"),
+            all(WHOLE, "samples"),
+            all(TEXT, "color"),
+            all(numbers(4, 4), "color_rgba"));
+
+    private static final Map<String, PropertyRule> LASER_PROPERTIES = union(
+            MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "fov"), all(WHOLE, "samples", "resolution"));
 
     private static final Map<String, PropertyRule> BLOBFINDER_PROPERTIES = union(
             MODEL_PROPERTIES,
@@ -101,40 +116,36 @@ final class Vocabulary {
             all(FLAG, "usegui", "alwayson"),
             all(refused("is not supported: the drivers offered here need no other device"), "requires"));
 
-    private static final Map<String, Type> TYPES = Map.of(
-            WORLD,
-            new Type(WORLD_PROPERTIES, Map.of("model", "", "position", "", "window", "")),
-            "window",
-            new Type(WINDOW_PROPERTIES, Map.of()),
-            "model",
-            new Type(MODEL_PROPERTIES, Map.of("model", "", "block", "", "position", NESTED_ROBOT)),
-            "position",
-            new Type(
-                    POSITION_PROPERTIES,
-                    Map.of("ranger", "", "blobfinder", "", "block", "", "model", CARGO, "position", NESTED_ROBOT)),
-            "ranger",
-            new Type(RANGER_PROPERTIES, Map.of("block", "", "sensor", "\"sensor\" " + SECOND_DIALECT)),
-            "blobfinder",
-            new Type(BLOBFINDER_PROPERTIES, Map.of("block", "")),
-            "block",
-            new Type(BLOCK_PROPERTIES, Map.of()),
-            CONFIG,
-            new Type(Map.of(), Map.of("driver", "")),
-            "driver",
-            new Type(DRIVER_PROPERTIES, Map.of()));
+    private static final Map<String, Type> TYPES = Map.ofEntries(
+            entry(WORLD, WORLD_PROPERTIES, Map.of("model", "", "position", "", "window", "")),
+            entry("window", WINDOW_PROPERTIES, Map.of()),
+            entry("model", MODEL_PROPERTIES, MODEL_CHILDREN),
+            entry("position", POSITION_PROPERTIES, MODEL_CHILDREN),
+            entry("ranger", RANGER_PROPERTIES, with("sensor", MODEL_CHILDREN)),
+            entry("sensor", SENSOR_PROPERTIES, Map.of()),
+            entry("laser", LASER_PROPERTIES, MODEL_CHILDREN),
+            entry("blobfinder", BLOBFINDER_PROPERTIES, MODEL_CHILDREN),
+            entry("block", BLOCK_PROPERTIES, Map.of()),
+            entry(CONFIG, Map.of(), Map.of("driver", "")),
+            entry("driver", DRIVER_PROPERTIES, Map.of()));
 
     private Vocabulary() {}
 
     static boolean isType(String name) {
-        return TYPES.containsKey(name) || LATER.contains(name);
+        return TYPES.containsKey(name) || WITHOUT_USE.contains(name);
     }
 
-    /** Whether real Stage knows the type and we do not read it yet. */
-    static boolean isLater(String type) {
-        return LATER.contains(type);
+    /** Whether real Stage knows the type and nobody can use it here. */
+    static boolean isWithoutUse(String type) {
+        return WITHOUT_USE.contains(type);
     }
 
-    /** The type of that name; only for one of which {@link #isType} says so and {@link #isLater} does not. */
+    /** Whether it is a device that a robot carries. */
+    static boolean isSensor(String type) {
+        return SENSORS.contains(type);
+    }
+
+    /** The type of that name; only for one of which {@link #isType} says so and {@link #isWithoutUse} does not. */
     static Type type(String name) {
         Type type = TYPES.get(name);
         if (type == null) {
@@ -150,15 +161,32 @@ final class Vocabulary {
         return names;
     }
 
-    /** The types that may hold this one, sorted. */
+    /** The types that may usefully hold this one, sorted. */
     static Set<String> holdersOf(String child) {
+        if (SENSORS.contains(child)) {
+            return Set.of("position");
+        }
         var holders = new TreeSet<String>();
         TYPES.forEach((name, type) -> {
             if ("".equals(type.children().get(child))) {
                 holders.add(name);
             }
         });
+        if (!holders.equals(Set.of("ranger"))) {
+            holders.removeAll(SENSORS);
+        }
         return holders;
+    }
+
+    private static Map.Entry<String, Type> entry(
+            String name, Map<String, PropertyRule> properties, Map<String, String> children) {
+        return Map.entry(name, new Type(properties, children));
+    }
+
+    private static Map<String, String> with(String child, Map<String, String> others) {
+        var children = new TreeMap<>(others);
+        children.put(child, "");
+        return children;
     }
 
     private static Map<String, PropertyRule> all(PropertyRule rule, String... names) {

@@ -6,23 +6,24 @@ import java.util.TreeSet;
 /** Holds a tree against the {@link Vocabulary}: unknown names, wrong kinds of value, entities in the wrong place. */
 final class VocabularyCheck {
     private final Document document;
+    private final Findings findings;
 
-    private VocabularyCheck(Document document) {
+    private VocabularyCheck(Document document, Findings findings) {
         this.document = document;
+        this.findings = findings;
     }
 
     /**
-     * Throws at the first thing that is not in the vocabulary. Macros are checked too; what is known but not supported
-     * yet is an error only where a macro is used, so that stock include files with more in them than a world needs
-     * can be read.
+     * Reports what is not in the vocabulary. Macros are checked too; what is known but not supported is reported only where a
+     * macro is used, so that stock include files with more in them than a world needs can be read.
      */
-    static void check(Document document) {
-        var check = new VocabularyCheck(document);
+    static void check(Document document, Findings findings) {
+        var check = new VocabularyCheck(document, findings);
         for (Entity macro : document.macros().values()) {
             if (!Vocabulary.isType(macro.type())) {
                 throw check.unknownType(macro, Vocabulary.readableTypes());
             }
-            if (!Vocabulary.isLater(macro.type())) {
+            if (!Vocabulary.isWithoutUse(macro.type())) {
                 check.inside(macro, false);
             }
         }
@@ -41,39 +42,43 @@ final class VocabularyCheck {
         }
     }
 
-    private static void property(Property property, Entity entity, Vocabulary.Type type, boolean used) {
+    private void property(Property property, Entity entity, Vocabulary.Type type, boolean used) {
         PropertyRule rule = type.properties().get(property.name());
         if (rule == null) {
-            throw new WorldFileException(
+            findings.leaveOut(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
                             + Suggestions.briefly(
                                     property.name(), type.properties().keySet()));
+            return;
         }
         if (!rule.refusal().isEmpty()) {
             if (used) {
-                throw new WorldFileException(property.where(), "\"" + property.name() + "\" " + rule.refusal());
+                findings.leaveOut(property.where(), "\"" + property.name() + "\" " + rule.refusal());
             }
             return;
         }
         rule.check(property);
     }
 
-    /** False for what an unused macro holds and we do not read yet. */
+    /** False for what is left out. */
     private boolean mayRead(Entity child, Entity parent, Vocabulary.Type parentType, boolean used) {
         String refusal = parentType.children().get(child.type());
         if ("".equals(refusal)) {
             return true;
         }
-        if (refusal != null || Vocabulary.isLater(child.type())) {
+        if (refusal != null) {
             if (used) {
-                throw new WorldFileException(
+                throw new WorldFileException(child.where(), refusal);
+            }
+            return false;
+        }
+        if (Vocabulary.isWithoutUse(child.type())) {
+            if (used) {
+                findings.leaveOut(
                         child.where(),
-                        refusal != null
-                                ? refusal
-                                : "\"" + child.type()
-                                        + "\" is not supported yet: this version reads model, position, ranger and"
-                                        + " blobfinder");
+                        "\"" + child.type() + "\" is not supported; supported are model, position, ranger, laser and"
+                                + " blobfinder");
             }
             return false;
         }

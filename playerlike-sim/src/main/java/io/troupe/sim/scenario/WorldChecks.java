@@ -19,7 +19,7 @@ final class WorldChecks {
     /** A body where it stands in the world. */
     private record Body(String name, SourcePosition where, List<List<Point>> pieces, Box box) {
         static Body of(RobotSpec robot) {
-            return of("robot \"" + robot.name() + '"', robot.where(), robot.pose(), robot.shape());
+            return of("robot \"" + robot.name() + '"', robot.where(), robot.pose(), robot.collisionShape());
         }
 
         static Body of(ObstacleSpec obstacle) {
@@ -35,8 +35,9 @@ final class WorldChecks {
 
         boolean overlaps(Body other) {
             return box.meets(other.box)
-                    && pieces.stream()
-                            .anyMatch(mine -> other.pieces.stream().anyMatch(its -> Polygons.overlap(mine, its)));
+                    && other.pieces.stream()
+                            .filter(its -> box.meets(Box.around(List.of(its))))
+                            .anyMatch(its -> pieces.stream().anyMatch(mine -> Polygons.overlap(mine, its)));
         }
     }
 
@@ -44,14 +45,19 @@ final class WorldChecks {
 
     static void check(WorldSpec world) {
         checkNames(world);
-        List<Body> robots = world.robots().stream().map(Body::of).toList();
+        List<Body> robots = world.robots().stream()
+                .filter(RobotSpec::blocksBodies)
+                .map(Body::of)
+                .toList();
         List<Body> walls = world.obstacles().stream()
                 .filter(ObstacleSpec::blocksBodies)
                 .map(Body::of)
                 .toList();
-        Stream<Body> ghosts = world.obstacles().stream()
-                .filter(obstacle -> !obstacle.blocksBodies())
-                .map(Body::of);
+        Stream<Body> ghosts = Stream.concat(
+                world.obstacles().stream()
+                        .filter(obstacle -> !obstacle.blocksBodies())
+                        .map(Body::of),
+                world.robots().stream().filter(robot -> !robot.blocksBodies()).map(Body::of));
         Stream.of(robots.stream(), walls.stream(), ghosts)
                 .flatMap(bodies -> bodies)
                 .forEach(WorldChecks::checkReach);

@@ -5,40 +5,41 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.jspecify.annotations.Nullable;
 
 /** Turns the tree of a {@code .world} file into a {@link WorldSpec}. */
 final class WorldReader {
     private static final int LONGEST_INTERVAL_MILLIS = 60_000;
 
     private final Units units;
+    private final Dialect dialect;
+    private final Findings findings;
+    private final ShapeReader shapes;
     private final RobotReader robotReader;
     private final List<RobotSpec> robots = new ArrayList<>();
     private final List<ObstacleSpec> obstacles = new ArrayList<>();
     private final Map<String, Integer> unnamed = new TreeMap<>();
 
-    private WorldReader(Units units) {
+    private WorldReader(Units units, Dialect dialect, Findings findings) {
         this.units = units;
-        this.robotReader = new RobotReader(units);
+        this.dialect = dialect;
+        this.findings = findings;
+        this.shapes = new ShapeReader(units);
+        this.robotReader = new RobotReader(units, dialect, shapes, findings);
     }
 
-    /**
-     * The world of a file, checked.
-     *
-     * @param asker where the file is named; null if the user named it
-     */
-    static WorldSpec read(Path file, @Nullable SourcePosition asker) {
-        Document document = EntityParser.parse(Vocabulary.WORLD, file, asker);
-        VocabularyCheck.check(document);
+    /** The world of a parsed file, checked. */
+    static WorldSpec read(Document document, Findings findings) {
+        VocabularyCheck.check(document, findings);
         Entity root = document.root();
-        var reader = new WorldReader(Units.of(root));
+        var reader = new WorldReader(Units.of(root), Dialect.of(root, findings), findings);
         for (Entity entity : document.entities()) {
             switch (entity.type()) {
-                case "position" -> reader.robots.add(reader.robotReader.read(entity, reader.name(entity)));
+                case "position" -> reader.robot(entity);
                 case "model" -> reader.obstacle(entity, Pose.ORIGIN);
-                default -> {} // a window of the graphical program
+                default -> {} // a window of the graphical program, or something left out
             }
         }
+        Path file = root.where().file();
         String name = root.text("name", String.valueOf(file.getFileName()));
         var world = new WorldSpec(name, file, intervalMillis(root), reader.robots, reader.obstacles);
         WorldChecks.check(world);
@@ -55,23 +56,41 @@ final class WorldReader {
         return interval;
     }
 
+    private void robot(Entity position) {
+        checkLaserReturn(position);
+        robots.add(robotReader.read(position, name(position)));
+    }
+
     private void obstacle(Entity model, Pose outer) {
-        refuseBitmap(model);
+        checkLaserReturn(model);
         Pose pose = outer.compose(units.pose(model, "pose"));
-        Pose origin = units.pose(model, "origin");
         obstacles.add(new ObstacleSpec(
                 name(model),
                 pose,
-                ShapeReader.shape(model, ShapeReader.size(model, units), origin),
+                shapes.shape(model),
                 Colours.of(model),
                 model.flag("obstacle_return", true),
-                model.number("ranger_return", 1) > 0,
+                dialect.blocksRangers(model),
                 model.flag("blob_return", true),
                 model.where()));
         for (Entity child : model.children()) {
             if (child.type().equals("model")) {
                 obstacle(child, pose);
+            } else if (Vocabulary.isSensor(child.type())) {
+                findings.leaveOut(
+                        child.where(),
+                        "a " + child.type() + " must hang on a robot (a position), not on a model that stands still");
             }
+        }
+    }
+
+    private void checkLaserReturn(Entity model) {
+        boolean differs = model.has("laser_return")
+                && model.number("laser_return", 1) > 0 != dialect.blocksRangers(model);
+        if (differs) {
+            findings.leaveOut(
+                    model.whereOf("laser_return"),
+                    "lasers and sonars see the same things here: \"laser_return\" must agree with \"ranger_return\"");
         }
     }
 
@@ -79,12 +98,5 @@ final class WorldReader {
     private String name(Entity entity) {
         int number = unnamed.merge(entity.type(), 1, Integer::sum) - 1;
         return entity.text("name", entity.type() + ":" + number);
-    }
-
-    static void refuseBitmap(Entity entity) {
-        if (!entity.text("bitmap", "").isEmpty()) {
-            throw new WorldFileException(
-                    entity.whereOf("bitmap"), "a \"bitmap\" is not supported yet; describe the shape with blocks");
-        }
     }
 }

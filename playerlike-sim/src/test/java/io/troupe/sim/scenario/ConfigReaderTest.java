@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -77,16 +78,17 @@ class ConfigReaderTest {
             delimiter = '|',
             quoteCharacter = '`',
             value = {
-                "\"positon2d:0\"               | t.cfg:2:34: unknown interface \"positon2d\" in \"positon2d:0\"; did you mean \"position2d\"? known: blobfinder, position2d, simulation, sonar",
-                "\"wheels:0\"                  | t.cfg:2:34: unknown interface \"wheels\" in \"wheels:0\"; known: blobfinder, position2d, simulation, sonar",
-                "\"laser:0\"                   | t.cfg:2:34: interface \"laser\" is not supported yet; supported: blobfinder, position2d, simulation, sonar",
+                "\"positon2d:0\"               | t.cfg:2:34: unknown interface \"positon2d\" in \"positon2d:0\"; did you mean \"position2d\"? known: blobfinder, laser, position2d, ranger, simulation, sonar",
+                "\"wheels:0\"                  | t.cfg:2:34: unknown interface \"wheels\" in \"wheels:0\"; known: blobfinder, laser, position2d, ranger, simulation, sonar",
+                "\"laser:0\"                   | t.cfg:2:34: robot \"full\" (w.world:1:1) cannot provide laser; it can provide position2d, sonar, blobfinder",
+                "\"speech:0\"                  | t.cfg:2:34: interface \"speech\" is not supported; supported: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"sonar:x\"                   | t.cfg:2:34: the index in \"sonar:x\" must be a whole number from 0 to 65535, not \"x\"",
                 "\"sonar:\"                    | t.cfg:2:34: the index in \"sonar:\" must be a whole number from 0 to 65535, not \"\"",
                 "\"0:sonar:0\"                 | t.cfg:2:34: the port in \"0:sonar:0\" must be a whole number from 1 to 65535, not \"0\"",
                 "\"70000:sonar:0\"             | t.cfg:2:34: the port in \"70000:sonar:0\" must be a whole number from 1 to 65535, not \"70000\"",
                 "\"robot.local::sonar:0\"      | t.cfg:2:34: host \"robot.local\" in \"robot.local::sonar:0\" is not supported: devices are provided by this machine; leave the host empty",
                 "\"a:b:c:d:sonar:0\"           | t.cfg:2:34: \"a:b:c:d:sonar:0\" has more fields than key:host:port:interface:index",
-                "\"\"                          | t.cfg:2:34: unknown interface \"\" in \"\"; known: blobfinder, position2d, simulation, sonar",
+                "\"\"                          | t.cfg:2:34: unknown interface \"\" in \"\"; known: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"sonar:0\" \"sonar:0\"       | t.cfg:2:44: sonar:0 on port 6665 is already provided at t.cfg:2:34",
                 "\"sonar:0\" \"sonar:1\"       | t.cfg:2:44: robot \"full\" has one sonar, and it is already provided at t.cfg:2:34",
                 "\"simulation:0\"              | t.cfg:2:34: simulation is provided by the driver with the \"worldfile\", not by one with a \"model\"",
@@ -116,7 +118,7 @@ class ConfigReaderTest {
                 "driver ( name \"stage\" modle \"full\" )                          | t.cfg:2:23: unknown property \"modle\" of driver; did you mean \"model\"?",
                 "driver ( name \"stage\" provides [ \"simulation:1\" ] worldfile \"x.world\" ) | t.cfg:2:61: a second \"worldfile\"; the first is at t.cfg:1:61",
                 "drivr ( )                                                          | t.cfg:2:1: unknown entity \"drivr\"; did you mean \"driver\"?",
-                "model ( )                                                          | t.cfg:2:1: \"model\" cannot stand in a configuration file; it belongs in a model or a world file",
+                "model ( )                                                          | t.cfg:2:1: \"model\" cannot stand in a configuration file; it belongs in a model or a position or a world file",
                 "speed 3                                                            | t.cfg:2:1: unknown property \"speed\" of configuration file; known: none",
             })
     void driver_thatMakesNoSense_isRefused(String driver, String message) {
@@ -147,5 +149,65 @@ class ConfigReaderTest {
         worlds.write("w.world", "model ( siez 1 )");
 
         assertThat(worlds.configProblem(STAGE)).startsWith("w.world:1:9: unknown property \"siez\"");
+    }
+
+    @Test
+    void rangers_ofOneRobot_areBoundInTheOrderOfProvides() {
+        worlds.write("w.world", """
+                position ( name "full"
+                  laser ( range_max 8 ) ranger ( scount 1 spose[0] [ 0 0 0 ] )
+                  model ( pose [ 0 0.1 0 90 ] laser ( range_max 4 ) ) )
+                """);
+
+        Scenario scenario = ScenarioReader.readConfig(worlds.write(
+                "t.cfg",
+                STAGE + "driver ( name \"stage\" provides [ \"laser:4\" \"sonar:0\" \"7000:laser:0\" ] model \"full\" )"));
+
+        assertThat(scenario.devices())
+                .extracting(d -> d.port() + " " + d.interfaceName() + ":" + d.index() + " " + d.ranger())
+                .containsExactly("6665 simulation:0 0", "6665 laser:4 0", "6665 sonar:0 0", "7000 laser:0 1");
+        assertThat(scenario.world().robots().getFirst().rangers())
+                .extracting(r -> r.sensors().getFirst().maxRangeM())
+                .containsExactly(8.0, 4.0);
+        assertThat(worlds.configProblem(STAGE
+                        + "driver ( name \"stage\" provides [ \"laser:0\" \"laser:1\" \"laser:2\" ] model \"full\" )"))
+                .isEqualTo("t.cfg:2:54: robot \"full\" has 2 of laser, and they are already provided, the last at"
+                        + " t.cfg:2:44");
+    }
+
+    @Test
+    void ranger_ofStage4_isTheOnlyInterfaceOfItsSensors() {
+        worlds.write("w.world", "position ( name \"full\" ranger ( sensor () ) ranger ( sensor ( samples 180 ) ) )");
+        String driver = "driver ( name \"stage\" provides [ \"%s\" ] model \"full\" )";
+
+        assertThat(ScenarioReader.readConfig(worlds.write("t.cfg", STAGE + driver.formatted("ranger:0\" \"ranger:1")))
+                        .devices())
+                .extracting(DeviceBinding::ranger)
+                .containsExactly(0, 0, 1);
+        assertThat(worlds.configProblem(STAGE + driver.formatted("sonar:0")))
+                .isEqualTo("t.cfg:2:34: robot \"full\" (w.world:1:1) cannot provide sonar; it can provide position2d,"
+                        + " ranger");
+    }
+
+    @Test
+    void lenientReader_leavesOutOtherDriversAndInterfaces() {
+        var warnings = new ArrayList<String>();
+        Path file = worlds.write("t.cfg", STAGE + """
+                driver ( name "vfh" provides [ "position2d:1" ] requires [ "laser:0" ] )
+                driver ( name "stage" provides [ "speech:0" "sonar:0" "graphics2d:0" ] model "full" )
+                """);
+
+        Scenario scenario = ScenarioReader.read(
+                file, warning -> warnings.add(warning.toString().replace(dir + "/", "")));
+
+        assertThat(scenario.devices()).extracting(DeviceBinding::interfaceName).containsExactly("simulation", "sonar");
+        assertThat(warnings)
+                .containsExactly(
+                        "t.cfg:2:49: \"requires\" is not supported: the drivers offered here need no other device",
+                        "t.cfg:2:15: driver \"vfh\" is not supported; expected \"stage\"",
+                        "t.cfg:3:34: interface \"speech\" is not supported; supported: blobfinder, laser, position2d,"
+                                + " ranger, simulation, sonar",
+                        "t.cfg:3:55: interface \"graphics2d\" is not supported; supported: blobfinder, laser, position2d,"
+                                + " ranger, simulation, sonar");
     }
 }

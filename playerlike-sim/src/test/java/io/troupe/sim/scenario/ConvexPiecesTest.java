@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -78,6 +79,42 @@ class ConvexPiecesTest {
 
         assertCovers(ConvexPieces.of(comb), comb);
         assertCovers(ConvexPieces.of(comb.reversed()), comb);
+    }
+
+    @Test
+    void bay_whoseCornersLieOnOneLine_isCutIntoConvexPieces() {
+        List<Point> bay = points(0, 0, 3, 0, 3, 3, 0, 3, 0, 2, 1, 2, 1, 1, 0, 1);
+
+        for (int turn = 0; turn < bay.size(); turn++) {
+            var turned = new ArrayList<>(bay);
+            Collections.rotate(turned, turn);
+            assertCovers(ConvexPieces.of(turned), turned);
+        }
+    }
+
+    @Test
+    void polygons_onAGrid_areCutIntoConvexPieces() {
+        long seed = 20_260_302;
+        var random = new Random(seed);
+        for (int round = 0; round < 200; round++) {
+            // a skyline, then the same upside down below it
+            var skyline = new ArrayList<Point>();
+            int width = 2 + random.nextInt(8);
+            for (int x = 0; x < width; x++) {
+                int height = 1 + random.nextInt(3);
+                skyline.add(new Point(x, height));
+                skyline.add(new Point(x + 1, height));
+            }
+            for (int x = width; x > 0; x--) {
+                int depth = -random.nextInt(3);
+                skyline.add(new Point(x, depth));
+                skyline.add(new Point(x - 1, depth));
+            }
+            assertThat(ConvexPieces.of(skyline))
+                    .as("seed " + seed + ", round " + round)
+                    .isNotEmpty();
+            assertCovers(ConvexPieces.of(skyline), skyline);
+        }
     }
 
     @Test

@@ -28,7 +28,7 @@ class WorldErrorsTest {
             value = {
                 "model ( siez [1 1] )           | t.world:1:9: unknown property \"siez\" of model; did you mean \"size\"?",
                 "position ( Pose [1 1 0] )      | t.world:1:12: unknown property \"Pose\" of position; did you mean \"pose\"?",
-                "block ( frobnicate 1 )         | t.world:1:1: \"block\" cannot stand in a world file; it belongs in a blobfinder or a model or a position or a ranger",
+                "block ( frobnicate 1 )         | t.world:1:1: \"block\" cannot stand in a world file; it belongs in a model or a position",
                 "model ( block ( frobnicate 1 ) ) | t.world:1:17: unknown property \"frobnicate\" of block; known: point, points, z",
                 "interval_sin 100               | t.world:1:1: unknown property \"interval_sin\" of world file; did you mean \"interval_sim\"?",
                 "psition ()                     | t.world:1:1: unknown entity \"psition\"; did you mean \"position\"?",
@@ -37,7 +37,7 @@ class WorldErrorsTest {
                 "define wall modle ()           | t.world:1:13: unknown entity \"modle\"; did you mean \"model\"?",
                 "define wall model ( collor \"red\" ) | t.world:1:21: unknown property \"collor\" of model; did you mean \"color\"?",
                 "ranger ()                      | t.world:1:1: \"ranger\" cannot stand in a world file; it belongs in a position",
-                "model ( blobfinder () )        | t.world:1:9: \"blobfinder\" cannot stand in a model; it belongs in a position",
+                "model ( blobfinder () )        | t.world:1:9: a blobfinder must hang on a robot (a position), not on a model that stands still",
                 "driver ()                      | t.world:1:1: \"driver\" cannot stand in a world file; it belongs in a configuration file",
             })
     void name_thatIsUnknownOrMisplaced_isRefusedWithTheNearest(String text, String message) {
@@ -76,24 +76,27 @@ class WorldErrorsTest {
             delimiter = '|',
             quoteCharacter = '`',
             value = {
-                "position ( drive \"omni\" )    | t.world:1:18: \"drive\" \"omni\" is not supported yet; expected \"diff\"",
+                "position ( drive \"omni\" )    | t.world:1:18: \"drive\" \"omni\" is not supported: the robots here have two driven wheels; expected \"diff\"",
+                "position ( drive \"car\" )     | t.world:1:18: \"drive\" \"car\" is not supported: the robots here have two driven wheels; expected \"diff\"",
                 "position ( drive \"dif\" )     | t.world:1:18: \"drive\" must be \"diff\", not \"dif\"",
-                "position ( localization \"odom\" ) | t.world:1:25: \"localization\" \"odom\" is not supported yet; expected \"gps\"",
-                "position ( velocity [1 0 0 0] ) | t.world:1:21: a start \"velocity\" other than zero is not supported yet",
-                "position ( obstacle_return 0 ) | t.world:1:28: a robot that others can drive through is not supported yet",
-                "position ( velocity_bounds [-1 1 -1 1 -1 1 -90 90] ) | t.world:1:12: \"velocity_bounds\" belongs to the Stage 4 dialect, which is not supported yet",
-                "model ( bitmap \"cave.png\" )  | t.world:1:16: a \"bitmap\" is not supported yet; describe the shape with blocks",
-                "position ( bitmap \"r.png\" )  | t.world:1:19: a \"bitmap\" is not supported yet; describe the shape with blocks",
-                "position ( ranger ( sensor ( ) ) ) | t.world:1:21: \"sensor\" belongs to the Stage 4 dialect, which is not supported yet",
-                "position ( laser ( range_max 8 ) ) | t.world:1:12: \"laser\" is not supported yet: this version reads model, position, ranger and blobfinder",
-                "define sick laser () position ( sick () ) | t.world:1:33: \"laser\" is not supported yet: this version reads model, position, ranger and blobfinder",
-                "position ( model () )          | t.world:1:12: a model on a robot is not supported yet",
-                "model ( position () )          | t.world:1:9: a position inside another entity is not supported yet",
-                "position ( position () )       | t.world:1:12: a position inside another entity is not supported yet",
-                "position ( blobfinder () blobfinder () ) | t.world:1:26: a second blobfinder on one robot is not supported yet; the first is at t.world:1:12",
+                "position ( localization \"map\" ) | t.world:1:25: \"localization\" must be \"gps\" or \"odom\", not \"map\"",
+                "position ( localization \"odom\" odom_error [-1 0 0 0] ) | t.world:1:43: \"odom_error\" must be shares from 0 to 2 of a motion, not -1.0",
+                "position ( velocity [0 1 0 0] ) | t.world:1:21: a robot with differential drive cannot move sideways, at 1.0",
+                "position ( velocity_bounds [1 2 -1 1 -1 1 -90 90] ) | t.world:1:28: \"velocity_bounds\" needs least <= 0 <= greatest along x and for turning, not 1.0 to 2.0 and -1.5707963267948966 to 1.5707963267948966 rad",
+                "position ( obstacle_return 0 model () ) | t.world:1:30: a robot with \"obstacle_return\" 0 cannot carry a model that others bump into; give the model \"obstacle_return\" 0 too",
+                "position ( gripper () )        | t.world:1:12: \"gripper\" is not supported; supported are model, position, ranger, laser and blobfinder",
+                "define arm gripper () position ( arm () ) | t.world:1:34: \"gripper\" is not supported; supported are model, position, ranger, laser and blobfinder",
+                "model ( position () )          | t.world:1:9: a position inside another entity is not supported",
+                "position ( position () )       | t.world:1:12: a position inside another entity is not supported",
+                "position ( blobfinder () blobfinder () ) | t.world:1:26: a second blobfinder on one robot is not supported; the first is at t.world:1:12",
+                "position ( ranger ( scount 1 spose[0] [0 0 0] ) model ( ranger ( scount 1 spose[0] [0 0 0] ) ) ) | t.world:1:57: a second ring of sonars on one robot is not supported; the first is at t.world:1:12",
                 "position ( blobfinder ( channel_count 1 ) ) | t.world:1:25: \"channel_count\" is an obsolete name which Stage ignores; write colors_count",
+                "position ( laser () ranger ( sensor () ) ) | t.world:1:12: \"laser\" belongs to the classic dialect, but \"sensor\" at t.world:1:30 to that of Stage 4; a world keeps to one of them",
+                "position ( velocity_bounds [-1 1 -1 1 -1 1 -90 90] ranger ( scount 1 spose[0] [0 0 0] ) ) | t.world:1:61: \"scount\" belongs to the classic dialect, but \"velocity_bounds\" at t.world:1:12 to that of Stage 4; a world keeps to one of them",
+                "model ( laser_return 0 )       | t.world:1:22: lasers and sonars see the same things here: \"laser_return\" must agree with \"ranger_return\"",
+                "sensor ()                      | t.world:1:1: \"sensor\" cannot stand in a world file; it belongs in a ranger",
             })
-    void feature_thatWouldChangeWhatHappens_isRefusedUntilItIsSupported(String text, String message) {
+    void feature_thatWouldChangeWhatHappens_isRefused(String text, String message) {
         assertThat(worlds.problem(text.strip())).isEqualTo(message);
     }
 
@@ -102,7 +105,7 @@ class WorldErrorsTest {
             delimiter = '|',
             quoteCharacter = '`',
             value = {
-                "ranger ( )                     | t.world:1:12: a ranger needs \"scount\", the number of its sonars",
+                "ranger ( )                     | t.world:1:12: a ranger needs \"scount\", the number of its sonars, or a sensor( .. ) as in Stage 4",
                 "ranger ( scount 0 )            | t.world:1:28: \"scount\" must be from 1 to 1000, not 0",
                 "ranger ( scount 2 spose[0] [0 0 0] ) | t.world:1:28: \"scount\" is 2, but spose[1] is missing",
                 "ranger ( scount 1 spose[0] [0 0 0] spose[1] [0 0 0] ) | t.world:1:28: \"scount\" is 1, but 2 sposes are given",
@@ -117,6 +120,14 @@ class WorldErrorsTest {
                 "blobfinder ( colors [\"red\"] ) | t.world:1:32: \"colors_count\" is 0, but \"colors\" has 1",
                 "blobfinder ( colors_count 1 colors [\"rad\"] ) | t.world:1:48: unknown colour \"rad\"; did you mean \"red\"?",
                 "blobfinder ( colors_count 1 colors [1] ) | t.world:1:47: \"colors\" must be a tuple of texts [ \"..\" .. ], not a tuple of 1 value",
+                "laser ( samples 0 )            | t.world:1:28: \"samples\" must be from 1 to 10000, not 0",
+                "laser ( range_max 0 )          | t.world:1:30: the range needs 0 <= least < greatest <= 1000 m, not 0.0 to 0.0",
+                "laser ( fov -1 )               | t.world:1:24: \"fov\" must be from 0 to a full circle, not -1.0",
+                "laser ( resolution 0 )         | t.world:1:31: \"resolution\" must be 1 or more samples, not 0",
+                "laser ( size [-1 1] )          | t.world:1:25: \"size\" of a laser must not be negative",
+                "ranger ( sensor ( range [5 1] ) ) | t.world:1:36: the range needs 0 <= least < greatest <= 1000 m, not 5.0 to 1.0",
+                "ranger ( sensor ( noise [0 -1 0] ) ) | t.world:1:36: \"noise\" [constant proportional angular] must not be negative, not -1.0",
+                "ranger ( sensor ( samples 20000 ) ) | t.world:1:38: \"samples\" must be from 1 to 10000, not 20000",
             })
     void sensor_thatDoesNotAddUp_isRefused(String sensor, String message) {
         assertThat(worlds.problem("position ( " + sensor.strip() + " )")).isEqualTo(message);

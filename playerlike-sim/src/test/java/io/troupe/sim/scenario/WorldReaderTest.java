@@ -292,10 +292,10 @@ class WorldReaderTest {
     }
 
     @Test
-    void stockIncludes_withThingsNotSupportedYet_canBeReadWhileUnused() {
+    void stockIncludes_withThingsNotSupported_canBeReadWhileUnused() {
         assertThat(worlds.world("""
                                 define sicklaser laser ( range_max 8 fov 180 samples 361 )
-                                define fancy position ( drive "omni" velocity_bounds [ -1 1 ] sicklaser () model () )
+                                define fancy position ( drive "omni" velocity_bounds [ -1 1 -1 1 -1 1 -90 90 ] gripper () sicklaser () model () )
                                 define new_sonar ranger ( sensor ( range [ 0 5 ] ) )
                                 model ()
                                 """).obstacles()).hasSize(1);

@@ -1,0 +1,94 @@
+package io.troupe.demo.worlds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.DeviceBinding;
+import io.troupe.sim.scenario.ObstacleSpec;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The worlds in {@code demo/worlds}: they can be read, offer what their configuration says, and robots can move in them. */
+class ShippedWorldsTest {
+    private static final int TICKS_OF_10_SECONDS = 100;
+
+    private static Path file(String name) {
+        return Path.of("worlds", name);
+    }
+
+    private static Scenario read(String name) {
+        return ScenarioReader.read(file(name));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"paper-arena,2,7", "office,2,8", "cave,1,5", "track,1,4"})
+    void world_withItsConfiguration_offersItsRobotsDevices(String name, int robots, int devices) {
+        Scenario scenario = read(name + ".world");
+
+        assertThat(scenario.world().robots()).hasSize(robots);
+        assertThat(scenario.devices()).hasSize(devices);
+        assertThat(scenario.devices().getFirst().interfaceName()).isEqualTo("simulation");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"paper-arena", "office", "cave", "track"})
+    void robots_drivingForTenSeconds_neverReachIntoAWall(String name) {
+        World world = World.create(
+                read(name + ".cfg").world(), WorldSettings.DEFAULT.withSeed(7).withJitter(0.02, Math.toRadians(2)));
+        int robots = world.spec().robots().size();
+        for (int tick = 0; tick < TICKS_OF_10_SECONDS; tick++) {
+            for (int robot = 0; robot < robots; robot++) {
+                world.command(robot, 0.4, 0.5 * StrictMath.sin(tick / 10.0 + robot));
+            }
+            for (RobotReading robot : world.advance().robots()) {
+                assertThat(robot.wallGapM()).as("%s at tick %d", name, tick).isPositive();
+            }
+        }
+        for (int robot = 0; robot < robots; robot++) {
+            var start = world.spec().robots().get(robot).pose();
+            var end = world.latest().robots().get(robot).pose();
+            assertThat(StrictMath.hypot(end.x() - start.x(), end.y() - start.y()))
+                    .as("way of robot %d in %s", robot + 1, name)
+                    .isGreaterThan(0.5);
+        }
+    }
+
+    @Test
+    void office_lasersAreWhereTheConfigurationSays() {
+        assertThat(read("office.cfg").devices())
+                .filteredOn(device -> device.interfaceName().equals("laser"))
+                .extracting(DeviceBinding::model)
+                .containsExactly("robot1");
+    }
+
+    @Test
+    void cave_hasFewPiecesAndExactOutlines() {
+        ObstacleSpec cave = read("cave.world").world().obstacles().getFirst();
+
+        // the rectangles cover the dark pixels, the lines run around them; the boundary is four pieces more
+        assertThat(cave.shape().polygons()).hasSizeBetween(100, 1200);
+        assertThat(cave.shape().outlines()).hasSizeBetween(5, 40);
+    }
+
+    @Test
+    void caveImage_isWhatItsGeneratorDraws() throws IOException {
+        BufferedImage drawn = CaveImage.draw();
+        BufferedImage shipped = ImageIO.read(file("cave.png").toFile());
+
+        assertThat(List.of(shipped.getWidth(), shipped.getHeight()))
+                .containsExactly(drawn.getWidth(), drawn.getHeight());
+        int[] expected = drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, drawn.getWidth());
+        assertThat(shipped.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, drawn.getWidth()))
+                .containsExactly(expected);
+    }
+}

@@ -1,0 +1,103 @@
+package io.troupe.sim.scenario;
+
+import io.troupe.sim.scenario.DriveSpec.Bounds;
+import io.troupe.sim.scenario.DriveSpec.Localization;
+import java.util.List;
+
+/** Reads how a {@code position} moves and where it believes to be. */
+final class DriveReader {
+    private final Units units;
+    private final Dialect dialect;
+
+    DriveReader(Units units, Dialect dialect) {
+        this.units = units;
+        this.dialect = dialect;
+    }
+
+    DriveSpec read(Entity position) {
+        requireDifferentialDrive(position);
+        double[] velocity = position.numbers("velocity", 0, 0, 0);
+        SourcePosition where = position.whereOf("velocity");
+        if (velocity[1] != 0) {
+            throw new WorldFileException(
+                    where, "a robot with differential drive cannot move sideways, at " + velocity[1]);
+        }
+        return new DriveSpec(
+                units.metres(velocity[0], where),
+                units.radians(velocity[velocity.length - 1]),
+                bounds(position, "velocity_bounds"),
+                bounds(position, "acceleration_bounds"),
+                localization(position));
+    }
+
+    private static void requireDifferentialDrive(Entity position) {
+        String drive = position.text("drive", "diff");
+        if (!drive.equals("diff")) {
+            throw new WorldFileException(
+                    position.whereOf("drive"),
+                    List.of("omni", "car").contains(drive)
+                            ? "\"drive\" \"" + drive + "\" is not supported: the robots here have two driven wheels;"
+                                    + " expected \"diff\""
+                            : "\"drive\" must be \"diff\", not \"" + drive + '"');
+        }
+    }
+
+    /** {@code [x x y y z z turn turn]}, least and greatest; those of y and z mean nothing to two wheels. */
+    private Bounds bounds(Entity position, String key) {
+        if (dialect == Dialect.CLASSIC) {
+            return Bounds.NONE;
+        }
+        double[] given = position.numbers(key);
+        SourcePosition where = position.whereOf(key);
+        double leastForward = given.length == 0 ? -1 : units.metres(given[0], where);
+        double mostForward = given.length == 0 ? 1 : units.metres(given[1], where);
+        double leastTurn = given.length == 0 ? -StrictMath.PI / 2 : units.radians(given[6]);
+        double mostTurn = given.length == 0 ? StrictMath.PI / 2 : units.radians(given[7]);
+        if (!(leastForward <= 0 && mostForward >= 0 && leastTurn <= 0 && mostTurn >= 0)) {
+            throw new WorldFileException(
+                    where,
+                    "\"" + key + "\" needs least <= 0 <= greatest along x and for turning, not " + leastForward + " to "
+                            + mostForward + " and " + leastTurn + " to " + mostTurn + " rad");
+        }
+        return new Bounds(leastForward, mostForward, leastTurn, mostTurn);
+    }
+
+    private Localization localization(Entity position) {
+        String kind = position.text("localization", "gps");
+        return switch (kind) {
+            case "gps" -> new Localization.Gps();
+            case "odom" -> {
+                double[] error = position.numbers("odom_error", 0.03, 0.03, 0, 0.05);
+                for (double share : error) {
+                    if (share < 0 || share > 2) {
+                        throw new WorldFileException(
+                                position.whereOf("odom_error"),
+                                "\"odom_error\" must be shares from 0 to 2 of a motion, not " + share);
+                    }
+                }
+                yield new Localization.DeadReckoning(error[0], error[1], error[error.length - 1]);
+            }
+            default ->
+                throw new WorldFileException(
+                        position.whereOf("localization"),
+                        "\"localization\" must be \"gps\" or \"odom\", not \"" + kind + '"');
+        };
+    }
+
+    /**
+     * What odometry reports at the start: in the classic dialect it counts from {@code localization_origin}, which is the start
+     * pose unless the file says otherwise; in that of Stage 4 it is the global pose.
+     */
+    Pose startOdometry(Entity position, Pose start) {
+        if (dialect == Dialect.STAGE_4) {
+            return start;
+        }
+        if (!position.has("localization_origin")) {
+            return Pose.ORIGIN;
+        }
+        Pose zero = units.pose(position, "localization_origin");
+        double turnedBack = -zero.headingRad();
+        return new Pose(0, 0, turnedBack)
+                .compose(new Pose(start.x() - zero.x(), start.y() - zero.y(), start.headingRad()));
+    }
+}

@@ -1,0 +1,120 @@
+package io.troupe.sim.scenario;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Collects what hangs on a robot, at whatever depth: sensors, and models as cargo.
+ *
+ * <p>Each pose is relative to what the thing hangs on. Bodies of sensors are so small that they are left out.
+ */
+final class RobotParts {
+    private static final int MOST_CARGO = 1000;
+
+    private final Units units;
+    private final Dialect dialect;
+    private final ShapeReader shapes;
+    private final Findings findings;
+    private final boolean robotBlocksBodies;
+    private final SensorReader sensors;
+    private final RangerReader rangerReader;
+    private final List<RangerSpec> rangers = new ArrayList<>();
+    private final List<CargoSpec> cargo = new ArrayList<>();
+    private @Nullable SonarSpec sonar;
+    private @Nullable SourcePosition sonarAt;
+    private @Nullable BlobfinderSpec blobfinder;
+    private @Nullable SourcePosition blobfinderAt;
+
+    RobotParts(Units units, Dialect dialect, ShapeReader shapes, Findings findings, boolean robotBlocksBodies) {
+        this.units = units;
+        this.dialect = dialect;
+        this.shapes = shapes;
+        this.findings = findings;
+        this.robotBlocksBodies = robotBlocksBodies;
+        sensors = new SensorReader(units);
+        rangerReader = new RangerReader(units);
+    }
+
+    @Nullable
+    SonarSpec sonar() {
+        return sonar;
+    }
+
+    @Nullable
+    BlobfinderSpec blobfinder() {
+        return blobfinder;
+    }
+
+    List<RangerSpec> rangers() {
+        return rangers;
+    }
+
+    List<CargoSpec> cargo() {
+        return cargo;
+    }
+
+    /** Adds everything that hangs on {@code holder}, which is at {@code at} in the robot's frame. */
+    void collect(Entity holder, Pose at) {
+        for (Entity child : holder.children()) {
+            Pose mount = at.compose(units.pose(child, "pose"));
+            switch (child.type()) {
+                case "ranger" -> ranger(child, mount);
+                case "laser" -> rangers.add(rangerReader.laser(child, mount));
+                case "blobfinder" -> blobfinder(child, mount);
+                case "model" -> cargo(child, mount);
+                default -> {
+                    continue; // a block or a sensor: read with its holder; or something left out
+                }
+            }
+            collect(child, mount);
+        }
+    }
+
+    private void ranger(Entity ranger, Pose mount) {
+        boolean hasSensors =
+                ranger.children().stream().anyMatch(child -> child.type().equals("sensor"));
+        if (hasSensors) {
+            rangers.add(rangerReader.ranger(ranger, mount));
+            return;
+        }
+        if (sonarAt != null) {
+            findings.leaveOut(
+                    ranger.where(),
+                    "a second ring of sonars on one robot is not supported; the first is at " + sonarAt);
+            return;
+        }
+        sonarAt = ranger.where();
+        sonar = sensors.sonar(ranger, mount);
+    }
+
+    private void blobfinder(Entity camera, Pose mount) {
+        if (blobfinderAt != null) {
+            findings.leaveOut(
+                    camera.where(),
+                    "a second blobfinder on one robot is not supported; the first is at " + blobfinderAt);
+            return;
+        }
+        blobfinderAt = camera.where();
+        blobfinder = sensors.blobfinder(camera, mount);
+    }
+
+    private void cargo(Entity model, Pose mount) {
+        boolean blocksBodies = model.flag("obstacle_return", true);
+        if (blocksBodies && !robotBlocksBodies) {
+            throw new WorldFileException(
+                    model.where(),
+                    "a robot with \"obstacle_return\" 0 cannot carry a model that others bump into; give the model"
+                            + " \"obstacle_return\" 0 too");
+        }
+        if (cargo.size() == MOST_CARGO) {
+            throw new WorldFileException(model.where(), "a robot carries more than " + MOST_CARGO + " models");
+        }
+        cargo.add(new CargoSpec(
+                shapes.shape(model).at(mount),
+                Colours.of(model),
+                blocksBodies,
+                dialect.blocksRangers(model),
+                model.flag("blob_return", true)));
+    }
+}

@@ -1,0 +1,9 @@
+package io.troupe.sim.scenario;
+
+/** Something in a file that a lenient reader left out; prints as {@code file:line:column: problem}. */
+public record WorldFileWarning(SourcePosition where, String problem) {
+    @Override
+    public String toString() {
+        return where + ": " + problem;
+    }
+}
