@@ -14,8 +14,15 @@ import org.jspecify.annotations.Nullable;
  *
  * @param properties by {@link Property#key()}; overridden ones stand where they were given last
  * @param weight how many entities there are from here down
+ * @param depth how many of them stand in one another
  */
-record Entity(String type, SourcePosition where, Map<String, Property> properties, List<Entity> children, long weight) {
+record Entity(
+        String type,
+        SourcePosition where,
+        Map<String, Property> properties,
+        List<Entity> children,
+        long weight,
+        int depth) {
     Entity {
         properties = Collections.unmodifiableMap(new LinkedHashMap<>(properties));
         children = List.copyOf(children);

@@ -11,12 +11,16 @@ final class EntityBuilder {
     /** Macros inside macros grow exponentially; real worlds stay far below. */
     private static final long MOST_ENTITIES = 100_000;
 
+    /** Macros that hold macros nest deeper than the text does. */
+    private static final int DEEPEST_NESTING = 100;
+
     private final String type;
     private final SourcePosition where;
     private final Map<String, Property> inherited = new LinkedHashMap<>();
     private final Map<String, Property> own = new LinkedHashMap<>();
     private final List<Entity> children = new ArrayList<>();
     private long weight = 1;
+    private int depth = 1;
 
     EntityBuilder(String word, @Nullable Entity macro, SourcePosition where) {
         this.type = macro == null ? word : macro.type();
@@ -43,12 +47,16 @@ final class EntityBuilder {
         if (weight > MOST_ENTITIES) {
             throw new WorldFileException(child.where(), "more than " + MOST_ENTITIES + " entities in one file");
         }
+        depth = Math.max(depth, child.depth() + 1);
+        if (depth > DEEPEST_NESTING) {
+            throw new WorldFileException(child.where(), "entities are nested deeper than " + DEEPEST_NESTING);
+        }
         children.add(child);
     }
 
     Entity build() {
         var properties = new LinkedHashMap<>(inherited);
         properties.putAll(own);
-        return new Entity(type, where, properties, children, weight);
+        return new Entity(type, where, properties, children, weight, depth);
     }
 }

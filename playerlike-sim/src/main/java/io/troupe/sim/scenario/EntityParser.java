@@ -26,6 +26,7 @@ final class EntityParser {
     private final List<Path> open = new ArrayList<>();
     private final EntityBuilder root;
     private int filesRead;
+    private long tokensRead;
 
     private EntityParser(String rootType, Path file) {
         root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1));
@@ -58,7 +59,14 @@ final class EntityParser {
 
     private void text(String text, Path file) {
         open.add(file);
-        var cursor = new TokenCursor(file, Lexer.tokens(text, file));
+        List<Token> tokens = Lexer.tokens(text, file);
+        tokensRead += tokens.size();
+        if (tokensRead > Lexer.MOST_TOKENS) {
+            throw new WorldFileException(
+                    tokens.getFirst().where(),
+                    "with this file more than " + Lexer.MOST_TOKENS + " words, numbers and brackets have been read");
+        }
+        var cursor = new TokenCursor(file, tokens);
         while (!cursor.at(Kind.END)) {
             Token word = cursor.expect(Kind.WORD, "a property, an entity, include or define");
             switch (word.text()) {

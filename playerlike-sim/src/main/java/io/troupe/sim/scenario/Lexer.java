@@ -11,6 +11,8 @@ import java.util.regex.Pattern;
 final class Lexer {
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
+    static final int MOST_TOKENS = 2_000_000;
+
     private final String text;
     private final Path file;
     private final List<Token> tokens = new ArrayList<>();
@@ -49,6 +51,9 @@ final class Lexer {
     }
 
     private void token(char c) {
+        if (tokens.size() >= MOST_TOKENS - 1) {
+            throw new WorldFileException(here(), "more than " + MOST_TOKENS + " words, numbers and brackets in one file");
+        }
         switch (c) {
             case '(' -> add(Kind.OPEN, at + 1);
             case ')' -> add(Kind.CLOSE, at + 1);

@@ -9,6 +9,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Finds and reads files that a user or another file named. */
 final class SourceText {
+    private static final long MOST_BYTES = 16_000_000;
+
     private SourceText() {}
 
     /**
@@ -21,6 +23,9 @@ final class SourceText {
             throw problem(asker, Files.exists(file) ? file + " is not a file" : "there is no file " + file);
         }
         try {
+            if (Files.size(file) > MOST_BYTES) {
+                throw problem(asker, file + " is larger than " + MOST_BYTES + " bytes");
+            }
             String text = Files.readString(file);
             return text.startsWith("\uFEFF") ? text.substring(1) : text;
         } catch (CharacterCodingException e) {

@@ -6,6 +6,9 @@ import java.util.stream.Collectors;
 
 /** Finds the name somebody probably meant. */
 final class Suggestions {
+    /** Nobody means a longer name, and the comparison takes the product of both lengths. */
+    private static final int LONGEST = 100;
+
     private Suggestions() {}
 
     /** The end of an error message: the nearest known name and all of them. */
@@ -23,6 +26,9 @@ final class Suggestions {
     /** The known name with the fewest slips between, empty if that is more than a third of the letters. */
     static String nearest(String written, Collection<String> known) {
         String best = "";
+        if (written.length() > LONGEST) {
+            return best;
+        }
         int fewest = Math.max(1, written.length() / 3) + 1;
         for (String name : known) {
             if (Math.abs(written.length() - name.length()) >= fewest) {

@@ -153,6 +153,17 @@ class EntityParserTest {
     }
 
     @Test
+    void nesting_byMacros_isRefusedBeforeTheStackIsFull() {
+        var text = new StringBuilder("define m0 model ()\n");
+        for (int i = 1; i < 20_000; i++) {
+            text.append("define m" + i + " model ( m" + (i - 1) + " () )\n");
+        }
+
+        assertThat(worlds.problem(text + "m19999 ()"))
+                .isEqualTo("t.world:101:21: entities are nested deeper than 100");
+    }
+
+    @Test
     void macros_thatGrowExponentially_areRefused() {
         var text = new StringBuilder("define m0 model ()\n");
         for (int i = 1; i < 50; i++) {
@@ -160,6 +171,24 @@ class EntityParserTest {
         }
 
         assertThat(worlds.problem(text.toString())).isEqualTo("t.world:17:26: more than 100000 entities in one file");
+    }
+
+    @Test
+    void files_withTooManyWords_areRefused() {
+        worlds.write("many.inc", "# \n".repeat(2) + manyProperties());
+
+        assertThat(worlds.problem("\n" + "( ".repeat(2_100_000)))
+                .endsWith("more than 2000000 words, numbers and brackets in one file");
+        assertThat(worlds.problem("include \"many.inc\" include \"many.inc\""))
+                .endsWith("with this file more than 2000000 words, numbers and brackets have been read");
+    }
+
+    private static String manyProperties() {
+        var text = new StringBuilder();
+        for (int i = 0; i < 250_000; i++) {
+            text.append("point[").append(i).append("] 0 ");
+        }
+        return text.toString();
     }
 
     @Test
