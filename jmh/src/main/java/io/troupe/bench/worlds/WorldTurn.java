@@ -1,0 +1,45 @@
+package io.troupe.bench.worlds;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+
+/**
+ * One turn of a contender.
+ *
+ * @param factor simulated seconds per second of wall clock
+ * @param bytesPerStep what all threads of its JVM allocated, sensing and driving included, divided by the physics steps
+ */
+record WorldTurn(double factor, double bytesPerStep) {
+    /** Kept, since looking it up allocates. */
+    private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
+
+    /** Runs the world for about so long, one interval at least. */
+    static WorldTurn run(BenchWorld world, long budgetNanos) {
+        long bytes = THREADS.getTotalThreadAllocatedBytes();
+        long start = System.nanoTime();
+        long intervals = 0;
+        long spent;
+        do {
+            world.advance();
+            intervals++;
+            spent = System.nanoTime() - start;
+        } while (spent < budgetNanos);
+        bytes = THREADS.getTotalThreadAllocatedBytes() - bytes;
+        double simulatedNanos = intervals * TiledScene.INTERVAL_MILLIS * 1e6;
+        return new WorldTurn(
+                simulatedNanos / spent, (double) bytes / (intervals * TiledScene.STEPS_PER_INTERVAL));
+    }
+
+    /** As a line of the pipe. */
+    String line() {
+        return factor + " " + bytesPerStep;
+    }
+
+    static WorldTurn parse(String line) {
+        String[] parts = line.split(" ");
+        if (parts.length != 2) {
+            throw new IllegalArgumentException("a turn is \"" + line + "\", expected a factor and bytes per step");
+        }
+        return new WorldTurn(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
+    }
+}
