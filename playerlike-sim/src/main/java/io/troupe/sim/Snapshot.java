@@ -8,7 +8,7 @@ import java.util.List;
  * @param tick 0 before the first interval
  * @param timeMicros simulated time
  * @param robots by index, in the order of the world file
- * @param contacts that began since the last snapshot, ordered by time, then robot; for one robot other robots come before
+ * @param contacts that began in the interval that ends at this tick, ordered by time, then robot; for one robot other robots come before
  *     obstacles, each in the order of the world file
  */
 public record Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {

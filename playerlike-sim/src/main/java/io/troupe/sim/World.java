@@ -2,13 +2,10 @@ package io.troupe.sim;
 
 import static java.util.Objects.requireNonNull;
 
-import io.troupe.sim.device.Blobfinder;
 import io.troupe.sim.device.Odometry;
-import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
-import io.troupe.sim.device.Sonar;
+import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.physics.Touch;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
@@ -27,24 +24,18 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the specification, the
  * settings and, for each interval, the commands given before it; equal input gives equal snapshots, bit for bit.
- * <p><b>Threads.</b> {@link #advance} belongs to the thread that calls it first; everything else may be called from any thread.
+ * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else may be called from any thread.
  * <p><b>Order.</b> An interval latches odometry resets and commands (of several for one robot the newest; by robot index), runs
- * the physics steps, reads all devices and publishes a snapshot.
+ * the physics steps and reads all devices; the last one of an advance publishes a snapshot, and each one for which somebody waits
+ * who asked for the {@link #latest} since the one before.
+ * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies touch and no more blobs are seen than ever before.
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
 public final class World {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
     private static final Shape NO_SHAPE = new Shape(List.of());
 
-    private record Command(double forwardMps, double turnRadps) {
-        static final Command ZERO = new Command(0, 0);
-    }
-
-    /** A robot's devices. */
-    private record Devices(
-            Position2d position2d,
-            @Nullable Sonar sonar,
-            @Nullable Blobfinder blobfinder) {}
+    private record Command(double forwardMps, double turnRadps) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
@@ -52,11 +43,18 @@ public final class World {
     private final int stepsPerInterval;
     private final Physics physics;
     private final Scene scene;
-    private final List<Devices> devices = new ArrayList<>();
-    private final AtomicReferenceArray<Command> newestCommands;
+    private final List<RobotDevices> devices;
+    private final AtomicReferenceArray<@Nullable Command> newestCommands; // null: nothing new
     private final AtomicReferenceArray<@Nullable Pose> odometryToSet;
-    private final Command[] latched;
+    private final double[] toldForwardMps; // for the next interval, unless there is a newer command
+    private final double[] toldTurnRadps;
+    private final double[] forwardMps; // in force in the interval that has ended
+    private final double[] turnRadps;
+    private final WorldView view = new WorldView(this);
+    private final Scratch scratch = new Scratch();
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
+    private long tick;
+    private volatile boolean wanted; // somebody looked at the latest snapshot
     private volatile Snapshot latest;
 
     /**
@@ -85,7 +83,10 @@ public final class World {
         int robotCount = spec.robots().size();
         newestCommands = new AtomicReferenceArray<>(robotCount);
         odometryToSet = new AtomicReferenceArray<>(robotCount);
-        latched = new Command[robotCount];
+        toldForwardMps = new double[robotCount];
+        toldTurnRadps = new double[robotCount];
+        forwardMps = new double[robotCount];
+        turnRadps = new double[robotCount];
         scene = new Scene(spec);
         physics = new Physics(robotCount, settings.physicsStepMicros(), sweepM());
         for (ObstacleSpec obstacle : spec.obstacles()) {
@@ -95,22 +96,10 @@ public final class World {
             RobotSpec robot = spec.robots().get(i);
             Pose start = startPoses.get(i);
             physics.addRobot(start, robot.shape(), robot.massKg());
-            devices.add(devicesOf(robot, start));
-            newestCommands.set(i, Command.ZERO);
-            latched[i] = Command.ZERO;
         }
-        latest = sense(0);
-    }
-
-    private static Devices devicesOf(RobotSpec robot, Pose start) {
-        try {
-            return new Devices(
-                    new Position2d(start, robot.startOdometry()),
-                    robot.sonar() == null ? null : new Sonar(robot.sonar()),
-                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()));
-        } catch (IllegalArgumentException e) {
-            throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
-        }
+        devices = RobotDevices.of(spec.robots(), startPoses);
+        sense();
+        latest = snapshot();
     }
 
     /** How far a point of a robot may travel in one step; 0 if that is less than half of every robot's smallest extent. */
@@ -139,9 +128,17 @@ public final class World {
         return spec;
     }
 
-    /** The newest snapshot; that of tick 0 right after creation. */
+    /** The newest snapshot; that of tick 0 right after creation. Whoever asks while the world advances by many intervals gets it made sooner. */
     public Snapshot latest() {
+        if (!wanted) {
+            wanted = true;
+        }
         return latest;
+    }
+
+    /** The world as it is now, for the thread that advances it. */
+    public WorldView view() {
+        return view;
     }
 
     /** Simulated time of the newest snapshot. */
@@ -156,16 +153,34 @@ public final class World {
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
+        checkCommand(robot, forwardMps, turnRadps);
+        newestCommands.set(robot, new Command(clampForward(forwardMps), clampTurn(turnRadps)));
+    }
+
+    /** The same for the thread that advances the world. */
+    void commandNow(int robot, double forwardMps, double turnRadps) {
+        checkCommand(robot, forwardMps, turnRadps);
+        if (newestCommands.get(robot) != null) {
+            newestCommands.set(robot, null);
+        }
+        toldForwardMps[robot] = clampForward(forwardMps);
+        toldTurnRadps[robot] = clampTurn(turnRadps);
+    }
+
+    private void checkCommand(int robot, double forwardMps, double turnRadps) {
         RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
-        newestCommands.set(
-                robot,
-                new Command(
-                        Math.clamp(forwardMps, -settings.maxForwardMps(), settings.maxForwardMps()),
-                        Math.clamp(turnRadps, -settings.maxTurnRadps(), settings.maxTurnRadps())));
+    }
+
+    private double clampForward(double mps) {
+        return Math.clamp(mps, -settings.maxForwardMps(), settings.maxForwardMps());
+    }
+
+    private double clampTurn(double radps) {
+        return Math.clamp(radps, -settings.maxTurnRadps(), settings.maxTurnRadps());
     }
 
     /** The same as a command to stand still. */
@@ -194,14 +209,53 @@ public final class World {
 
     /** Advances by one interval and publishes the snapshot at its end. */
     public Snapshot advance() {
+        return advance(1);
+    }
+
+    /** Advances by so many intervals and publishes the snapshot at the end of the last one. */
+    public Snapshot advance(long intervals) {
+        return advance(intervals, view -> {});
+    }
+
+    /**
+     * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the last one.
+     *
+     * @param intervals at least 1
+     */
+    public Snapshot advance(long intervals, Controller controller) {
+        if (intervals < 1) {
+            throw new IllegalArgumentException("cannot advance by " + intervals + " intervals, expected at least 1");
+        }
         checkThread();
+        try {
+            for (long i = 0; i < intervals; i++) {
+                if (wanted) {
+                    publish();
+                }
+                controller.control(view);
+                advanceUnpublished();
+            }
+        } finally {
+            publish();
+        }
+        return latest;
+    }
+
+    private void publish() {
+        wanted = false;
+        if (latest.tick() != tick) {
+            latest = snapshot();
+        }
+    }
+
+    private void advanceUnpublished() {
         latch();
+        physics.forgetTouches();
         for (int i = 0; i < stepsPerInterval; i++) {
             physics.step();
         }
-        Snapshot next = sense(latest.tick() + 1);
-        latest = next;
-        return next;
+        tick++;
+        sense();
     }
 
     private void checkThread() {
@@ -215,49 +269,81 @@ public final class World {
     }
 
     private void latch() {
-        for (int i = 0; i < latched.length; i++) {
-            Pose odometry = odometryToSet.getAndSet(i, null);
-            if (odometry != null) {
-                devices.get(i).position2d().set(physics.pose(i), odometry);
+        for (int i = 0; i < forwardMps.length; i++) {
+            if (odometryToSet.get(i) != null) {
+                devices.get(i).position2d().set(physics.pose(i), requireNonNull(odometryToSet.getAndSet(i, null)));
             }
-            latched[i] = newestCommands.get(i);
-            physics.drive(i, latched[i].forwardMps(), latched[i].turnRadps());
+            if (newestCommands.get(i) != null) {
+                Command newest = requireNonNull(newestCommands.getAndSet(i, null));
+                toldForwardMps[i] = newest.forwardMps();
+                toldTurnRadps[i] = newest.turnRadps();
+            }
+            forwardMps[i] = toldForwardMps[i];
+            turnRadps[i] = toldTurnRadps[i];
+            physics.drive(i, forwardMps[i], turnRadps[i]);
         }
     }
 
-    private Snapshot sense(long tick) {
-        for (int i = 0; i < latched.length; i++) {
-            scene.place(i, physics.pose(i));
+    /** Reads all devices. */
+    private void sense() {
+        for (int i = 0; i < forwardMps.length; i++) {
+            scene.place(i, physics.x(i), physics.y(i), physics.headingRad(i));
         }
         scene.refresh();
-        List<RobotReading> readings = new ArrayList<>(latched.length);
-        for (int i = 0; i < latched.length; i++) {
+        for (int i = 0; i < forwardMps.length; i++) {
+            devices.get(i).sense(scene, i, scratch);
+        }
+    }
+
+    Snapshot snapshot() {
+        List<RobotReading> readings = new ArrayList<>(forwardMps.length);
+        for (int i = 0; i < forwardMps.length; i++) {
             readings.add(read(i));
         }
-        List<Contact> contacts =
-                physics.drainTouches().stream().map(this::contact).toList();
-        return new Snapshot(tick, tick * intervalMicros, readings, contacts);
+        return new Snapshot(tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec));
     }
 
     private RobotReading read(int robot) {
         Pose pose = physics.pose(robot);
-        Devices its = devices.get(robot);
-        Command command = latched[robot];
+        RobotDevices its = devices.get(robot);
         var odometry = new Odometry(
-                its.position2d().report(pose), command.forwardMps(), command.turnRadps(), physics.stalled(robot));
+                its.position2d().report(pose), forwardMps[robot], turnRadps[robot], physics.stalled(robot));
         return new RobotReading(
                 pose,
                 odometry,
-                its.sonar() == null ? null : its.sonar().read(scene, robot),
-                its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
+                its.sonar() == null ? null : its.sonar().rangesM(),
+                its.blobfinder() == null ? null : its.blobfinder().image(),
                 List.of(),
                 scene.wallGapM(robot));
     }
 
-    private Contact contact(Touch touch) {
-        String other = touch.otherRobot() >= 0
-                ? spec.robots().get(touch.otherRobot()).name()
-                : spec.obstacles().get(touch.obstacle()).name();
-        return new Contact(touch.timeMicros(), touch.robot(), other, touch.otherRobot());
+    // ---- for the view
+
+    long tick() {
+        return tick;
+    }
+
+    long intervalMicros() {
+        return intervalMicros;
+    }
+
+    double forwardMps(int robot) {
+        return forwardMps[robot];
+    }
+
+    double turnRadps(int robot) {
+        return turnRadps[robot];
+    }
+
+    RobotDevices devices(int robot) {
+        return devices.get(robot);
+    }
+
+    Physics physics() {
+        return physics;
+    }
+
+    Scene scene() {
+        return scene;
     }
 }

@@ -2,15 +2,12 @@ package io.troupe.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.sim.device.Blob;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldSpec;
-import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 
 /** Six robots that wander by their sonars and now and then bump into something, for a minute. */
@@ -53,13 +50,13 @@ class DeterminismTest {
 
     private static Run run(WorldSpec spec, WorldSettings settings) {
         World world = World.create(spec, settings);
-        var crc = new CRC32();
+        var fingerprint = new Fingerprint();
         int contacts = 0;
-        update(crc, world.latest());
+        fingerprint.add(world.latest());
         for (int tick = 0; tick < TICKS; tick++) {
             wander(world, world.latest());
             Snapshot snapshot = world.advance();
-            update(crc, snapshot);
+            fingerprint.add(snapshot);
             contacts += snapshot.contacts().size();
         }
         double shortestWayM = world.latest().robots().stream()
@@ -67,44 +64,7 @@ class DeterminismTest {
                         robot.odometry().pose().x(), robot.odometry().pose().y()))
                 .min()
                 .orElseThrow();
-        return new Run(crc.getValue(), contacts, shortestWayM);
-    }
-
-    /** Every number of a snapshot, bit by bit. */
-    private static void update(CRC32 crc, Snapshot snapshot) {
-        add(crc, snapshot.tick());
-        add(crc, snapshot.timeMicros());
-        for (RobotReading robot : snapshot.robots()) {
-            add(crc, robot.pose());
-            add(crc, robot.odometry().pose());
-            add(crc, robot.odometry().forwardMps());
-            add(crc, robot.odometry().turnRadps());
-            add(crc, robot.odometry().stalled() ? 1 : 0);
-            add(crc, robot.wallGapM());
-            robot.sonarM().forEach(range -> add(crc, range));
-            for (Blob blob : robot.blobs().blobs()) {
-                add(crc, (long) blob.hashCode()); // of ints and a double: the same in every JVM
-            }
-        }
-        for (Contact contact : snapshot.contacts()) {
-            add(crc, contact.timeMicros());
-            add(crc, contact.robot());
-            add(crc, (long) contact.other().hashCode());
-        }
-    }
-
-    private static void add(CRC32 crc, Pose pose) {
-        add(crc, pose.x());
-        add(crc, pose.y());
-        add(crc, pose.headingRad());
-    }
-
-    private static void add(CRC32 crc, double value) {
-        add(crc, Double.doubleToRawLongBits(value));
-    }
-
-    private static void add(CRC32 crc, long bits) {
-        crc.update(ByteBuffer.allocate(Long.BYTES).putLong(bits).flip());
+        return new Run(fingerprint.value(), contacts, shortestWayM);
     }
 
     @Test

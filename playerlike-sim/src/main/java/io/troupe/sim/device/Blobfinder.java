@@ -3,7 +3,9 @@ package io.troupe.sim.device;
 import io.troupe.sim.scenario.BlobfinderSpec;
 import io.troupe.sim.scenario.Pose;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A robot's camera: one ray per image column; neighbouring columns of one colour are a blob.
@@ -11,6 +13,7 @@ import java.util.List;
  * <p>A column sees the first visible thing within range, past the robot that carries the camera. What is not to be reported still
  * hides what is behind it. Columns where nothing is in range belong to no blob.
  *
+ * <p><b>Cost.</b> A camera that reports only some colours casts only the columns in which such a thing can be.
  * <p><b>Units and shapes.</b> Column {@code i} of {@code n} looks along its centre, at the angle
  * {@code fov / 2 - (i + 0.5) * fov / n} left of the camera's heading. There is no third dimension: every thing counts as
  * 0.3 m high above and below the camera, seen at its mean distance, and rows are as tall as
@@ -22,10 +25,23 @@ public final class Blobfinder {
 
     private final BlobfinderSpec spec;
     private final RayFan fan;
-    private final int[] things;
-    private final double[] distancesM;
+    private final int[] reported; // sorted; empty = all
+    private final BlobBuffer blobs = new BlobBuffer();
 
     public Blobfinder(BlobfinderSpec spec) {
+        this(
+                check(spec),
+                columns(spec),
+                spec.colours().stream().mapToInt(Integer::intValue).sorted().toArray());
+    }
+
+    private Blobfinder(BlobfinderSpec spec, RayFan fan, int[] reported) {
+        this.spec = spec;
+        this.fan = fan;
+        this.reported = reported;
+    }
+
+    private static BlobfinderSpec check(BlobfinderSpec spec) {
         if (spec.widthPx() < 1 || spec.heightPx() < 1) {
             throw new IllegalArgumentException("blobfinder image is " + spec.widthPx() + " x " + spec.heightPx()
                     + ", expected at least one pixel each way");
@@ -37,54 +53,119 @@ public final class Blobfinder {
             throw new IllegalArgumentException(
                     "blobfinder field of view is " + spec.fovRad() + " rad, expected above 0, at most a full turn");
         }
-        this.spec = spec;
+        return spec;
+    }
+
+    private static RayFan columns(BlobfinderSpec spec) {
         List<Pose> columns = new ArrayList<>();
         for (int i = 0; i < spec.widthPx(); i++) {
             double leftRad = spec.fovRad() / 2 - (i + 0.5) * spec.fovRad() / spec.widthPx();
             columns.add(spec.mount().compose(new Pose(0, 0, leftRad)));
         }
-        fan = new RayFan(columns);
-        things = new int[fan.size()];
-        distancesM = new double[fan.size()];
+        return new RayFan(columns);
     }
 
-    /** What the camera sees, from left to right. */
-    public BlobImage read(Scene scene, int robot) {
-        scene.cast(robot, fan, Ray.SIGHT, spec.rangeM(), things, distancesM);
-        List<Blob> blobs = new ArrayList<>();
+    /** Another camera of this kind, with readings of its own; what never changes is shared. */
+    public Blobfinder twin() {
+        return new Blobfinder(spec, fan, reported);
+    }
+
+    /** Looks once; allocates nothing once it has seen as many blobs. */
+    public void sense(Scene scene, int robot, Scratch scratch) {
+        blobs.clear();
+        scratch.fit(fan.size());
+        if (reported.length == 0) {
+            scene.cast(robot, fan, Ray.SIGHT, spec.rangeM(), scratch);
+        } else if (!scene.seek(robot, fan, spec.fovRad() <= StrictMath.PI, reported, spec.rangeM(), scratch)) {
+            return;
+        }
+        int[] things = scratch.things();
+        double[] distancesM = scratch.distancesM();
         int left = 0;
-        while (left < things.length) {
-            int colour = colour(scene, left);
+        while (left < fan.size()) {
+            int colour = colour(scene, things[left]);
             int right = left;
             double sumM = distancesM[left];
-            while (right + 1 < things.length && colour(scene, right + 1) == colour) {
+            while (right + 1 < fan.size() && colour(scene, things[right + 1]) == colour) {
                 right++;
                 sumM += distancesM[right];
             }
             if (isReported(colour)) {
-                blobs.add(blob(colour, left, right, sumM / (right - left + 1)));
+                blobs.add(colour, left, right, sumM / (right - left + 1));
             }
             left = right + 1;
         }
-        return new BlobImage(spec.widthPx(), spec.heightPx(), blobs);
     }
 
-    private int colour(Scene scene, int column) {
-        return things[column] == Ray.NOTHING ? NO_COLOUR : scene.colour(things[column]);
+    private static int colour(Scene scene, int thing) {
+        return thing == Ray.NOTHING ? NO_COLOUR : scene.colour(thing);
     }
 
     private boolean isReported(int colour) {
-        return colour != NO_COLOUR
-                && (spec.colours().isEmpty() || spec.colours().contains(colour));
+        return colour != NO_COLOUR && (reported.length == 0 || Arrays.binarySearch(reported, colour) >= 0);
     }
 
-    private Blob blob(int colour, int left, int right, double rangeM) {
+    /** The blobs of the last look, counted from the left. */
+    public int count() {
+        return blobs.count;
+    }
+
+    /** Colour of a blob, {@code 0x00RRGGBB}. */
+    public int colour(int blob) {
+        return blobs.colour[blob];
+    }
+
+    /** First column of a blob. */
+    public int left(int blob) {
+        return blobs.left[blob];
+    }
+
+    /** Last column of a blob. */
+    public int right(int blob) {
+        return blobs.right[blob];
+    }
+
+    /** Mean distance of a blob's columns. */
+    public double rangeM(int blob) {
+        return blobs.rangeM[blob];
+    }
+
+    /** First row of a blob. */
+    public int top(int blob) {
+        return Math.max(0, spec.heightPx() / 2 - halfRows(blob));
+    }
+
+    /** The row after a blob's last. */
+    public int bottom(int blob) {
+        return Math.min(spec.heightPx(), spec.heightPx() / 2 + halfRows(blob));
+    }
+
+    private int halfRows(int blob) {
         double rowRad = spec.fovRad() / spec.heightPx();
-        int centre = spec.heightPx() / 2;
-        int halfRows = (int) (StrictMath.atan2(HALF_HEIGHT_M, rangeM) / rowRad);
-        int top = Math.max(0, centre - halfRows);
-        int bottom = Math.min(spec.heightPx(), centre + halfRows);
+        return (int) (StrictMath.atan2(HALF_HEIGHT_M, blobs.rangeM[blob]) / rowRad);
+    }
+
+    /** What the camera saw, from left to right. */
+    public BlobImage image() {
+        return new BlobImage(
+                spec.widthPx(),
+                spec.heightPx(),
+                IntStream.range(0, blobs.count).mapToObj(this::blob).toList());
+    }
+
+    private Blob blob(int i) {
+        int left = left(i);
+        int right = right(i);
+        int top = top(i);
+        int bottom = bottom(i);
         int areaPx2 = (right - left) * (bottom - top);
-        return new Blob(colour, areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM);
+        int centre = spec.heightPx() / 2;
+        return new Blob(colour(i), areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM(i));
+    }
+
+    /** Looks once and returns what the camera sees, from left to right. */
+    public BlobImage read(Scene scene, int robot) {
+        sense(scene, robot, new Scratch());
+        return image();
     }
 }

@@ -1,7 +1,6 @@
 package io.troupe.sim.device;
 
 import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
 import java.util.List;
 
 /** One convex polygon, counter-clockwise, that can be moved without allocating. */
@@ -25,14 +24,12 @@ final class ConvexPolygon {
         y = new double[localX.length];
     }
 
-    void place(Pose pose) {
-        double cos = StrictMath.cos(pose.headingRad());
-        double sin = StrictMath.sin(pose.headingRad());
+    void place(double poseX, double poseY, double cos, double sin) {
         minX = minY = Double.POSITIVE_INFINITY;
         maxX = maxY = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < x.length; i++) {
-            x[i] = pose.x() + cos * localX[i] - sin * localY[i];
-            y[i] = pose.y() + sin * localX[i] + cos * localY[i];
+            x[i] = poseX + cos * localX[i] - sin * localY[i];
+            y[i] = poseY + sin * localX[i] + cos * localY[i];
             minX = Math.min(minX, x[i]);
             minY = Math.min(minY, y[i]);
             maxX = Math.max(maxX, x[i]);

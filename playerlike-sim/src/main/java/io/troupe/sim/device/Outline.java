@@ -20,8 +20,13 @@ public final class Outline {
 
     /** Moves the body. */
     public void place(Pose pose) {
+        place(pose.x(), pose.y(), StrictMath.cos(pose.headingRad()), StrictMath.sin(pose.headingRad()));
+    }
+
+    /** Moves the body; the heading is given by its cosine and sine. */
+    void place(double x, double y, double cos, double sin) {
         for (int i = 0; i < polygons.size(); i++) {
-            polygons.get(i).place(pose);
+            polygons.get(i).place(x, y, cos, sin);
         }
     }
 
@@ -48,6 +53,20 @@ public final class Outline {
     /** Whether the bodies reach into each other; touching is not overlapping. */
     public boolean overlaps(Outline other) {
         return polygons.stream().anyMatch(mine -> other.polygons.stream().anyMatch(mine::overlaps));
+    }
+
+    /** Middle of the smallest upright rectangle that holds the body. */
+    double centreX() {
+        double min = polygons.stream().mapToDouble(each -> each.minX).min().orElse(0);
+        double max = polygons.stream().mapToDouble(each -> each.maxX).max().orElse(0);
+        return (min + max) / 2;
+    }
+
+    /** See {@link #centreX}. */
+    double centreY() {
+        double min = polygons.stream().mapToDouble(each -> each.minY).min().orElse(0);
+        double max = polygons.stream().mapToDouble(each -> each.maxY).max().orElse(0);
+        return (min + max) / 2;
     }
 
     List<ConvexPolygon> polygons() {

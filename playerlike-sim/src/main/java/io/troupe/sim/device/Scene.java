@@ -1,18 +1,22 @@
 package io.troupe.sim.device;
 
+import io.troupe.sim.numeric.Direction;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /**
  * Where everything is: what the devices look at.
  *
  * <p><b>Role.</b> Answers rays and distances exactly, in double precision, whatever the physics does.
  * <p><b>Order.</b> {@link #place} every robot that moved, then {@link #refresh}, then read devices.
- * <p><b>Threads.</b> One thread at a time.
+ * <p><b>Threads.</b> One thread at a time moves robots; while none does, several may read devices, each with its own {@link Scratch}.
  * <p><b>Cost.</b> A ray looks only at what shares a one-metre cell with it, and allocates nothing.
  */
 public final class Scene {
@@ -20,14 +24,20 @@ public final class Scene {
 
     private final List<Outline> walls = new ArrayList<>(); // those that block bodies
     private final Outline[] robots;
-    private final Pose[] poses;
+    private final double[] x; // of the robots
+    private final double[] y;
+    private final double[] cos;
+    private final double[] sin;
     private final int[] robotRayKinds;
     private final int[] colours; // by thing: obstacles, then robots
     private final int firstRobot;
     private final Segments moving = new Segments();
     private final CellIndex movingIndex;
     private final RayCaster caster;
-    private final Ray ray = new Ray();
+    private final Direction direction = new Direction();
+    private final Circles circles;
+    private final List<ColourGroup> fixedGroups = new ArrayList<>();
+    private final List<ColourGroup> movingGroups = new ArrayList<>();
 
     /** The world with every robot at its start pose. */
     public Scene(WorldSpec spec) {
@@ -35,7 +45,13 @@ public final class Scene {
         firstRobot = obstacles.size();
         int robotCount = spec.robots().size();
         robots = new Outline[robotCount];
-        poses = new Pose[robotCount];
+        x = new double[robotCount];
+        y = new double[robotCount];
+        cos = new double[robotCount];
+        sin = new double[robotCount];
+        circles = new Circles(firstRobot + robotCount);
+        Map<Integer, List<Integer>> fixedByColour = new LinkedHashMap<>();
+        Map<Integer, List<Integer>> movingByColour = new LinkedHashMap<>();
         robotRayKinds = new int[robotCount];
         colours = new int[firstRobot + robotCount];
         var fixed = new Segments();
@@ -43,7 +59,8 @@ public final class Scene {
             ObstacleSpec obstacle = obstacles.get(i);
             var outline = new Outline(obstacle.shape(), obstacle.pose());
             fixed.add(outline, i, rayKinds(obstacle.blocksRangers(), obstacle.visible()));
-            colours[i] = obstacle.colour();
+            circles.set(i, outline.centreX(), outline.centreY(), outline);
+            paint(i, obstacle.colour(), obstacle.visible(), fixedByColour);
             if (obstacle.blocksBodies()) {
                 walls.add(outline);
             }
@@ -51,9 +68,10 @@ public final class Scene {
         for (int i = 0; i < robotCount; i++) {
             RobotSpec robot = spec.robots().get(i);
             robots[i] = new Outline(robot.shape(), robot.pose());
-            poses[i] = robot.pose();
+            circles.set(firstRobot + i, robot.pose().x(), robot.pose().y(), robots[i]);
+            paint(firstRobot + i, robot.colour(), robot.visible(), movingByColour);
+            place(i, robot.pose());
             robotRayKinds[i] = rayKinds(robot.blocksRangers(), robot.visible());
-            colours[firstRobot + i] = robot.colour();
             moving.add(robots[i], firstRobot + i, robotRayKinds[i]);
         }
         Grid grid = gridAround(fixed, moving);
@@ -61,7 +79,16 @@ public final class Scene {
         fixedIndex.rebuild();
         movingIndex = new CellIndex(grid, moving);
         caster = new RayCaster(grid, fixedIndex, movingIndex);
+        fixedByColour.forEach((colour, things) -> fixedGroups.add(new ColourGroup(colour, things, circles)));
+        movingByColour.forEach((colour, things) -> movingGroups.add(new ColourGroup(colour, things, circles)));
         refresh();
+    }
+
+    private void paint(int thing, int colour, boolean visible, Map<Integer, List<Integer>> byColour) {
+        colours[thing] = colour;
+        if (visible) {
+            byColour.computeIfAbsent(colour, each -> new ArrayList<>()).add(thing);
+        }
     }
 
     private static int rayKinds(boolean blocksRangers, boolean visible) {
@@ -86,8 +113,19 @@ public final class Scene {
 
     /** Moves a robot; rays notice after {@link #refresh}. */
     public void place(int robot, Pose pose) {
-        poses[robot] = pose;
-        robots[robot].place(pose);
+        place(robot, pose.x(), pose.y(), pose.headingRad());
+    }
+
+    /** The same, without a pose. */
+    public void place(int robot, double robotX, double robotY, double headingRad) {
+        x[robot] = robotX;
+        y[robot] = robotY;
+        direction.set(headingRad);
+        cos[robot] = direction.cos();
+        sin[robot] = direction.sin();
+        robots[robot].place(robotX, robotY, cos[robot], sin[robot]);
+        circles.x[firstRobot + robot] = robotX;
+        circles.y[firstRobot + robot] = robotY;
     }
 
     /** Lets rays see the robots where they are now. */
@@ -97,6 +135,9 @@ public final class Scene {
             moving.add(robots[i], firstRobot + i, robotRayKinds[i]);
         }
         movingIndex.rebuild();
+        for (int i = 0; i < movingGroups.size(); i++) {
+            movingGroups.get(i).sort();
+        }
     }
 
     /** From the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is none. */
@@ -109,28 +150,71 @@ public final class Scene {
     }
 
     /**
-     * Casts a fan of rays from a robot, which they ignore.
+     * Casts a fan of rays from a robot, which they ignore: fills the scratch's things and distances.
      *
      * @param kind {@link Ray#RANGE} or {@link Ray#SIGHT}
-     * @param things receives what each ray hit, or {@link Ray#NOTHING}
-     * @param distancesM receives how far away that is, or infinity
      */
-    void cast(int robot, RayFan fan, int kind, double maxM, int[] things, double[] distancesM) {
-        Pose pose = poses[robot];
-        double cos = StrictMath.cos(pose.headingRad());
-        double sin = StrictMath.sin(pose.headingRad());
-        ray.skip = firstRobot + robot;
-        ray.kind = kind;
-        ray.maxM = maxM;
+    void cast(int robot, RayFan fan, int kind, double maxM, Scratch scratch) {
+        prepare(robot, kind, maxM, scratch);
         for (int i = 0; i < fan.size(); i++) {
-            ray.x = pose.x() + cos * fan.x[i] - sin * fan.y[i];
-            ray.y = pose.y() + sin * fan.x[i] + cos * fan.y[i];
-            ray.dirX = cos * fan.dirX[i] - sin * fan.dirY[i];
-            ray.dirY = sin * fan.dirX[i] + cos * fan.dirY[i];
-            caster.cast(ray);
-            things[i] = ray.hitThing;
-            distancesM[i] = ray.hitM;
+            cast(robot, fan, i, scratch);
         }
+    }
+
+    /**
+     * The same for the rays of a camera that may meet a visible thing of one of these colours; the others hit nothing.
+     *
+     * @return false if there is no such ray, and nothing was cast
+     */
+    boolean seek(int robot, RayFan fan, boolean atMostHalfTurn, int[] sought, double maxM, Scratch scratch) {
+        boolean[] wanted = scratch.wanted();
+        Camera camera = scratch.camera;
+        camera.place(firstRobot + robot, x[robot], y[robot], cos[robot], sin[robot]);
+        camera.look(fan, atMostHalfTurn, maxM);
+        camera.found = false;
+        mark(fixedGroups, sought, camera, wanted);
+        mark(movingGroups, sought, camera, wanted);
+        if (!camera.found) {
+            return false;
+        }
+        prepare(robot, Ray.SIGHT, maxM, scratch);
+        for (int i = 0; i < fan.size(); i++) {
+            if (wanted[i]) {
+                wanted[i] = false;
+                cast(robot, fan, i, scratch);
+            } else {
+                scratch.things()[i] = Ray.NOTHING;
+                scratch.distancesM()[i] = Double.POSITIVE_INFINITY;
+            }
+        }
+        return true;
+    }
+
+    private static void mark(List<ColourGroup> groups, int[] sought, Camera camera, boolean[] wanted) {
+        for (int i = 0; i < groups.size(); i++) {
+            if (Arrays.binarySearch(sought, groups.get(i).colour) >= 0) {
+                groups.get(i).mark(camera, wanted);
+            }
+        }
+    }
+
+    private void prepare(int robot, int kind, double maxM, Scratch scratch) {
+        scratch.ray.skip = firstRobot + robot;
+        scratch.ray.kind = kind;
+        scratch.ray.maxM = maxM;
+    }
+
+    private void cast(int robot, RayFan fan, int i, Scratch scratch) {
+        Ray ray = scratch.ray;
+        double robotCos = cos[robot];
+        double robotSin = sin[robot];
+        ray.x = x[robot] + robotCos * fan.x[i] - robotSin * fan.y[i];
+        ray.y = y[robot] + robotSin * fan.x[i] + robotCos * fan.y[i];
+        ray.dirX = robotCos * fan.dirX[i] - robotSin * fan.dirY[i];
+        ray.dirY = robotSin * fan.dirX[i] + robotCos * fan.dirY[i];
+        caster.cast(ray);
+        scratch.things()[i] = ray.hitThing;
+        scratch.distancesM()[i] = ray.hitM;
     }
 
     int colour(int thing) {

@@ -8,26 +8,57 @@ import java.util.List;
 public final class Sonar {
     private final SonarSpec spec;
     private final RayFan fan;
-    private final int[] things;
-    private final double[] distancesM;
+    private final double[] rangesM;
 
     public Sonar(SonarSpec spec) {
+        this(check(spec), new RayFan(spec.mounts()));
+    }
+
+    private Sonar(SonarSpec spec, RayFan fan) {
+        this.spec = spec;
+        this.fan = fan;
+        rangesM = new double[fan.size()];
+    }
+
+    private static SonarSpec check(SonarSpec spec) {
         if (!(spec.minRangeM() >= 0 && spec.maxRangeM() > spec.minRangeM() && spec.maxRangeM() < 1e6)) {
             throw new IllegalArgumentException("sonar range is [" + spec.minRangeM() + " " + spec.maxRangeM()
                     + "], expected 0 <= least < greatest, in metres");
         }
-        this.spec = spec;
-        fan = new RayFan(spec.mounts());
-        things = new int[fan.size()];
-        distancesM = new double[fan.size()];
+        return spec;
     }
 
-    /** One range per sonar, in metres, from the sonar to what it hits; the greatest range if it hits nothing. */
+    /** Another ring of this kind, with readings of its own; what never changes is shared. */
+    public Sonar twin() {
+        return new Sonar(spec, fan);
+    }
+
+    /** Reads all sonars; allocates nothing. */
+    public void sense(Scene scene, int robot, Scratch scratch) {
+        scratch.fit(fan.size());
+        scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), scratch);
+        for (int i = 0; i < rangesM.length; i++) {
+            rangesM[i] = Math.clamp(scratch.distancesM()[i], spec.minRangeM(), spec.maxRangeM());
+        }
+    }
+
+    public int count() {
+        return rangesM.length;
+    }
+
+    /** From a sonar to what it hit when it was last read, in metres; the greatest range if it hit nothing. */
+    public double rangeM(int sonar) {
+        return rangesM[sonar];
+    }
+
+    /** The newest ranges, one per sonar. */
+    public List<Double> rangesM() {
+        return Arrays.stream(rangesM).boxed().toList();
+    }
+
+    /** Reads all sonars and returns their ranges. */
     public List<Double> read(Scene scene, int robot) {
-        scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), things, distancesM);
-        return Arrays.stream(distancesM)
-                .map(range -> Math.clamp(range, spec.minRangeM(), spec.maxRangeM()))
-                .boxed()
-                .toList();
+        sense(scene, robot, new Scratch());
+        return rangesM();
     }
 }

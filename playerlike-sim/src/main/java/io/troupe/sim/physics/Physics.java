@@ -154,8 +154,8 @@ public final class Physics {
 
     /** Advances by one step. */
     public void step() {
-        for (RobotBody robot : robots) {
-            robot.aim();
+        for (int i = 0; i < robots.size(); i++) {
+            robots.get(i).aim();
         }
         world.step(stepMicros / 1e6f, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
         timeMicros += stepMicros;
@@ -165,9 +165,24 @@ public final class Physics {
         }
     }
 
+    /** Where a robot's centre of rotation is. */
+    public double x(int robot) {
+        return robots.get(robot).x();
+    }
+
+    /** Where a robot's centre of rotation is. */
+    public double y(int robot) {
+        return robots.get(robot).y();
+    }
+
+    /** A robot's heading, from -pi to pi. */
+    public double headingRad(int robot) {
+        return robots.get(robot).headingRad();
+    }
+
     /** The pose of a robot's centre of rotation, the heading from -pi to pi. */
     public Pose pose(int robot) {
-        return robots.get(robot).pose();
+        return new Pose(x(robot), y(robot), headingRad(robot));
     }
 
     /** Whether something touches the robot and keeps it from half of what it was told to do in the last 0.2 s. */
@@ -175,9 +190,13 @@ public final class Physics {
         return touches.touched(robot) && robots.get(robot).heldBack();
     }
 
-    /** The touches that began since the last call, ordered by (time, robot, other robot, obstacle). */
-    public List<Touch> drainTouches() {
-        return touches.drain();
+    /** The touches that began since the last {@link #forgetTouches}; always the same object. */
+    public Touches touches() {
+        return touches.begun();
+    }
+
+    public void forgetTouches() {
+        touches.begun().clear();
     }
 
     /** What jbox2d holds for the heading. */

@@ -1,5 +1,6 @@
 package io.troupe.sim.physics;
 
+import io.troupe.sim.numeric.Direction;
 import io.troupe.sim.scenario.Pose;
 import org.jbox2d.common.MathUtils;
 import org.jbox2d.common.Vec2;
@@ -21,12 +22,15 @@ final class RobotBody {
     private final double centreY;
     private final StallMeter stallMeter;
     private final Vec2 velocity = new Vec2();
+    private final Direction chordDirection = new Direction();
+    private final Direction bodyDirection = new Direction();
 
     private double x;
     private double y;
     private double headingRad;
-    private double forwardMps;
     private double turnRadps;
+    private double halfTurnRad; // of one step
+    private double chordM;
     private double aimX;
     private double aimY;
     private double aimHeadingRad;
@@ -43,20 +47,21 @@ final class RobotBody {
     }
 
     void drive(double forwardMps, double turnRadps) {
-        this.forwardMps = forwardMps;
         this.turnRadps = turnRadps;
+        halfTurnRad = turnRadps * stepS / 2;
+        chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : StrictMath.sin(halfTurnRad) / halfTurnRad);
     }
 
     /** Gives the body the velocity that takes it to the end of this step's arc. */
     void aim() {
-        double halfTurnRad = turnRadps * stepS / 2;
-        double chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : StrictMath.sin(halfTurnRad) / halfTurnRad);
-        aimX = x + chordM * StrictMath.cos(headingRad + halfTurnRad);
-        aimY = y + chordM * StrictMath.sin(headingRad + halfTurnRad);
+        chordDirection.set(headingRad + halfTurnRad);
+        aimX = x + chordM * chordDirection.cos();
+        aimY = y + chordM * chordDirection.sin();
         aimHeadingRad = wrap(headingRad + 2 * halfTurnRad);
 
-        double cos = StrictMath.cos(aimHeadingRad);
-        double sin = StrictMath.sin(aimHeadingRad);
+        bodyDirection.set(aimHeadingRad);
+        double cos = bodyDirection.cos();
+        double sin = bodyDirection.sin();
         double towardsX = aimX + cos * centreX - sin * centreY - body.m_sweep.c.x;
         double towardsY = aimY + sin * centreX + cos * centreY - body.m_sweep.c.y;
         velocity.set((float) (towardsX / stepS), (float) (towardsY / stepS));
@@ -72,8 +77,9 @@ final class RobotBody {
         double fromHeadingRad = headingRad;
         if (touched) {
             headingRad = wrap(body.m_sweep.a);
-            double cos = StrictMath.cos(headingRad);
-            double sin = StrictMath.sin(headingRad);
+            bodyDirection.set(headingRad);
+            double cos = bodyDirection.cos();
+            double sin = bodyDirection.sin();
             x = body.m_sweep.c.x - (cos * centreX - sin * centreY);
             y = body.m_sweep.c.y - (sin * centreX + cos * centreY);
         } else {
@@ -81,10 +87,7 @@ final class RobotBody {
             y = aimY;
             headingRad = aimHeadingRad;
         }
-        double toldM = StrictMath.hypot(aimX - fromX, aimY - fromY);
-        double wentM = toldM == 0 ? 0 : ((x - fromX) * (aimX - fromX) + (y - fromY) * (aimY - fromY)) / toldM;
-        double wentRad = wrap(headingRad - fromHeadingRad) * Math.signum(turnRadps);
-        stallMeter.record(toldM, wentM, Math.abs(turnRadps) * stepS, wentRad);
+        stallMeter.record(aimX - fromX, aimY - fromY, x - fromX, y - fromY, turnRadps, headingRad - fromHeadingRad);
     }
 
     /** jbox2d never wraps angles, and a large float is a coarse one. */
@@ -101,15 +104,25 @@ final class RobotBody {
         return stallMeter.heldBack();
     }
 
-    Pose pose() {
-        return new Pose(x, y, headingRad);
+    double x() {
+        return x;
+    }
+
+    double y() {
+        return y;
+    }
+
+    double headingRad() {
+        return headingRad;
     }
 
     double bodyHeadingRad() {
         return body.m_sweep.a;
     }
 
-    private static double wrap(double angleRad) {
-        return StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
+    /** Into -pi to pi. */
+    static double wrap(double angleRad) {
+        // between the bounds the remainder is the angle itself
+        return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
     }
 }

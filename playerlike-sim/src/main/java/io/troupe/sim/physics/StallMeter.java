@@ -1,49 +1,66 @@
 package io.troupe.sim.physics;
 
-/** Compares, over the last 0.2 s, how far a robot was told to go with how far it went. */
+/**
+ * Compares, over the last 0.2 s, how far a robot was told to go with how far it went.
+ *
+ * <p><b>Cost.</b> Recording, at every step, only stores; the arithmetic is done when somebody asks.
+ */
 final class StallMeter {
     private static final int WINDOW_MICROS = 200_000;
     /** Less than this in a window (metres or radians) is rounding, not travel. */
     private static final double NEGLIGIBLE = 1e-4;
 
-    private final double[] toldM;
-    private final double[] wentM;
-    private final double[] toldRad;
-    private final double[] wentRad;
+    private static final int TOLD_X = 0;
+    private static final int TOLD_Y = 1;
+    private static final int WENT_X = 2;
+    private static final int WENT_Y = 3;
+    private static final int TOLD_TURN_RADPS = 4;
+    private static final int WENT_RAD = 5;
+    private static final int FIELDS = 6;
+
+    private final double stepS;
+    private final double[] steps; // a ring of records
     private int next;
 
     StallMeter(int stepMicros) {
-        int length = Math.max(1, WINDOW_MICROS / stepMicros);
-        toldM = new double[length];
-        wentM = new double[length];
-        toldRad = new double[length];
-        wentRad = new double[length];
+        stepS = stepMicros / 1e6;
+        steps = new double[FIELDS * Math.max(1, WINDOW_MICROS / stepMicros)];
     }
 
-    /** One step: the travel told, never negative, and the travel achieved in that direction. */
-    void record(double stepToldM, double stepWentM, double stepToldRad, double stepWentRad) {
-        toldM[next] = stepToldM;
-        wentM[next] = stepWentM;
-        toldRad[next] = stepToldRad;
-        wentRad[next] = stepWentRad;
-        next = (next + 1) % toldM.length;
+    /** One step: what the robot was told and what it did, in metres; turns left positive, {@code wentRad} unwrapped. */
+    void record(double toldX, double toldY, double wentX, double wentY, double toldTurnRadps, double wentRad) {
+        steps[next + TOLD_X] = toldX;
+        steps[next + TOLD_Y] = toldY;
+        steps[next + WENT_X] = wentX;
+        steps[next + WENT_Y] = wentY;
+        steps[next + TOLD_TURN_RADPS] = toldTurnRadps;
+        steps[next + WENT_RAD] = wentRad;
+        next += FIELDS;
+        if (next == steps.length) {
+            next = 0;
+        }
     }
 
     /** Whether less than half of what was told was achieved, in driving or in turning. */
     boolean heldBack() {
-        return lessThanHalf(wentM, toldM) || lessThanHalf(wentRad, toldRad);
-    }
-
-    private static boolean lessThanHalf(double[] went, double[] told) {
-        double toldSum = sum(told);
-        return toldSum > NEGLIGIBLE && sum(went) < toldSum / 2;
-    }
-
-    private static double sum(double[] values) {
-        double sum = 0;
-        for (double value : values) {
-            sum += value;
+        double toldSumM = 0;
+        double wentSumM = 0;
+        double toldSumRad = 0;
+        double wentSumRad = 0;
+        for (int i = 0; i < steps.length; i += FIELDS) {
+            double toldX = steps[i + TOLD_X];
+            double toldY = steps[i + TOLD_Y];
+            double toldM = StrictMath.hypot(toldX, toldY);
+            toldSumM += toldM;
+            wentSumM += toldM == 0 ? 0 : (steps[i + WENT_X] * toldX + steps[i + WENT_Y] * toldY) / toldM;
+            double turnRadps = steps[i + TOLD_TURN_RADPS];
+            toldSumRad += Math.abs(turnRadps) * stepS;
+            wentSumRad += RobotBody.wrap(steps[i + WENT_RAD]) * Math.signum(turnRadps);
         }
-        return sum;
+        return lessThanHalf(wentSumM, toldSumM) || lessThanHalf(wentSumRad, toldSumRad);
+    }
+
+    private static boolean lessThanHalf(double went, double told) {
+        return told > NEGLIGIBLE && went < told / 2;
     }
 }

@@ -1,10 +1,6 @@
 package io.troupe.sim.physics;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
-import java.util.TreeMap;
-import java.util.TreeSet;
 import org.jbox2d.callbacks.ContactImpulse;
 import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.Manifold;
@@ -20,15 +16,18 @@ import org.jbox2d.dynamics.contacts.Contact;
 final class TouchLedger implements ContactListener {
     private static final long END = 1L << 63;
 
-    private final TreeMap<Long, Integer> open = new TreeMap<>();
-    private final List<Touch> begun = new ArrayList<>();
+    private final OpenPairs open = new OpenPairs();
+    private final Touches begun;
     private final boolean[] touched;
     private long[] buffer = new long[64];
     private int buffered;
+    private long[] started = new long[64];
+    private int startedCount;
     private boolean recent; // the last step changed something, so that `touched` may hold a touch that is over
 
     TouchLedger(int robotCount) {
         touched = new boolean[robotCount];
+        begun = new Touches(robotCount);
     }
 
     @Override
@@ -70,27 +69,37 @@ final class TouchLedger implements ContactListener {
             return;
         }
         recent = buffered > 0;
-        var before = new TreeSet<>(open.keySet());
-        var started = new TreeSet<Long>();
+        open.remember();
+        startedCount = 0;
         Arrays.fill(touched, false);
         for (int i = 0; i < buffered; i++) {
-            long pair = buffer[i] & ~END;
-            mark(pair);
-            if (buffer[i] < 0) {
-                open.computeIfPresent(pair, (p, count) -> count == 1 ? null : count - 1);
-            } else {
-                open.merge(pair, 1, Integer::sum);
-                started.add(pair);
-            }
+            take(buffer[i]);
         }
         buffered = 0;
-        open.keySet().forEach(this::mark);
-        started.removeAll(before);
-        for (long pair : started) {
-            int second = (int) pair;
-            boolean robot = second < touched.length;
-            begun.add(new Touch(
-                    timeMicros, (int) (pair >> 32), robot ? second : -1, robot ? -1 : second - touched.length));
+        for (int i = 0; i < open.size(); i++) {
+            mark(open.pair(i));
+        }
+        Arrays.sort(started, 0, startedCount);
+        for (int i = 0; i < startedCount; i++) {
+            if (i == 0 || started[i] != started[i - 1]) {
+                begun.add(timeMicros, started[i]);
+            }
+        }
+    }
+
+    private void take(long event) {
+        long pair = event & ~END;
+        mark(pair);
+        if (event < 0) {
+            open.end(pair);
+            return;
+        }
+        open.begin(pair);
+        if (!open.touchedBefore(pair)) {
+            if (startedCount == started.length) {
+                started = Arrays.copyOf(started, 2 * startedCount);
+            }
+            started[startedCount++] = pair;
         }
     }
 
@@ -106,10 +115,7 @@ final class TouchLedger implements ContactListener {
         return touched[robot];
     }
 
-    /** The touches that began since the last call, ordered by (time, robot, other robot, obstacle). */
-    List<Touch> drain() {
-        List<Touch> drained = List.copyOf(begun);
-        begun.clear();
-        return drained;
+    Touches begun() {
+        return begun;
     }
 }

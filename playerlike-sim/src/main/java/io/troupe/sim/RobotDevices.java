@@ -1,0 +1,60 @@
+package io.troupe.sim;
+
+import io.troupe.sim.device.Blobfinder;
+import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Scene;
+import io.troupe.sim.device.Scratch;
+import io.troupe.sim.device.Sonar;
+import io.troupe.sim.scenario.BlobfinderSpec;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.SonarSpec;
+import io.troupe.sim.scenario.WorldFileException;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** A robot's devices. */
+record RobotDevices(
+        Position2d position2d,
+        @Nullable Sonar sonar,
+        @Nullable Blobfinder blobfinder) {
+    /** The devices of all robots; those of one kind share what never changes. */
+    static List<RobotDevices> of(List<RobotSpec> robots, List<Pose> starts) {
+        Map<SonarSpec, Sonar> sonars = new HashMap<>();
+        Map<BlobfinderSpec, Blobfinder> blobfinders = new HashMap<>();
+        List<RobotDevices> all = new ArrayList<>(robots.size());
+        for (int i = 0; i < robots.size(); i++) {
+            RobotSpec robot = robots.get(i);
+            SonarSpec sonar = robot.sonar();
+            BlobfinderSpec blobfinder = robot.blobfinder();
+            try {
+                all.add(new RobotDevices(
+                        new Position2d(starts.get(i), robot.startOdometry()),
+                        sonar == null
+                                ? null
+                                : sonars.computeIfAbsent(sonar, Sonar::new).twin(),
+                        blobfinder == null
+                                ? null
+                                : blobfinders
+                                        .computeIfAbsent(blobfinder, Blobfinder::new)
+                                        .twin()));
+            } catch (IllegalArgumentException e) {
+                throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
+            }
+        }
+        return all;
+    }
+
+    /** Reads what casts rays. */
+    void sense(Scene scene, int robot, Scratch scratch) {
+        if (sonar != null) {
+            sonar.sense(scene, robot, scratch);
+        }
+        if (blobfinder != null) {
+            blobfinder.sense(scene, robot, scratch);
+        }
+    }
+}

@@ -1,0 +1,166 @@
+package io.troupe.sim;
+
+import io.troupe.sim.device.Blobfinder;
+import io.troupe.sim.device.Sonar;
+
+/**
+ * The world as it is now, without copies: what a {@link Snapshot} tells, number by number.
+ *
+ * <p><b>Role.</b> For controllers in a loop of many intervals: nothing here allocates. It is one object that always shows the newest tick; what shall last is copied by {@link #snapshot}.
+ * <p><b>Threads.</b> The thread that advances the world, between intervals.
+ * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and {@link io.troupe.sim.device.Blob}; robots, sonars, blobs and contacts count from 0.
+ * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, blob or contact that is not there; {@link #sonarCount} is 0 for a robot without sonar, as is
+ * {@link #blobCount} without blobfinder.
+ */
+public final class WorldView {
+    private final World world;
+
+    WorldView(World world) {
+        this.world = world;
+    }
+
+    public long tick() {
+        return world.tick();
+    }
+
+    /** Simulated time. */
+    public long timeMicros() {
+        return world.tick() * world.intervalMicros();
+    }
+
+    public int robotCount() {
+        return world.spec().robots().size();
+    }
+
+    public double x(int robot) {
+        return world.physics().x(robot);
+    }
+
+    public double y(int robot) {
+        return world.physics().y(robot);
+    }
+
+    public double headingRad(int robot) {
+        return world.physics().headingRad(robot);
+    }
+
+    public double odometryX(int robot) {
+        return world.devices(robot).position2d().x(x(robot), y(robot));
+    }
+
+    public double odometryY(int robot) {
+        return world.devices(robot).position2d().y(x(robot), y(robot));
+    }
+
+    public double odometryHeadingRad(int robot) {
+        return world.devices(robot).position2d().headingRad(headingRad(robot));
+    }
+
+    /** The speed that was in force in the interval that has ended. */
+    public double forwardMps(int robot) {
+        return world.forwardMps(robot);
+    }
+
+    /** The turn rate that was in force in the interval that has ended. */
+    public double turnRadps(int robot) {
+        return world.turnRadps(robot);
+    }
+
+    public boolean stalled(int robot) {
+        return world.physics().stalled(robot);
+    }
+
+    /** Cost: of a distance to each wall nearby. */
+    public double wallGapM(int robot) {
+        return world.scene().wallGapM(robot);
+    }
+
+    public int sonarCount(int robot) {
+        Sonar sonar = world.devices(robot).sonar();
+        return sonar == null ? 0 : sonar.count();
+    }
+
+    public double rangeM(int robot, int sonar) {
+        Sonar ring = world.devices(robot).sonar();
+        if (ring == null) {
+            throw new IndexOutOfBoundsException("robot " + robot + " has no sonar");
+        }
+        return ring.rangeM(sonar);
+    }
+
+    public int blobCount(int robot) {
+        Blobfinder blobfinder = world.devices(robot).blobfinder();
+        return blobfinder == null ? 0 : blobfinder.count();
+    }
+
+    public int blobColour(int robot, int blob) {
+        return seen(robot, blob).colour(blob);
+    }
+
+    public int blobLeft(int robot, int blob) {
+        return seen(robot, blob).left(blob);
+    }
+
+    public int blobRight(int robot, int blob) {
+        return seen(robot, blob).right(blob);
+    }
+
+    public int blobTop(int robot, int blob) {
+        return seen(robot, blob).top(blob);
+    }
+
+    public int blobBottom(int robot, int blob) {
+        return seen(robot, blob).bottom(blob);
+    }
+
+    public double blobRangeM(int robot, int blob) {
+        return seen(robot, blob).rangeM(blob);
+    }
+
+    private Blobfinder seen(int robot, int blob) {
+        Blobfinder blobfinder = world.devices(robot).blobfinder();
+        if (blobfinder == null || blob < 0 || blob >= blobfinder.count()) {
+            throw new IndexOutOfBoundsException(
+                    "there is no blob " + blob + ", robot " + robot + " sees " + blobCount(robot));
+        }
+        return blobfinder;
+    }
+
+    /** How many contacts began in the interval that has ended. */
+    public int contactCount() {
+        return world.physics().touches().count();
+    }
+
+    public long contactTimeMicros(int contact) {
+        return world.physics().touches().timeMicros(contact(contact));
+    }
+
+    /** Of two robots the one with the lower index. */
+    public int contactRobot(int contact) {
+        return world.physics().touches().robot(contact(contact));
+    }
+
+    /** Index of the other robot, or -1 if it is an obstacle. */
+    public int contactOtherRobot(int contact) {
+        return world.physics().touches().otherRobot(contact(contact));
+    }
+
+    /** Index of the obstacle in the world's specification, or -1 if it is a robot. */
+    public int contactObstacle(int contact) {
+        return world.physics().touches().obstacle(contact(contact));
+    }
+
+    private int contact(int contact) {
+        return java.util.Objects.checkIndex(contact, contactCount());
+    }
+
+    /** The same as {@link World#command} for the next interval; newer than what other threads said before. */
+    public void command(int robot, double forwardMps, double turnRadps) {
+        world.commandNow(robot, forwardMps, turnRadps);
+    }
+
+    /** A copy of all this, which is not published. */
+    public Snapshot snapshot() {
+        return world.snapshot();
+    }
+}

@@ -1,0 +1,59 @@
+package io.troupe.sim.physics;
+
+import java.util.Arrays;
+
+/**
+ * The touches that began since they were last forgotten, ordered by (time, robot, other robot, obstacle).
+ *
+ * <p><b>Threads.</b> Those of the {@link Physics} it belongs to.
+ */
+public final class Touches {
+    private final int robotCount;
+    private long[] timesMicros = new long[16];
+    private long[] pairs = new long[16];
+    private int count;
+
+    Touches(int robotCount) {
+        this.robotCount = robotCount;
+    }
+
+    void add(long timeMicros, long pair) {
+        if (count == pairs.length) {
+            timesMicros = Arrays.copyOf(timesMicros, 2 * count);
+            pairs = Arrays.copyOf(pairs, 2 * count);
+        }
+        timesMicros[count] = timeMicros;
+        pairs[count] = pair;
+        count++;
+    }
+
+    void clear() {
+        count = 0;
+    }
+
+    public int count() {
+        return count;
+    }
+
+    /** End of the physics step in which the bodies met. */
+    public long timeMicros(int touch) {
+        return timesMicros[touch];
+    }
+
+    /** The robot; of two robots the one with the lower index. */
+    public int robot(int touch) {
+        return (int) (pairs[touch] >> 32);
+    }
+
+    /** Index of the other robot, or -1. */
+    public int otherRobot(int touch) {
+        int second = (int) pairs[touch];
+        return second < robotCount ? second : -1;
+    }
+
+    /** Index of the obstacle, or -1. */
+    public int obstacle(int touch) {
+        int second = (int) pairs[touch];
+        return second < robotCount ? -1 : second - robotCount;
+    }
+}
