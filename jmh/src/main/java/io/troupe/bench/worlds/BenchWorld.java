@@ -2,8 +2,8 @@ package io.troupe.bench.worlds;
 
 /** One way to simulate a {@link TiledScene}. Its devices have been read once when it is new. */
 interface BenchWorld {
-    /** One interval of simulated time: commands by the newest readings, the physics steps, all devices. */
-    void advance();
+    /** So many intervals of simulated time, each of them commands by the newest readings, the physics steps, all devices. */
+    void advance(int intervals);
 
     /** The newest ones; the same object always. */
     Readings readings();

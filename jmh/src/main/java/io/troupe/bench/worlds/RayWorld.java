@@ -12,7 +12,8 @@ import java.util.stream.IntStream;
 /**
  * A physics engine with robots on top: what somebody writes who has the engine and no simulator.
  *
- * <p>Nothing is allocated here for a step or a ray, and sines are taken once for a robot and interval; what the engine does for itself is its own.
+ * <p>Nothing is allocated here for a step or a ray, sines are taken once for a robot and interval, and a camera casts only the columns in which a coloured object can
+ * be, as ours does; what the engine does for itself is its own.
  */
 abstract class RayWorld implements BenchWorld {
     static final int VELOCITY_ITERATIONS = 8;
@@ -26,6 +27,7 @@ abstract class RayWorld implements BenchWorld {
     private final Wander wander;
     private final Fan sonars;
     private final Fan columns;
+    private final ColouredColumns coloured;
 
     /** Rays in a robot's frame. */
     private record Fan(double[] x, double[] y, double[] dirX, double[] dirY) {
@@ -46,6 +48,7 @@ abstract class RayWorld implements BenchWorld {
         RobotSpec first = spec.robots().getFirst();
         SonarSpec sonar = Objects.requireNonNull(first.sonar());
         BlobfinderSpec camera = Objects.requireNonNull(first.blobfinder());
+        coloured = new ColouredColumns(spec, camera);
         sonars = Fan.of(sonar.mounts());
         columns = Fan.of(IntStream.range(0, camera.widthPx())
                 .mapToObj(i -> camera.fovRad() / 2 - (i + 0.5) * camera.fovRad() / camera.widthPx())
@@ -71,7 +74,13 @@ abstract class RayWorld implements BenchWorld {
     abstract int hitColour();
 
     @Override
-    public final void advance() {
+    public final void advance(int intervals) {
+        for (int i = 0; i < intervals; i++) {
+            advance();
+        }
+    }
+
+    private void advance() {
         if (driving) {
             for (int i = 0; i < robotCount; i++) {
                 wander.decide(i, readings);
@@ -103,9 +112,13 @@ abstract class RayWorld implements BenchWorld {
         readings.clearRuns(robot);
         int runColour = NO_COLOUR;
         int runFirst = 0;
+        coloured.seek(x, y, cos, sin);
         for (int k = 0; k < TiledScene.COLUMNS; k++) {
-            cast(robot, x, y, cos, sin, columns, k, TiledScene.CAMERA_RANGE_M);
-            int colour = hitColour();
+            int colour = NO_COLOUR;
+            if (coloured.isPossible(k)) {
+                cast(robot, x, y, cos, sin, columns, k, TiledScene.CAMERA_RANGE_M);
+                colour = hitColour();
+            }
             if (colour != runColour) {
                 endRun(robot, runColour, runFirst, k);
                 runColour = colour;

@@ -23,6 +23,7 @@ final class TiledScene {
     static final int COLUMNS = 80;
     static final double SONAR_RANGE_M = 5;
     static final double CAMERA_RANGE_M = 8;
+    static final double COLOURED_RADIUS_M = 0.25;
     static final int INTERVAL_MILLIS = 100;
     static final int STEPS_PER_INTERVAL = 10;
     static final double STEP_S = 0.01;
@@ -46,7 +47,8 @@ final class TiledScene {
             SONAR_RANGE_M,
             StrictMath.toRadians(15));
     private static final BlobfinderSpec CAMERA =
-            new BlobfinderSpec(Pose.ORIGIN, COLUMNS, 60, CAMERA_RANGE_M, StrictMath.toRadians(60), List.of());
+            new BlobfinderSpec(
+            Pose.ORIGIN, COLUMNS, 60, CAMERA_RANGE_M, StrictMath.toRadians(60), List.of(0xFF0000, 0x00FF00, 0x0000FF));
 
     private final int robotCount;
     private final int columns;
@@ -120,9 +122,9 @@ final class TiledScene {
             obstacles.add(obstacle(x + 12, y + 12, box(1, 0.3), WALL));
             obstacles.add(obstacle(x + 8, y + 6, box(1, 0.3), WALL));
             obstacles.add(obstacle(x + 8, y + 10, box(0.3, 1), WALL));
-            obstacles.add(obstacle(x + 6, y + 8, octagon(0.25), 0xFF0000));
-            obstacles.add(obstacle(x + 10, y + 8, octagon(0.25), 0x00FF00));
-            obstacles.add(obstacle(x + 8, y + 2, octagon(0.25), 0x0000FF));
+            obstacles.add(obstacle(x + 6, y + 8, octagon(COLOURED_RADIUS_M), 0xFF0000));
+            obstacles.add(obstacle(x + 10, y + 8, octagon(COLOURED_RADIUS_M), 0x00FF00));
+            obstacles.add(obstacle(x + 8, y + 2, octagon(COLOURED_RADIUS_M), 0x0000FF));
         }
         return obstacles;
     }

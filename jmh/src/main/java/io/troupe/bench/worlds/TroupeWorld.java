@@ -1,16 +1,11 @@
 package io.troupe.bench.worlds;
 
-import static java.util.Objects.requireNonNull;
-
-import io.troupe.sim.RobotReading;
-import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.device.Blob;
+import io.troupe.sim.WorldView;
 import io.troupe.sim.scenario.WorldSpec;
-import java.util.List;
 
-/** Our simulator, as a program in the same JVM uses it: commands in, snapshots out. */
+/** Our simulator with a controller inside its loop, which reads the view and needs no snapshots. */
 final class TroupeWorld implements BenchWorld {
     private final World world;
     private final Readings readings;
@@ -24,33 +19,33 @@ final class TroupeWorld implements BenchWorld {
         readings = new Readings(robotCount);
         wander = new Wander(robotCount);
         world = World.create(spec, WorldSettings.DEFAULT);
-        take(world.latest());
+        take(world.view());
     }
 
     @Override
-    public void advance() {
-        if (driving) {
-            for (int i = 0; i < robotCount; i++) {
-                wander.decide(i, readings);
-                world.command(i, wander.forwardMps[i], wander.turnRadps[i]);
-            }
-        }
-        take(world.advance());
+    public void advance(int intervals) {
+        world.advance(intervals, this::control);
+        take(world.view());
     }
 
-    private void take(Snapshot snapshot) {
-        List<RobotReading> robots = snapshot.robots();
+    private void control(WorldView view) {
+        if (driving) {
+            take(view);
+            for (int i = 0; i < robotCount; i++) {
+                wander.decide(i, readings);
+                view.command(i, wander.forwardMps[i], wander.turnRadps[i]);
+            }
+        }
+    }
+
+    private void take(WorldView view) {
         for (int i = 0; i < robotCount; i++) {
-            RobotReading robot = robots.get(i);
-            List<Double> sonarM = requireNonNull(robot.sonarM());
             for (int k = 0; k < TiledScene.SONARS; k++) {
-                readings.setSonarM(i, k, sonarM.get(k));
+                readings.setSonarM(i, k, view.rangeM(i, k));
             }
             readings.clearRuns(i);
-            for (Blob blob : requireNonNull(robot.blobs()).blobs()) {
-                if (TiledScene.isColoured(blob.colour())) {
-                    readings.addRun(i, blob.left(), blob.right());
-                }
+            for (int k = 0; k < view.blobCount(i); k++) {
+                readings.addRun(i, view.blobLeft(i, k), view.blobRight(i, k));
             }
         }
     }

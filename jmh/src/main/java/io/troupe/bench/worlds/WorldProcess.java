@@ -72,9 +72,7 @@ final class WorldProcess {
     private long keptBytes(WorldSpec spec) {
         long before = usedBytes();
         BenchWorld kept = kind.create(spec, true);
-        for (int i = 0; i < SETTLING_INTERVALS; i++) {
-            kept.advance();
-        }
+        kept.advance(SETTLING_INTERVALS);
         long after = usedBytes();
         Reference.reachabilityFence(kept);
         return after - before;

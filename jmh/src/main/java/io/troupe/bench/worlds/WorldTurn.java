@@ -13,16 +13,25 @@ record WorldTurn(double factor, double bytesPerStep) {
     /** Kept, since looking it up allocates. */
     private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
 
+    /** Calls grow, so that what is done once for a call matters little, while a turn has at least this many of them. */
+    private static final int GROWTH = 16;
+
+    private static final int MOST_AT_ONCE = 1_000;
+
     /** Runs the world for about so long, one interval at least. */
     static WorldTurn run(BenchWorld world, long budgetNanos) {
         long bytes = THREADS.getTotalThreadAllocatedBytes();
         long start = System.nanoTime();
         long intervals = 0;
         long spent;
+        int atOnce = 1;
         do {
-            world.advance();
-            intervals++;
+            world.advance(atOnce);
+            intervals += atOnce;
             spent = System.nanoTime() - start;
+            if (spent < budgetNanos / GROWTH) {
+                atOnce = Math.min(2 * atOnce, MOST_AT_ONCE);
+            }
         } while (spent < budgetNanos);
         bytes = THREADS.getTotalThreadAllocatedBytes() - bytes;
         double simulatedNanos = intervals * TiledScene.INTERVAL_MILLIS * 1e6;
