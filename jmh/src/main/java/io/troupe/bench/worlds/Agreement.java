@@ -45,8 +45,8 @@ final class Agreement {
         for (int k = 0; k < TiledScene.SONARS; k++) {
             double differenceM = Math.abs(ours.sonarM(robot, k) - theirs.sonarM(robot, k));
             if (!(differenceM <= TOLERANCE_M)) {
-                throw new IllegalStateException(where + ", sonar " + k + ": " + theirs.sonarM(robot, k) + " m, expected "
-                        + ours.sonarM(robot, k) + " m as in ours");
+                throw new IllegalStateException(where + ", sonar " + k + ": " + theirs.sonarM(robot, k)
+                        + " m, expected " + ours.sonarM(robot, k) + " m as in ours");
             }
             largestM = Math.max(largestM, differenceM);
         }

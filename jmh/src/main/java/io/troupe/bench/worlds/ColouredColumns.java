@@ -41,8 +41,9 @@ final class ColouredColumns {
     }
 
     private void mark(double leftRad, double distanceM) {
-        double halfRad =
-                distanceM <= TiledScene.COLOURED_RADIUS_M ? Math.PI : Math.asin(TiledScene.COLOURED_RADIUS_M / distanceM);
+        double halfRad = distanceM <= TiledScene.COLOURED_RADIUS_M
+                ? Math.PI
+                : Math.asin(TiledScene.COLOURED_RADIUS_M / distanceM);
         int first = (int) Math.floor((halfFovRad - leftRad - halfRad) / columnRad) - 1;
         int last = (int) Math.ceil((halfFovRad - leftRad + halfRad) / columnRad) + 1;
         for (int k = Math.max(0, first); k <= Math.min(possible.length - 1, last); k++) {

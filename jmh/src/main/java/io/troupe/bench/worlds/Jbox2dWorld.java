@@ -38,7 +38,11 @@ final class Jbox2dWorld extends RayWorld implements RayCastCallback {
         for (int i = 0; i < robots.length; i++) {
             RobotSpec each = spec.robots().get(i);
             robots[i] = body(
-                    BodyType.DYNAMIC, each.pose().x(), each.pose().y(), each.pose().headingRad(), each.colour());
+                    BodyType.DYNAMIC,
+                    each.pose().x(),
+                    each.pose().y(),
+                    each.pose().headingRad(),
+                    each.colour());
             robots[i].setSleepingAllowed(false);
             robots[i].createFixture(fixture(each.shape(), each.massKg() / (each.lengthM() * each.widthM())));
         }

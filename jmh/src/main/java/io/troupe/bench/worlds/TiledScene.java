@@ -46,8 +46,7 @@ final class TiledScene {
             0,
             SONAR_RANGE_M,
             StrictMath.toRadians(15));
-    private static final BlobfinderSpec CAMERA =
-            new BlobfinderSpec(
+    private static final BlobfinderSpec CAMERA = new BlobfinderSpec(
             Pose.ORIGIN, COLUMNS, 60, CAMERA_RANGE_M, StrictMath.toRadians(60), List.of(0xFF0000, 0x00FF00, 0x0000FF));
 
     private final int robotCount;

@@ -47,7 +47,8 @@ final class WorldProcess {
                 if (world == null) {
                     throw new IllegalStateException("a turn was asked for before a world was built");
                 }
-                yield WorldTurn.run(world, Long.parseLong(command[1]) * 1_000_000).line();
+                yield WorldTurn.run(world, Long.parseLong(command[1]) * 1_000_000)
+                        .line();
             }
             case "drop" -> {
                 world = null;

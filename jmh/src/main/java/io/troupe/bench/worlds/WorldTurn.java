@@ -35,8 +35,7 @@ record WorldTurn(double factor, double bytesPerStep) {
         } while (spent < budgetNanos);
         bytes = THREADS.getTotalThreadAllocatedBytes() - bytes;
         double simulatedNanos = intervals * TiledScene.INTERVAL_MILLIS * 1e6;
-        return new WorldTurn(
-                simulatedNanos / spent, (double) bytes / (intervals * TiledScene.STEPS_PER_INTERVAL));
+        return new WorldTurn(simulatedNanos / spent, (double) bytes / (intervals * TiledScene.STEPS_PER_INTERVAL));
     }
 
     /** As a line of the pipe. */

@@ -78,7 +78,9 @@ record WorldsDrawing(WorldsResults results) {
         if (points.isEmpty()) {
             return "";
         }
-        return WorldsReport.format("<polyline points='%s' class='c %s'/>%n", points.toString().strip(), style)
+        return WorldsReport.format(
+                        "<polyline points='%s' class='c %s'/>%n",
+                        points.toString().strip(), style)
                 + marks
                 + WorldsReport.format("<text x='%.1f' y='%.1f'>%s</text>%n", x + 8, y + 4, kind.label());
     }

@@ -65,12 +65,9 @@ record WorldsOptions(
             case "--warm-up" ->
                 new WorldsOptions(robots, rounds, turnMillis, positive(option, value), seed, only, figure);
             case "--seed" ->
-                new WorldsOptions(
-                        robots, rounds, turnMillis, warmUpMillis, Long.parseLong(value), only, figure);
-            case "--only" ->
-                new WorldsOptions(robots, rounds, turnMillis, warmUpMillis, seed, withOurs(value), figure);
-            case "--figure" ->
-                new WorldsOptions(robots, rounds, turnMillis, warmUpMillis, seed, only, Path.of(value));
+                new WorldsOptions(robots, rounds, turnMillis, warmUpMillis, Long.parseLong(value), only, figure);
+            case "--only" -> new WorldsOptions(robots, rounds, turnMillis, warmUpMillis, seed, withOurs(value), figure);
+            case "--figure" -> new WorldsOptions(robots, rounds, turnMillis, warmUpMillis, seed, only, Path.of(value));
             default -> throw new IllegalArgumentException("no option " + option);
         };
     }

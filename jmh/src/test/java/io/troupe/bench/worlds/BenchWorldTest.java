@@ -40,7 +40,8 @@ class BenchWorldTest {
     void scene_hasRobotsApart_andNineObjectsATile() {
         var spec = TiledScene.of(130);
         assertThat(spec.robots()).hasSize(130);
-        assertThat(spec.robots().stream().map(each -> each.pose().x() + " " + each.pose().y()))
+        assertThat(spec.robots().stream()
+                        .map(each -> each.pose().x() + " " + each.pose().y()))
                 .doesNotHaveDuplicates();
         assertThat(spec.obstacles()).hasSize(4 + 4 * 9);
     }
