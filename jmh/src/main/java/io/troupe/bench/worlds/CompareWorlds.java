@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
@@ -65,11 +66,14 @@ public final class CompareWorlds {
         for (int robots : options.robots()) {
             if (robots <= WorldsOptions.MANY_ROBOTS) {
                 progress("comparing the readings of " + robots);
-                double differenceM = Agreement.check(robots);
+                Agreement agreement = Agreement.check(robots);
                 progress("");
                 System.out.printf(
-                        "%,d robots: after one second the sonars of all contenders agree within %.2f mm%n",
-                        robots, 1000 * differenceM);
+                        Locale.ROOT,
+                        "%,d robots: after one second the sonars of all contenders agree within %.2f mm, but for %d rays that graze a corner%n",
+                        robots,
+                        1000 * agreement.largestM(),
+                        agreement.grazing());
             }
         }
         System.out.println();

@@ -13,8 +13,8 @@ class BenchWorldTest {
 
     @Test
     void readings_agree_afterASecondWithoutDriving() {
-        assertThat(Agreement.check(2)).isLessThan(0.001);
-        assertThat(Agreement.check(70)).isLessThan(Agreement.TOLERANCE_M);
+        assertThat(Agreement.check(2).largestM()).isLessThan(0.001);
+        assertThat(Agreement.check(70).grazing()).isZero();
     }
 
     @ParameterizedTest
