@@ -20,6 +20,7 @@ final class WorldProcess {
 
     private final WorldKind kind;
     private @Nullable BenchWorld world;
+    private double lastFactor;
 
     private WorldProcess(WorldKind kind) {
         this.kind = kind;
@@ -41,14 +42,16 @@ final class WorldProcess {
             case "retained" -> Double.toString(retainedBytes(Integer.parseInt(command[1])));
             case "build" -> {
                 world = kind.create(TiledScene.of(Integer.parseInt(command[1])), true);
+                lastFactor = 0;
                 yield "built";
             }
             case "turn" -> {
                 if (world == null) {
                     throw new IllegalStateException("a turn was asked for before a world was built");
                 }
-                yield WorldTurn.run(world, Long.parseLong(command[1]) * 1_000_000)
-                        .line();
+                WorldTurn turn = WorldTurn.run(world, Long.parseLong(command[1]) * 1_000_000, lastFactor);
+                lastFactor = turn.factor();
+                yield turn.line();
             }
             case "drop" -> {
                 world = null;

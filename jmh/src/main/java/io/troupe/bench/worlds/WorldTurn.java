@@ -16,15 +16,23 @@ record WorldTurn(double factor, double bytesPerStep) {
     /** Calls grow, so that what is done once for a call matters little, while a turn has at least this many of them. */
     private static final int GROWTH = 16;
 
+    /** Of a turn that goes as expected. */
+    private static final int CALLS = 4;
+
     private static final int MOST_AT_ONCE = 1_000;
 
-    /** Runs the world for about so long, one interval at least. */
-    static WorldTurn run(BenchWorld world, long budgetNanos) {
+    /**
+     * Runs the world for about so long, one interval at least.
+     *
+     * @param expectedFactor what an earlier turn gave, 0 if there was none
+     */
+    static WorldTurn run(BenchWorld world, long budgetNanos, double expectedFactor) {
         long bytes = THREADS.getTotalThreadAllocatedBytes();
         long start = System.nanoTime();
         long intervals = 0;
         long spent;
-        int atOnce = 1;
+        double expectedIntervals = expectedFactor * budgetNanos / (TiledScene.INTERVAL_MILLIS * 1e6);
+        int atOnce = (int) Math.clamp(expectedIntervals / CALLS, 1, MOST_AT_ONCE);
         do {
             world.advance(atOnce);
             intervals += atOnce;

@@ -55,7 +55,7 @@ class BenchWorldTest {
 
     @Test
     void turn_runsAtLeastOnce_andReadsBackFromItsLine() {
-        var turn = WorldTurn.run(WorldKind.TROUPE.create(TiledScene.of(1), true), 0);
+        var turn = WorldTurn.run(WorldKind.TROUPE.create(TiledScene.of(1), true), 0, 0);
         assertThat(turn.factor()).isPositive();
         assertThat(WorldTurn.parse(turn.line())).isEqualTo(turn);
     }
