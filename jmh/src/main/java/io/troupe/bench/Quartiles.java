@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /** The middle of some numbers, and how far they spread. */
-record Quartiles(double lower, double median, double upper) {
-    static Quartiles of(List<Double> values) {
+public record Quartiles(double lower, double median, double upper) {
+    public static Quartiles of(List<Double> values) {
         double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();
         Arrays.sort(sorted);
         return new Quartiles(at(sorted, 0.25), at(sorted, 0.5), at(sorted, 0.75));

@@ -8,8 +8,13 @@ import org.junit.jupiter.api.Test;
 /** Which library is allowed in which room. */
 class LibrariesTest {
     @Test
-    void jbox2d_staysInThePhysicsRoom() {
-        library("org.jbox2d..", "io.troupe.sim.physics");
+    void jbox2d_staysInThePhysicsRoom_andWhereItIsAPeer() {
+        library("org.jbox2d..", "io.troupe.sim.physics", "io.troupe.bench.worlds");
+    }
+
+    @Test
+    void dyn4j_staysWhereItIsAPeer() {
+        library("org.dyn4j..", "io.troupe.bench.worlds");
     }
 
     @Test
@@ -62,10 +67,10 @@ class LibrariesTest {
                 .check(Classes.MAIN);
     }
 
-    private static void library(String library, String room) {
+    private static void library(String library, String... rooms) {
         noClasses()
                 .that()
-                .resideOutsideOfPackage(room)
+                .resideOutsideOfPackages(rooms)
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage(library)

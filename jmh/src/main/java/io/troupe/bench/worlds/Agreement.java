@@ -1,0 +1,69 @@
+package io.troupe.bench.worlds;
+
+import io.troupe.sim.scenario.WorldSpec;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * Whether the contenders simulate the same scene: what their robots sense after a second in which nobody drives.
+ *
+ * @param largestM the largest difference between a sonar reading of ours and one of another contender, grazing rays left out
+ * @param grazing rays that differ by more: they just touch a corner, which is a hit for one and a miss for another
+ */
+record Agreement(double largestM, int grazing) {
+    /** More than this would not be rounding, and not a body's skin either. */
+    static final double TOLERANCE_M = 0.02;
+
+    private static final int INTERVALS = 1000 / TiledScene.INTERVAL_MILLIS;
+
+    /** One ray in so many may graze. */
+    private static final int RAYS_PER_GRAZING = 5_000;
+
+    /**
+     * Lets all contenders simulate a second.
+     *
+     * <p><b>Errors.</b> {@link IllegalStateException} if readings differ by more than {@link #TOLERANCE_M} in more than one ray of 5,000, or two images by more than
+     * a column.
+     */
+    static Agreement check(int robotCount) {
+        WorldSpec spec = TiledScene.of(robotCount);
+        List<Readings> all = Stream.of(WorldKind.values())
+                .map(kind -> afterOneSecond(kind, spec))
+                .toList();
+        double largestM = 0;
+        int grazing = 0;
+        for (int i = 1; i < all.size(); i++) {
+            for (int robot = 0; robot < robotCount; robot++) {
+                String where = WorldKind.values()[i].label() + ", robot " + robot + " of " + robotCount;
+                images(where, robot, all.getFirst(), all.get(i));
+                for (int k = 0; k < TiledScene.SONARS; k++) {
+                    double ours = all.getFirst().sonarM(robot, k);
+                    double theirs = all.get(i).sonarM(robot, k);
+                    if (Math.abs(ours - theirs) <= TOLERANCE_M) {
+                        largestM = Math.max(largestM, Math.abs(ours - theirs));
+                    } else if (++grazing > robotCount * TiledScene.SONARS / RAYS_PER_GRAZING) {
+                        throw new IllegalStateException(
+                                where + ", sonar " + k + ": " + theirs + " m, expected " + ours + " m as in ours");
+                    }
+                }
+            }
+        }
+        return new Agreement(largestM, grazing);
+    }
+
+    private static Readings afterOneSecond(WorldKind kind, WorldSpec spec) {
+        BenchWorld world = kind.create(spec, false);
+        world.advance(INTERVALS);
+        return world.readings();
+    }
+
+    private static void images(String where, int robot, Readings ours, Readings theirs) {
+        int left = Math.abs(ours.colouredLeft[robot] - theirs.colouredLeft[robot]);
+        int right = Math.abs(ours.colouredRight[robot] - theirs.colouredRight[robot]);
+        if (left > 1 || right > 1) {
+            throw new IllegalStateException(where + ": " + theirs.colouredLeft[robot] + " and "
+                    + theirs.colouredRight[robot] + " coloured columns left and right, expected "
+                    + ours.colouredLeft[robot] + " and " + ours.colouredRight[robot] + " as in ours");
+        }
+    }
+}

@@ -1,0 +1,151 @@
+package io.troupe.bench.worlds;
+
+import io.troupe.sim.scenario.BlobfinderSpec;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.SonarSpec;
+import io.troupe.sim.scenario.WorldSpec;
+import java.util.List;
+import java.util.Objects;
+import java.util.stream.IntStream;
+
+/**
+ * A physics engine with robots on top: what somebody writes who has the engine and no simulator.
+ *
+ * <p>Nothing is allocated here for a step or a ray, sines are taken once for a robot and interval, and a camera casts only the columns in which a coloured object can
+ * be, as ours does; what the engine does for itself is its own.
+ */
+abstract class RayWorld implements BenchWorld {
+    static final int VELOCITY_ITERATIONS = 8;
+    static final int POSITION_ITERATIONS = 3;
+    static final double FRICTION = 0.3;
+    static final int NO_COLOUR = -1;
+
+    private final int robotCount;
+    private final boolean driving;
+    private final Readings readings;
+    private final Wander wander;
+    private final Fan sonars;
+    private final Fan columns;
+    private final ColouredColumns coloured;
+
+    /** Rays in a robot's frame. */
+    private record Fan(double[] x, double[] y, double[] dirX, double[] dirY) {
+        static Fan of(List<Pose> rays) {
+            return new Fan(
+                    rays.stream().mapToDouble(Pose::x).toArray(),
+                    rays.stream().mapToDouble(Pose::y).toArray(),
+                    rays.stream().mapToDouble(ray -> Math.cos(ray.headingRad())).toArray(),
+                    rays.stream().mapToDouble(ray -> Math.sin(ray.headingRad())).toArray());
+        }
+    }
+
+    RayWorld(WorldSpec spec, boolean driving) {
+        this.driving = driving;
+        robotCount = spec.robots().size();
+        readings = new Readings(robotCount);
+        wander = new Wander(robotCount);
+        RobotSpec first = spec.robots().getFirst();
+        SonarSpec sonar = Objects.requireNonNull(first.sonar());
+        BlobfinderSpec camera = Objects.requireNonNull(first.blobfinder());
+        coloured = new ColouredColumns(spec, camera);
+        sonars = Fan.of(sonar.mounts());
+        columns = Fan.of(IntStream.range(0, camera.widthPx())
+                .mapToObj(i -> camera.fovRad() / 2 - (i + 0.5) * camera.fovRad() / camera.widthPx())
+                .map(left -> camera.mount().compose(new Pose(0, 0, left)))
+                .toList());
+    }
+
+    abstract double x(int robot);
+
+    abstract double y(int robot);
+
+    abstract double headingRad(int robot);
+
+    /** Sets a body's velocity for the next step. */
+    abstract void drive(int robot, double forwardMps, double turnRadps);
+
+    abstract void step();
+
+    /** How far the nearest thing is that is not this robot; the greatest distance if there is none. */
+    abstract double cast(int robot, double x, double y, double dirX, double dirY, double maxM);
+
+    /** The colour of what the last ray hit, or {@link #NO_COLOUR}. */
+    abstract int hitColour();
+
+    @Override
+    public final void advance(int intervals) {
+        for (int i = 0; i < intervals; i++) {
+            advance();
+        }
+    }
+
+    private void advance() {
+        if (driving) {
+            for (int i = 0; i < robotCount; i++) {
+                wander.decide(i, readings);
+            }
+        }
+        for (int step = 0; step < TiledScene.STEPS_PER_INTERVAL; step++) {
+            for (int i = 0; i < robotCount; i++) {
+                drive(i, wander.forwardMps[i], wander.turnRadps[i]);
+            }
+            step();
+        }
+        sense();
+    }
+
+    final void sense() {
+        for (int i = 0; i < robotCount; i++) {
+            double x = x(i);
+            double y = y(i);
+            double cos = Math.cos(headingRad(i));
+            double sin = Math.sin(headingRad(i));
+            for (int k = 0; k < TiledScene.SONARS; k++) {
+                readings.setSonarM(i, k, cast(i, x, y, cos, sin, sonars, k, TiledScene.SONAR_RANGE_M));
+            }
+            look(i, x, y, cos, sin);
+        }
+    }
+
+    private void look(int robot, double x, double y, double cos, double sin) {
+        readings.clearRuns(robot);
+        int runColour = NO_COLOUR;
+        int runFirst = 0;
+        coloured.seek(x, y, cos, sin);
+        for (int k = 0; k < TiledScene.COLUMNS; k++) {
+            int colour = NO_COLOUR;
+            if (coloured.isPossible(k)) {
+                cast(robot, x, y, cos, sin, columns, k, TiledScene.CAMERA_RANGE_M);
+                colour = hitColour();
+            }
+            if (colour != runColour) {
+                endRun(robot, runColour, runFirst, k);
+                runColour = colour;
+                runFirst = k;
+            }
+        }
+        endRun(robot, runColour, runFirst, TiledScene.COLUMNS);
+    }
+
+    private void endRun(int robot, int colour, int first, int end) {
+        if (colour != NO_COLOUR && TiledScene.isColoured(colour)) {
+            readings.addRun(robot, first, end - 1);
+        }
+    }
+
+    private double cast(int robot, double x, double y, double cos, double sin, Fan fan, int k, double maxM) {
+        return cast(
+                robot,
+                x + cos * fan.x[k] - sin * fan.y[k],
+                y + sin * fan.x[k] + cos * fan.y[k],
+                cos * fan.dirX[k] - sin * fan.dirY[k],
+                sin * fan.dirX[k] + cos * fan.dirY[k],
+                maxM);
+    }
+
+    @Override
+    public final Readings readings() {
+        return readings;
+    }
+}

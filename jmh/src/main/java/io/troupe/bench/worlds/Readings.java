@@ -1,0 +1,34 @@
+package io.troupe.bench.worlds;
+
+/** What all robots sensed last: {@link TiledScene#SONARS} ranges in metres, and how many columns of each half of the image see a coloured object. */
+final class Readings {
+    private final double[] sonarM;
+    final int[] colouredLeft;
+    final int[] colouredRight;
+
+    Readings(int robotCount) {
+        sonarM = new double[robotCount * TiledScene.SONARS];
+        colouredLeft = new int[robotCount];
+        colouredRight = new int[robotCount];
+    }
+
+    double sonarM(int robot, int sonar) {
+        return sonarM[robot * TiledScene.SONARS + sonar];
+    }
+
+    void setSonarM(int robot, int sonar, double rangeM) {
+        sonarM[robot * TiledScene.SONARS + sonar] = rangeM;
+    }
+
+    /** One run of image columns with one colour. */
+    void addRun(int robot, int first, int last) {
+        int middle = TiledScene.COLUMNS / 2;
+        colouredLeft[robot] += Math.max(0, Math.min(last + 1, middle) - first);
+        colouredRight[robot] += Math.max(0, last + 1 - Math.max(first, middle));
+    }
+
+    void clearRuns(int robot) {
+        colouredLeft[robot] = 0;
+        colouredRight[robot] = 0;
+    }
+}

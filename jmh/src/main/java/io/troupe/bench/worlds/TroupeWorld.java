@@ -1,0 +1,57 @@
+package io.troupe.bench.worlds;
+
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.WorldView;
+import io.troupe.sim.scenario.WorldSpec;
+
+/** Our simulator with a controller inside its loop, which reads the view and needs no snapshots. */
+final class TroupeWorld implements BenchWorld {
+    private final World world;
+    private final Readings readings;
+    private final Wander wander;
+    private final boolean driving;
+    private final int robotCount;
+
+    TroupeWorld(WorldSpec spec, boolean driving) {
+        this.driving = driving;
+        robotCount = spec.robots().size();
+        readings = new Readings(robotCount);
+        wander = new Wander(robotCount);
+        world = World.create(spec, WorldSettings.DEFAULT);
+        take(world.view());
+    }
+
+    @Override
+    public void advance(int intervals) {
+        world.advance(intervals, this::control);
+        take(world.view());
+    }
+
+    private void control(WorldView view) {
+        if (driving) {
+            take(view);
+            for (int i = 0; i < robotCount; i++) {
+                wander.decide(i, readings);
+                view.command(i, wander.forwardMps[i], wander.turnRadps[i]);
+            }
+        }
+    }
+
+    private void take(WorldView view) {
+        for (int i = 0; i < robotCount; i++) {
+            for (int k = 0; k < TiledScene.SONARS; k++) {
+                readings.setSonarM(i, k, view.rangeM(i, k));
+            }
+            readings.clearRuns(i);
+            for (int k = 0; k < view.blobCount(i); k++) {
+                readings.addRun(i, view.blobLeft(i, k), view.blobRight(i, k));
+            }
+        }
+    }
+
+    @Override
+    public Readings readings() {
+        return readings;
+    }
+}

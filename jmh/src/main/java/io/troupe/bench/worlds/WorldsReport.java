@@ -1,0 +1,54 @@
+package io.troupe.bench.worlds;
+
+import io.troupe.bench.Quartiles;
+import java.util.Locale;
+
+/** The results as a table in Markdown. */
+record WorldsReport(WorldsOptions options, WorldsResults results) {
+    private static final String HEAD = """
+            | robots | contender | simulated seconds per second | divided by ours, same round | bytes per physics step | bytes kept per robot |
+            |---|---|---|---|---|---|
+            """;
+
+    /** Factors and ratios as median (lower quartile..upper quartile), bytes as median. */
+    String table() {
+        var text = new StringBuilder(format(
+                "Java %s, %d processors, %d rounds of %d ms, seed %d%n%n",
+                Runtime.version(),
+                Runtime.getRuntime().availableProcessors(),
+                options.rounds(),
+                options.turnMillis(),
+                options.seed()));
+        text.append(HEAD);
+        for (int robots : results.turns().keySet()) {
+            for (WorldKind kind : results.turns().get(robots).keySet()) {
+                text.append(row(robots, kind));
+            }
+        }
+        return text.toString();
+    }
+
+    private String row(int robots, WorldKind kind) {
+        Double retained = kind == WorldKind.TROUPE ? results.retainedBytes().get(robots) : null;
+        return format(
+                "| %,d | %s | %s | %s | %,d | %s |%n",
+                robots,
+                kind.label(),
+                cell(results.factor(robots, kind)),
+                cell(results.ratio(robots, kind)),
+                Math.round(results.bytesPerStep(robots, kind).median()),
+                retained == null ? "" : format("%,d", Math.round(retained)));
+    }
+
+    private static String cell(Quartiles of) {
+        return number(of.median()) + " (" + number(of.lower()) + ".." + number(of.upper()) + ")";
+    }
+
+    static String number(double value) {
+        return format(value < 1 ? "%.3f" : value < 10 ? "%.2f" : value < 100 ? "%.1f" : "%,.0f", value);
+    }
+
+    static String format(String format, Object... values) {
+        return String.format(Locale.ROOT, format, values);
+    }
+}

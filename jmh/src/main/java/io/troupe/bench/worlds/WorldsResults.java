@@ -1,0 +1,40 @@
+package io.troupe.bench.worlds;
+
+import io.troupe.bench.Quartiles;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * What was measured.
+ *
+ * @param turns by number of robots and contender, one turn for each round; the round is the index
+ * @param retainedBytes what a robot of ours keeps of the heap, by number of robots
+ */
+record WorldsResults(Map<Integer, Map<WorldKind, List<WorldTurn>>> turns, Map<Integer, Double> retainedBytes) {
+    Quartiles factor(int robots, WorldKind kind) {
+        return Quartiles.of(of(robots, kind).stream().map(WorldTurn::factor).toList());
+    }
+
+    Quartiles bytesPerStep(int robots, WorldKind kind) {
+        return Quartiles.of(
+                of(robots, kind).stream().map(WorldTurn::bytesPerStep).toList());
+    }
+
+    /** The contender's factor divided by ours in the same round. */
+    Quartiles ratio(int robots, WorldKind kind) {
+        var ours = of(robots, WorldKind.TROUPE);
+        var its = of(robots, kind);
+        return Quartiles.of(IntStream.range(0, its.size())
+                .mapToObj(round -> its.get(round).factor() / ours.get(round).factor())
+                .toList());
+    }
+
+    private List<WorldTurn> of(int robots, WorldKind kind) {
+        var found = turns.getOrDefault(robots, Map.of()).get(kind);
+        if (found == null) {
+            throw new IllegalArgumentException("no turns of " + kind.label() + " with " + robots + " robots");
+        }
+        return found;
+    }
+}

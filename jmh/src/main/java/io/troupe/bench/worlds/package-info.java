@@ -1,0 +1,5 @@
+/** The simulator against other ways to simulate the same robots. */
+@NullMarked
+package io.troupe.bench.worlds;
+
+import org.jspecify.annotations.NullMarked;
