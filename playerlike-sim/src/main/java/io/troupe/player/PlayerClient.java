@@ -8,7 +8,10 @@ import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.PlayerConnection;
+import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerServer;
+import io.troupe.player.wire.RemoteServer;
+import io.troupe.player.wire.RequestFailedException;
 import java.lang.System.Logger.Level;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -47,20 +50,20 @@ public class PlayerClient extends ServerInquiries {
      */
     public PlayerClient(String serverName, int portNumber) {
         super("player-client-" + portNumber, portNumber);
-        var server = server(serverName, portNumber);
-        connection = calling(() -> server.connect(incoming, space));
-        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
-    }
-
-    private static PlayerServer server(String serverName, int portNumber) {
-        String failed = "[PlayerClient]: Error in PlayerClient init: ";
-        if (!THIS_MACHINE.contains(serverName)) {
-            throw new PlayerException(failed + serverName + ":" + portNumber
-                    + " is not in this JVM, and other machines are not offered yet");
+        boolean thisMachine = THIS_MACHINE.contains(serverName);
+        PlayerServer server = thisMachine ? PlayerPorts.find(portNumber).orElse(null) : null;
+        try {
+            if (server == null) {
+                server = new RemoteServer(serverName, portNumber);
+            }
+            connection = server.connect(incoming, space);
+        } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
+            throw new PlayerException(
+                    "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()
+                            + (thisMachine ? " (ports of worlds in this JVM: " + PlayerPorts.list() + ")" : ""),
+                    e);
         }
-        return PlayerPorts.find(portNumber)
-                .orElseThrow(() -> new PlayerException(failed + "no server in this JVM at " + serverName + ":"
-                        + portNumber + "; open ports: " + PlayerPorts.list()));
+        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
     }
 
     // ---- waiting for data
