@@ -40,7 +40,8 @@ public final class PlayerPorts {
         return () -> OPEN.remove(port, server);
     }
 
-    static Optional<PlayerServer> find(int port) {
+    /** The server of an open port. */
+    public static Optional<PlayerServer> find(int port) {
         return Optional.ofNullable(OPEN.get(port));
     }
 

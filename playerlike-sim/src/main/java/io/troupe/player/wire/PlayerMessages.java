@@ -11,6 +11,7 @@ final class PlayerMessages {
     private static final int NEXT_DATA = 4;
     private static final int DATA_MODE = 5;
     private static final int ADD_RULE = 10;
+    private static final int CAPABILITY = 255;
     private static final int PUSH = 1;
     private static final int PULL = 2;
 
@@ -40,6 +41,10 @@ final class PlayerMessages {
                 out.int32(rule.type()).int32(rule.subtype()).int32(rule.replace());
                 yield new Content(ADD_RULE, out.bytes());
             }
+            case PlayerRequest.Capability capability ->
+                new Content(
+                        CAPABILITY,
+                        out.int32(capability.type()).int32(capability.subtype()).bytes());
             case PlayerRequest.Other other -> Content.empty(other.subtype());
         };
     }
@@ -67,6 +72,7 @@ final class PlayerMessages {
             case NEXT_DATA -> new PlayerRequest.NextData();
             case DATA_MODE -> new PlayerRequest.DataMode(delivery(in.uint8("mode")));
             case ADD_RULE -> new PlayerRequest.AddRule(rule(in));
+            case CAPABILITY -> new PlayerRequest.Capability(in.int32("type"), in.int32("subtype"));
             default -> new PlayerRequest.Other(subtype);
         };
         if (!(request instanceof PlayerRequest.Other)) {
@@ -93,6 +99,15 @@ final class PlayerMessages {
             throw new WireException("player REQ 10: replace is " + replace + ", expected 0 to 2");
         }
         return new ReplaceRule(interfaceCode, index, type, subtype, replace);
+    }
+
+    /** Whether the player device understands such a message. */
+    static boolean isServed(int type, int subtype) {
+        return type == MessageType.REQ.code()
+                && switch (subtype) {
+                    case DEVICE_LIST, DRIVER_INFO, ACCESS, NEXT_DATA, DATA_MODE, ADD_RULE, CAPABILITY -> true;
+                    default -> false;
+                };
     }
 
     static MessageType type(PlayerReply reply) {

@@ -27,6 +27,9 @@ sealed interface PlayerRequest {
     /** REQ 10. */
     record AddRule(ReplaceRule rule) implements PlayerRequest {}
 
+    /** REQ 255: whether a message would be understood. */
+    record Capability(int type, int subtype) implements PlayerRequest {}
+
     /** Refused, whatever it says. */
     record Other(int subtype) implements PlayerRequest {}
 }

@@ -1,0 +1,153 @@
+package io.troupe.player.wire;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.net.Socket;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One client behind a socket.
+ *
+ * <p><b>Threads.</b> Two virtual threads of its own, one reads and one writes; {@link #close} from any thread.
+ * <p><b>Errors.</b> Whatever goes wrong ends this session and no other, and is logged with the client's address.
+ */
+final class ClientSession implements DataSink {
+    /** Real requests are smaller than two thousand bytes. */
+    static final int MAX_REQUEST_BYTES = 64 * 1024;
+
+    private static final Logger LOG = System.getLogger(ClientSession.class.getName());
+    private static final long IDLE = Long.MIN_VALUE;
+
+    private final Socket socket;
+    private final String peer;
+    private final Outbox outbox = new Outbox();
+    private final Consumer<ClientSession> ended;
+    private final TcpServer.WriteClock clock;
+    private final AtomicBoolean closed = new AtomicBoolean();
+    private final AtomicLong writingSince = new AtomicLong(IDLE);
+    private volatile @Nullable PlayerConnection line;
+    private volatile @Nullable Conversation conversation;
+
+    ClientSession(Socket socket, TcpServer.WriteClock clock, Consumer<ClientSession> ended) {
+        this.socket = socket;
+        this.peer = "Player client " + socket.getRemoteSocketAddress();
+        this.clock = clock;
+        this.ended = ended;
+    }
+
+    /** Greets, and serves until somebody ends it. */
+    void start(PlayerServer devices, int host) throws IOException {
+        socket.setTcpNoDelay(true);
+        socket.setKeepAlive(true);
+        outbox.greet(TcpServer.banner(devices.banner()));
+        PlayerConnection connection = devices.connect(this, null);
+        line = connection;
+        if (closed.get()) { // meanwhile, by a server that has gone
+            connection.close();
+            return;
+        }
+        conversation = new Conversation(peer, connection, outbox, host, socket.getLocalPort());
+        LOG.log(Level.DEBUG, () -> peer + " has connected");
+        Thread.ofVirtual().name("player-read-" + peer).start(() -> run(this::read));
+        Thread.ofVirtual().name("player-write-" + peer).start(() -> run(this::write));
+    }
+
+    /** Returns the reason for which it has ended. */
+    private interface Job {
+        String run() throws IOException, WireException, InterruptedException;
+    }
+
+    private void run(Job job) {
+        try {
+            close(job.run());
+        } catch (IOException | WireException | LineClosedException | InterruptedException e) {
+            close(String.valueOf(e.getMessage()));
+        } catch (RuntimeException e) {
+            LOG.log(Level.WARNING, peer + " led to an error of the server", e);
+            close(e.toString());
+        } finally {
+            close("its thread has ended"); // by an error that the JVM reports
+        }
+    }
+
+    private String read() throws IOException, WireException, InterruptedException {
+        var reader = new MessageReader(new BufferedInputStream(socket.getInputStream()), MAX_REQUEST_BYTES);
+        Conversation with = Objects.requireNonNull(conversation);
+        while (outbox.awaitRoom()) {
+            Message message = reader.read();
+            if (message == null) {
+                return "the client has closed the connection";
+            }
+            with.hear(message);
+        }
+        return "closed";
+    }
+
+    private String write() throws IOException, InterruptedException {
+        OutputStream out = socket.getOutputStream();
+        while (true) {
+            byte[] batch = outbox.take();
+            if (batch == null) {
+                return "closed";
+            }
+            writingSince.set(clock.nanos());
+            out.write(batch);
+            writingSince.set(IDLE);
+        }
+    }
+
+    /** Ends the session if a write has not got through for longer than the limit. */
+    void checkWrite(long nowNanos) {
+        long since = writingSince.get();
+        if (since != IDLE && nowNanos - since > clock.limit().toNanos()) {
+            close("a write has not got through within " + clock.limit());
+        }
+    }
+
+    @Override
+    public void frame(Frame frame) {
+        Conversation with = conversation;
+        if (with == null || closed.get()) {
+            return;
+        }
+        try {
+            with.frame(frame);
+        } catch (LineClosedException e) {
+            close(String.valueOf(e.getMessage()));
+        }
+    }
+
+    @Override
+    public void lost(String reason) {
+        close(reason);
+    }
+
+    void close(String reason) {
+        if (!closed.compareAndSet(false, true)) {
+            return;
+        }
+        int dropped = outbox.dropped();
+        LOG.log(
+                Level.INFO,
+                () -> peer + " is disconnected: " + reason
+                        + (dropped == 0 ? "" : "; " + dropped + " data messages did not reach it"));
+        outbox.close();
+        try {
+            socket.close(); // wakes both threads
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, peer + " could not be closed", e);
+        }
+        PlayerConnection connection = line;
+        if (connection != null) {
+            connection.close();
+        }
+        ended.accept(this);
+    }
+}

@@ -1,0 +1,221 @@
+package io.troupe.player.wire;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Does what one client asks for and puts the replies into its outbox: one for each request, in their order.
+ *
+ * <p><b>Threads.</b> {@link #hear} on the thread that reads from the client; {@link #frame} on the server's.
+ * <p><b>Errors.</b> What cannot be understood or done is refused if it is a request, else dropped and logged.
+ */
+final class Conversation {
+    private static final Logger LOG = System.getLogger(Conversation.class.getName());
+
+    private record Place(int interfaceCode, int index) {
+        static Place of(DeviceAddress address) {
+            return new Place(address.interfaceCode(), address.index());
+        }
+    }
+
+    private final String peer;
+    private final PlayerConnection line;
+    private final Outbox outbox;
+    private final int host;
+    private final int robot;
+    /** Every device at its address in this JVM. */
+    private final Map<Place, DeviceAddress> devices = new LinkedHashMap<>();
+
+    private boolean pull;
+    private boolean neverAnswers;
+
+    /**
+     * @param host and robot: what stands in every address that the client sees
+     */
+    Conversation(String peer, PlayerConnection line, Outbox outbox, int host, int robot) {
+        this.peer = peer;
+        this.line = line;
+        this.outbox = outbox;
+        this.host = host;
+        this.robot = robot;
+        for (var device : line.devices()) {
+            devices.put(Place.of(device), device);
+        }
+    }
+
+    // ---- to the client
+
+    void frame(Frame frame) {
+        List<DataMessage> messages = frame.messages().stream()
+                .map(each -> new DataMessage(outside(each.from()), each.timeSeconds(), each.data()))
+                .toList();
+        if (outbox.frame(frame.tick(), frame.timeSeconds(), messages)) {
+            line.answered(frame.tick());
+        }
+    }
+
+    private DeviceAddress outside(DeviceAddress address) {
+        return new DeviceAddress(host, robot, address.interfaceCode(), address.index());
+    }
+
+    private Message reply(Header request, MessageType type, byte[] payload) {
+        var header = new Header(
+                outside(request.address()),
+                type,
+                request.subtype(),
+                outbox.timeSeconds(),
+                request.sequence(),
+                payload.length);
+        return new Message(header, payload);
+    }
+
+    private Message refusal(Header request) {
+        return reply(request, MessageType.NACK, Content.NONE);
+    }
+
+    private Message reply(Header request, PlayerReply reply) {
+        return reply(request, PlayerMessages.type(reply), PlayerMessages.encode(reply));
+    }
+
+    // ---- from the client
+
+    void hear(Message message) {
+        switch (message.header().type()) {
+            case CMD -> command(message);
+            case REQ -> request(message);
+            case DATA, ACK, SYNCH, NACK -> drop(message, "expected commands and requests only");
+        }
+    }
+
+    private void command(Message message) {
+        Header header = message.header();
+        DeviceAddress device = devices.get(Place.of(header.address()));
+        if (device == null) {
+            drop(message, "there is no such device");
+            return;
+        }
+        try {
+            var command = CommandMessages.decode(device.interfaceCode(), header.subtype(), message.payload());
+            if (command.isPresent()) {
+                line.command(device, command.get());
+            } else {
+                drop(message, "not a known command");
+            }
+        } catch (WireException | IllegalArgumentException e) {
+            drop(message, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void drop(Message message, String reason) {
+        LOG.log(Level.DEBUG, () -> peer + " sent " + message + ", which is dropped: " + reason);
+    }
+
+    private void request(Message message) {
+        Header header = message.header();
+        DeviceAddress device = devices.get(Place.of(header.address()));
+        try {
+            if (header.address().interfaceCode() == PlayerRequest.INTERFACE) {
+                player(header, PlayerMessages.request(header.subtype(), message.payload()));
+            } else if (device == null) {
+                refuse(message, "there is no such device");
+            } else {
+                var request = RequestMessages.decode(device.interfaceCode(), header.subtype(), message.payload());
+                DeviceReply answer = request instanceof DeviceRequest.Unknown
+                        ? new DeviceReply.Nack("not a known request")
+                        : line.request(device, request);
+                if (answer instanceof DeviceReply.Nack(String reason)) {
+                    refuse(message, reason);
+                } else {
+                    outbox.reply(reply(header, ReplyMessages.type(answer), ReplyMessages.encode(answer)));
+                }
+            }
+        } catch (WireException | IllegalArgumentException e) {
+            refuse(message, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void refuse(Message message, String reason) {
+        LOG.log(Level.DEBUG, () -> peer + " sent " + message + ", which is refused: " + reason);
+        outbox.reply(refusal(message.header()));
+    }
+
+    private void player(Header header, PlayerRequest request) {
+        switch (request) {
+            case PlayerRequest.DeviceList list ->
+                outbox.reply(reply(
+                        header,
+                        new PlayerReply.DeviceList(
+                                devices.values().stream().map(this::outside).toList())));
+            case PlayerRequest.DriverInfo info -> {
+                DeviceAddress device = devices.get(Place.of(info.device()));
+                outbox.reply(
+                        device == null
+                                ? refusal(header)
+                                : reply(header, new PlayerReply.DriverInfo(outside(device), line.driverName(device))));
+            }
+            case PlayerRequest.Access access -> access(header, access.mode(), devices.get(Place.of(access.device())));
+            case PlayerRequest.NextData next -> {
+                long seen = outbox.ask(reply(header, new PlayerReply.Ack()));
+                if (pull) {
+                    line.answered(seen);
+                }
+            }
+            case PlayerRequest.DataMode mode -> deliver(header, mode.mode());
+            case PlayerRequest.AddRule add -> {
+                outbox.add(add.rule());
+                outbox.reply(reply(header, new PlayerReply.Ack()));
+            }
+            case PlayerRequest.Capability capability ->
+                outbox.reply(
+                        PlayerMessages.isServed(capability.type(), capability.subtype())
+                                ? reply(header, new PlayerReply.Ack())
+                                : refusal(header));
+            case PlayerRequest.Other other -> outbox.reply(refusal(header));
+        }
+    }
+
+    private void deliver(Header header, Delivery mode) {
+        pull = mode == Delivery.PULL;
+        if (!pull && outbox.hasSubscribed()) {
+            neverAnswers();
+        }
+        outbox.mode(mode);
+        outbox.reply(reply(header, new PlayerReply.Ack()));
+    }
+
+    private void neverAnswers() {
+        if (!neverAnswers) {
+            neverAnswers = true;
+            line.neverAnswers();
+        }
+    }
+
+    private void access(Header header, int mode, @Nullable DeviceAddress device) {
+        if (device == null || mode != PlayerRequest.OPEN && mode != PlayerRequest.CLOSE) {
+            outbox.reply(refusal(header));
+            return;
+        }
+        Message reply =
+                reply(header, new PlayerReply.Access(outside(device), mode, line.driverName(device)));
+        if (mode == PlayerRequest.CLOSE) {
+            line.unsubscribe(device);
+            outbox.unsubscribed(outside(device), reply);
+            return;
+        }
+        // the reply stands before the first data, but leaves only when the devices know of the subscription
+        outbox.cork();
+        try {
+            outbox.subscribed(outside(device), reply);
+            if (!pull) {
+                neverAnswers();
+            }
+            line.subscribe(device);
+        } finally {
+            outbox.uncork();
+        }
+    }
+}

@@ -1,0 +1,61 @@
+package io.troupe.player.wire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Conversations of real clients with a real server, recorded. */
+class CapturesTest {
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "playerprint-ranger.txt",
+                "s32-playerprint-position2d.txt",
+                "s32-playerprint-sonar.txt",
+                "s32-playerprint-blobfinder.txt"
+            })
+    void capturedMessage_decodedAndEncodedAgain_isTheSame(String name) throws WireException {
+        List<Hex.Line> lines = Hex.capture(name);
+        assertThat(lines).hasSizeGreaterThan(9);
+        assertThat(Hex.text(lines.getFirst().bytes()))
+                .as("banner")
+                .isEqualTo(Hex.text(TcpServer.banner("Player v.3.1.1-dev")));
+        for (var line : lines.subList(1, lines.size())) {
+            Message message = line.message();
+            assertThat(Hex.text(message.bytes())).as("header of %s", message).isEqualTo(Hex.text(line.bytes()));
+            Content again = again(message);
+            assertThat(Hex.text(again.payload())).as("payload of %s", message).isEqualTo(Hex.text(message.payload()));
+            assertThat(again.subtype()).isEqualTo(message.header().subtype());
+        }
+    }
+
+    private static Content again(Message message) throws WireException {
+        Header header = message.header();
+        int code = header.address().interfaceCode();
+        int subtype = header.subtype();
+        boolean player = code == PlayerRequest.INTERFACE;
+        return switch (header.type()) {
+            case DATA ->
+                DataMessages.encode(DataMessages.decode(code, subtype, message.payload())
+                        .orElseThrow());
+            case CMD ->
+                CommandMessages.encode(CommandMessages.decode(code, subtype, message.payload())
+                        .orElseThrow());
+            case REQ ->
+                player
+                        ? PlayerMessages.encode(PlayerMessages.request(subtype, message.payload()))
+                        : RequestMessages.encode(code, RequestMessages.decode(code, subtype, message.payload()));
+            case ACK, NACK ->
+                new Content(
+                        subtype,
+                        player
+                                ? PlayerMessages.encode(
+                                        PlayerMessages.reply(header.type(), subtype, message.payload()))
+                                : ReplyMessages.encode(ReplyMessages.decode(
+                                        code, header.type(), subtype, message.payload())));
+            case SYNCH -> PlayerMessages.synch(PlayerMessages.dropped(subtype, message.payload()));
+        };
+    }
+}

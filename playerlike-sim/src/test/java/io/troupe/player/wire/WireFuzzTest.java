@@ -1,0 +1,184 @@
+package io.troupe.player.wire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.sun.management.ThreadMXBean;
+import java.io.ByteArrayInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Damaged bytes lead to {@link WireException} and to nothing else. {@code -Dwire.fuzz=1000000} tries so many, {@code -Dwire.seed=7} with another seed.
+ */
+class WireFuzzTest {
+    private static final int CASES = Integer.getInteger("wire.fuzz", 300_000);
+    private static final long SEED = Long.getLong("wire.seed", 1);
+    private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10};
+    private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};
+
+    /** Decodes a payload in all the ways in which it could arrive; returns how many of them were refused. */
+    private static int decode(int code, int subtype, byte[] payload) {
+        int refused = 0;
+        for (int way = 0; way < 6; way++) {
+            try {
+                Object decoded =
+                        switch (way) {
+                            case 0 -> DataMessages.decode(code, subtype, payload);
+                            case 1 -> CommandMessages.decode(code, subtype, payload);
+                            case 2 -> RequestMessages.decode(code, subtype, payload);
+                            case 3 -> ReplyMessages.decode(code, MessageType.ACK, subtype, payload);
+                            case 4 -> PlayerMessages.request(subtype, payload);
+                            default -> PlayerMessages.reply(MessageType.ACK, subtype, payload);
+                        };
+                assertThat(decoded).isNotNull();
+            } catch (WireException e) {
+                refused++;
+            }
+        }
+        return refused;
+    }
+
+    /** The payloads of real messages of all kinds. */
+    private static List<byte[]> seeds(Random random) {
+        var messages = new RandomMessages(random);
+        var payloads = new ArrayList<byte[]>();
+        messages.data().forEach(each -> payloads.add(DataMessages.encode(each.data()).payload()));
+        messages.positionCommands().forEach(each -> payloads.add(CommandMessages.encode(each).payload()));
+        messages.requests()
+                .forEach(each -> payloads.add(
+                        RequestMessages.encode(each.interfaceCode(), each.request()).payload()));
+        messages.replies().forEach(each -> payloads.add(ReplyMessages.encode(each.reply())));
+        messages.playerRequests().forEach(each -> payloads.add(PlayerMessages.encode(each).payload()));
+        return payloads;
+    }
+
+    private static byte[] damage(Random random, byte[] payload) {
+        byte[] damaged = payload.clone();
+        switch (random.nextInt(5)) {
+            case 0 -> {
+                damaged = new byte[random.nextInt(120)];
+                random.nextBytes(damaged);
+            }
+            case 1 -> damaged = Arrays.copyOf(damaged, random.nextInt(damaged.length + 1));
+            case 2 -> damaged = Arrays.copyOf(damaged, damaged.length + random.nextInt(40));
+            case 3 -> {
+                for (int flips = 1 + random.nextInt(4); flips > 0 && damaged.length > 0; flips--) {
+                    damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
+                }
+            }
+            default -> {
+                if (damaged.length >= 8) { // a count that is the same twice
+                    int at = 4 * random.nextInt(damaged.length / 4 - 1);
+                    var buffer = ByteBuffer.wrap(damaged);
+                    int count = COUNTS[random.nextInt(COUNTS.length)];
+                    buffer.putInt(at, count).putInt(at + 4, count);
+                }
+            }
+        }
+        return damaged;
+    }
+
+    @Test
+    void damagedPayloads_areRefused_withWireExceptionOnly() {
+        var random = new Random(SEED);
+        List<byte[]> seeds = seeds(random);
+        long refused = 0;
+        for (int i = 0; i < CASES; i++) {
+            byte[] payload = damage(random, seeds.get(random.nextInt(seeds.size())));
+            int code = CODES[random.nextInt(CODES.length)];
+            int subtype = random.nextInt(20) == 0 ? 255 : random.nextInt(11);
+            try {
+                refused += decode(code, subtype, payload);
+            } catch (RuntimeException e) {
+                throw new AssertionError(
+                        "seed " + SEED + ", case " + i + ": " + code + "/" + subtype + " " + Hex.text(payload), e);
+            }
+        }
+        assertThat(refused).isBetween((long) CASES, 6L * CASES);
+    }
+
+    @Test
+    void damagedStreams_areCutOrRefused() {
+        var random = new Random(SEED);
+        List<byte[]> seeds = seeds(random);
+        int whole = 0;
+        int refused = 0;
+        for (int i = 0; i < CASES / 10; i++) {
+            var message = Message.of(
+                    new DeviceAddress(0, 0, 4, 0),
+                    MessageType.REQ,
+                    random.nextInt(256),
+                    1,
+                    seeds.get(random.nextInt(seeds.size())));
+            var reader = new MessageReader(new ByteArrayInputStream(damage(random, message.bytes())), 4096);
+            try {
+                while (reader.read() != null) {
+                    whole++;
+                }
+            } catch (WireException | EOFException e) {
+                refused++;
+            } catch (IOException | RuntimeException e) {
+                throw new AssertionError("seed " + SEED + ", case " + i, e);
+            }
+        }
+        assertThat(whole).isPositive();
+        assertThat(refused).isPositive();
+    }
+
+    @Test
+    void hugeCounts_takeNoMemory() {
+        var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        decode(5, 1, Hex.bytes("80000000 80000000 00000000")); // loads the classes
+        long before = threads.getCurrentThreadAllocatedBytes();
+        for (int count : COUNTS) {
+            byte[] payload = ByteBuffer.allocate(12).putInt(count).putInt(count).array();
+            for (int code : CODES) {
+                for (int subtype = 0; subtype < 11; subtype++) {
+                    decode(code, subtype, payload);
+                }
+            }
+        }
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before)
+                .as("bytes taken for %s small payloads", COUNTS.length * CODES.length * 11 * 6)
+                .isLessThan(32 << 20);
+    }
+
+    @Test
+    void hugeSize_isRefused_andAnnouncedBytesTakeNoMemory() throws Exception {
+        byte[] header = Message.of(new DeviceAddress(0, 0, 4, 0), MessageType.REQ, 1, 0, new byte[0]).bytes();
+        ByteBuffer.wrap(header).putInt(36, 1 << 31);
+        assertThatThrownBy(() -> new MessageReader(new ByteArrayInputStream(header), 65_536).read())
+                .isInstanceOf(WireException.class)
+                .hasMessage("header size is 2147483648, expected 0 to 65536");
+        ByteBuffer.wrap(header).putInt(36, Integer.MAX_VALUE);
+        var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getCurrentThreadAllocatedBytes();
+        assertThatThrownBy(() -> new MessageReader(new ByteArrayInputStream(header), Integer.MAX_VALUE).read())
+                .isInstanceOf(EOFException.class);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(1 << 20);
+    }
+
+    @Test
+    void errors_nameFieldValueAndExpectation() {
+        assertThatThrownBy(() -> DataMessages.decode(5, 1, Hex.bytes("00000002 00000003 00000000 00000000")))
+                .isInstanceOf(WireException.class)
+                .hasMessage("sonar DATA 1: count of ranges is 2, then 3, expected the same twice");
+        assertThatThrownBy(() -> DataMessages.decode(5, 1, Hex.bytes("80000000 80000000 00000000")))
+                .hasMessage(
+                        "sonar DATA 1: count of ranges is 2147483648, expected at most 1 for the 4 bytes that follow");
+        assertThatThrownBy(() -> CommandMessages.decode(4, 3, new byte[12]))
+                .hasMessage("position2d CMD 3: size is 12, expected 8 bytes for angle at offset 8");
+        assertThatThrownBy(() -> CommandMessages.decode(4, 3, new byte[20]))
+                .hasMessage("position2d CMD 3: size is 20, expected 16");
+        assertThatThrownBy(() -> PlayerMessages.request(5, Hex.bytes("00000009")))
+                .hasMessage("player REQ 5: mode is 9, expected 1 (push) or 2 (pull)");
+    }
+}
