@@ -14,7 +14,6 @@ import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.ReplaceRule;
 import io.troupe.sim.PortServer.Offer;
-import io.troupe.sim.scenario.Pose;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -36,6 +35,7 @@ final class ClientLine implements PlayerConnection {
     private final int number;
     private final Set<Offer> subscribed = new LinkedHashSet<>();
     private final PendingCommands pending = new PendingCommands();
+    private final DeviceDesk desk;
     private boolean begun;
     private boolean neverAnswers;
     private long publishedTick = NO_TICK;
@@ -48,6 +48,7 @@ final class ClientLine implements PlayerConnection {
         this.offers = offers;
         this.sink = sink;
         this.space = space;
+        this.desk = new DeviceDesk(simulation, this::later);
         this.number = simulation.add(this);
     }
 
@@ -62,13 +63,22 @@ final class ClientLine implements PlayerConnection {
         return closed == null && subscribed.stream().anyMatch(Offer::publishes);
     }
 
+    /** Whether the next frame has anything for it: not if all its sensors are switched off. */
+    boolean expectsData() {
+        return closed == null && subscribed.stream().anyMatch(simulation::publishes);
+    }
+
+    boolean isFreeRunning() {
+        return neverAnswers && isSubscribed();
+    }
+
     /** Whether it has subscribed to what it wants and waits for its first data, or has done so. */
     boolean hasBegun() {
         return begun && isSubscribed();
     }
 
     boolean hasAnswered(long tick) {
-        return neverAnswers || answeredTick >= tick || !isSubscribed();
+        return neverAnswers || answeredTick >= tick || !expectsData();
     }
 
     void tickBegins(long tick) {
@@ -86,8 +96,8 @@ final class ClientLine implements PlayerConnection {
         List<DataMessage> messages = simulation.under(() -> closed != null
                 ? List.of()
                 : offers.stream()
-                        .filter(offer -> offer.publishes() && subscribed.contains(offer))
-                        .map(offer -> DeviceMessages.data(offer, now))
+                        .filter(offer -> subscribed.contains(offer) && simulation.publishes(offer))
+                        .map(offer -> DeviceMessages.data(offer, simulation.world().spec(), now))
                         .toList());
         if (!messages.isEmpty()) {
             sink.frame(new Frame(now.tick(), now.timeMicros() / 1e6, messages));
@@ -145,7 +155,7 @@ final class ClientLine implements PlayerConnection {
 
     private void drop(Offer offer) {
         if (subscribed.remove(offer) && offer.type() == Interfaces.POSITION2D) {
-            pending.takeAll(offer.robot()).forEach(Runnable::run); // said before it left
+            pending.takeAll(offer).forEach(Runnable::run); // said before it left
             simulation.countDrivers(offer.robot(), -1);
         }
     }
@@ -154,64 +164,19 @@ final class ClientLine implements PlayerConnection {
     public void command(DeviceAddress device, DeviceCommand command) {
         simulation.under(() -> {
             Offer offer = find(device);
-            if (offer.type() != Interfaces.POSITION2D) {
-                throw new IllegalArgumentException(offer + " takes no commands");
-            }
-            if (!(command instanceof DeviceCommand.Velocity velocity)) {
-                throw new IllegalArgumentException(offer + " does not understand " + command);
-            }
-            if (!Double.isFinite(velocity.vx()) || !Double.isFinite(velocity.va())) {
-                throw new IllegalArgumentException(offer + " was told " + velocity + ", expected finite numbers");
-            }
-            World world = simulation.world();
-            int robot = offer.robot();
-            later(
-                    robot,
-                    PendingCommands.Kind.SPEED,
-                    velocity.enabled()
-                            ? () -> world.command(robot, velocity.vx(), velocity.va())
-                            : () -> world.stop(robot));
+            desk.command(offer, command);
             return offer;
         });
     }
 
-    private void later(int robot, PendingCommands.Kind kind, Runnable command) {
-        boolean late = publishedTick != NO_TICK && answeredTick >= publishedTick;
-        pending.add(robot, kind, command, late);
+    private void later(Offer offer, PendingCommands.Kind kind, Runnable action) {
+        boolean late = !neverAnswers && publishedTick != NO_TICK && answeredTick >= publishedTick;
+        pending.add(offer, kind, action, late);
     }
 
     @Override
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        return simulation.under(() -> {
-            Offer offer = find(device);
-            return switch (request) {
-                case DeviceRequest.Geometry geometry
-                when offer.type() == Interfaces.POSITION2D ->
-                    DeviceMessages.positionGeometry(
-                            simulation.world().spec().robots().get(offer.robot()));
-                case DeviceRequest.Geometry geometry
-                when offer.type() == Interfaces.SONAR ->
-                    DeviceMessages.sonarGeometry(
-                            simulation.world().spec().robots().get(offer.robot()));
-                case DeviceRequest.ResetOdometry reset
-                when offer.type() == Interfaces.POSITION2D -> rebase(offer.robot(), Pose.ORIGIN);
-                case DeviceRequest.SetOdometry set
-                when offer.type() == Interfaces.POSITION2D ->
-                    rebase(offer.robot(), new Pose(set.px(), set.py(), set.pa()));
-                // simulated motors and sonars are always on
-                case DeviceRequest.Power power when power.on() && offer.robot() >= 0 -> new DeviceReply.Ack();
-                default -> new DeviceReply.Nack("the simulator does not offer that for this device");
-            };
-        });
-    }
-
-    private DeviceReply rebase(int robot, Pose pose) {
-        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
-            return new DeviceReply.Nack("odometry cannot be " + pose + ", expected finite numbers");
-        }
-        World world = simulation.world();
-        later(robot, PendingCommands.Kind.ODOMETRY, () -> world.setOdometry(robot, pose));
-        return new DeviceReply.Ack();
+        return simulation.under(() -> desk.request(find(device), request));
     }
 
     @Override
@@ -256,6 +221,7 @@ final class ClientLine implements PlayerConnection {
                 return false;
             }
             List.copyOf(subscribed).forEach(this::drop);
+            pending.takeAll().forEach(Runnable::run); // acknowledged before it left
             closed = reason;
             simulation.remove(this);
             return true;

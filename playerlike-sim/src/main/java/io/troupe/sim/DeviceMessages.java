@@ -8,13 +8,14 @@ import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.WorldSpec;
 import java.util.Objects;
 
 /** Readings of the world in the words of Player. */
 final class DeviceMessages {
     private DeviceMessages() {}
 
-    static DataMessage data(Offer offer, Snapshot now) {
+    static DataMessage data(Offer offer, WorldSpec world, Snapshot now) {
         RobotReading reading = now.robots().get(offer.robot());
         DeviceData data = switch (offer.type()) {
             case POSITION2D -> position(reading.odometry());
@@ -22,7 +23,12 @@ final class DeviceMessages {
                 new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
                         .map(Double::floatValue)
                         .toList());
-            case RANGER, LASER -> throw new IllegalStateException(offer + " has no readings");
+            case RANGER -> new DeviceData.RangerRanges(reading.rangersM().get(offer.ranger()));
+            case LASER ->
+                RangerMessages.scan(
+                        world.robots().get(offer.robot()).rangers().get(offer.ranger()),
+                        reading.rangersM().get(offer.ranger()),
+                        now.tick());
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };

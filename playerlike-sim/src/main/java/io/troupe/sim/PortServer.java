@@ -7,6 +7,7 @@ import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.sim.scenario.DeviceBinding;
+import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
 import java.util.Comparator;
 import java.util.List;
@@ -17,8 +18,8 @@ final class PortServer implements PlayerServer {
     /** 127.0.0.1 as Player writes it. */
     private static final int LOOPBACK = 0x0100007f;
 
-    /** A device and the robot it belongs to; -1 for the simulation device. */
-    record Offer(DeviceAddress address, Interfaces type, int robot) {
+    /** A device, the robot it belongs to, -1 for the simulation device, and which of the robot's rangers it is. */
+    record Offer(DeviceAddress address, Interfaces type, int robot, int ranger) {
         boolean publishes() {
             return robot >= 0;
         }
@@ -53,7 +54,25 @@ final class PortServer implements PlayerServer {
         List<String> names =
                 simulation.world().spec().robots().stream().map(RobotSpec::name).toList();
         var address = new DeviceAddress(LOOPBACK, port, type.code(), binding.index());
-        return new Offer(address, type, names.indexOf(binding.model()));
+        int robot = names.indexOf(binding.model());
+        if (type == Interfaces.LASER || type == Interfaces.RANGER) {
+            checkRanger(binding, type, robot);
+        }
+        return new Offer(address, type, robot, binding.ranger());
+    }
+
+    private void checkRanger(DeviceBinding binding, Interfaces type, int robot) {
+        List<RangerSpec> rangers = robot < 0
+                ? List.of()
+                : simulation.world().spec().robots().get(robot).rangers();
+        int number = binding.ranger();
+        boolean there = number >= 0 && number < rangers.size();
+        boolean laser = there && rangers.get(number).kind() == RangerSpec.Kind.LASER;
+        if (!there || laser != (type == Interfaces.LASER)) {
+            throw new IllegalArgumentException(binding.where() + ": " + type.playerName() + ":" + binding.index()
+                    + " is ranging device " + number + " of '" + binding.model() + "', which "
+                    + (there ? "is of another kind" : "has " + rangers.size() + " of them, counted from 0"));
+        }
     }
 
     @Override

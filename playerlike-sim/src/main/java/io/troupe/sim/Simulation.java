@@ -6,19 +6,24 @@ import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.LineClosedException;
+import io.troupe.sim.PortServer.Offer;
 import io.troupe.sim.scenario.DeviceBinding;
+import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.Scenario;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A world whose robots are offered on Player ports of this JVM, in lock step with the programs that drive them.
+ * A world whose robots are offered on Player ports of this JVM, in lock step with the programs that drive them, as far as they answer.
  *
  * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its clients.
  * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and command from any thread.
@@ -38,7 +43,11 @@ public final class Simulation implements AutoCloseable {
     private final int[] drivers;
     private Duration answerLimit = ANSWER_LIMIT;
     private @Nullable Runnable whileWaiting;
+    private final Set<Offer> switchedOff = new HashSet<>();
     private int connected;
+    private boolean paused;
+    private boolean stoodStill;
+    private int stepsWanted;
     private boolean closed;
 
     private Simulation(World world) {
@@ -103,22 +112,38 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Publishes, waits for the answers, and advances the world by one interval.
+     * Waits while time is paused; then publishes, waits for the answers, and advances the world by one interval.
      *
      * @throws UnansweredTickException if a client does not answer in time; the world stands where it stood
      * @throws IllegalStateException if this simulation is closed, or the caller is interrupted while it waits
      */
     public Snapshot tick() {
+        return tick(null, Double.NaN);
+    }
+
+    /** The same, waiting as well until the interval has passed at the pace that holds now. */
+    Snapshot tick(Pacer pacer, Pace pace) {
+        return tick(pacer, under(() -> pace.factor(lines.stream().anyMatch(ClientLine::isFreeRunning))));
+    }
+
+    private Snapshot tick(@Nullable Pacer pacer, double factor) {
+        awaitTime();
         Snapshot now = world.latest();
         List<ClientLine> audience = under(() -> {
             if (closed) {
                 throw new IllegalStateException(CLOSED);
             }
             lines.forEach(line -> line.tickBegins(now.tick()));
-            return lines.stream().filter(ClientLine::isSubscribed).toList();
+            return lines.stream().filter(ClientLine::expectsData).toList();
         });
         publish(now, audience);
         awaitAnswers(now.tick(), audience);
+        if (pacer != null) {
+            if (under(this::takeStoodStill)) {
+                pacer.restart();
+            }
+            pacer.await(now.timeMicros(), now.timeMicros() + world.spec().intervalMillis() * 1000L, factor);
+        }
         // Under the lock in which the last answer was seen: all that was said before the answers is there, what comes
         // later waits for the next tick.
         under(() -> {
@@ -126,6 +151,85 @@ public final class Simulation implements AutoCloseable {
             return now;
         });
         return world.advance();
+    }
+
+    // ---- time and place
+
+    /**
+     * Stops simulated time after the tick that is being played; {@link #tick} then waits. Requests are still answered; what they change takes effect when
+     * time goes on.
+     */
+    public void pause() {
+        setPaused(true);
+    }
+
+    /** Lets time go on. */
+    public void resume() {
+        setPaused(false);
+    }
+
+    public boolean isPaused() {
+        return under(() -> paused);
+    }
+
+    private void setPaused(boolean wanted) {
+        under(() -> {
+            Recording recording = world.recording();
+            if (paused != wanted && recording != null) {
+                recording.paused(wanted);
+            }
+            paused = wanted;
+            stepsWanted = 0;
+            return wanted;
+        });
+    }
+
+    void togglePause() {
+        under(() -> {
+            setPaused(!paused);
+            return paused;
+        });
+    }
+
+    /**
+     * Lets one tick pass while time is paused.
+     *
+     * @throws IllegalStateException if it is not paused
+     */
+    public void step() {
+        under(() -> {
+            if (!paused) {
+                throw new IllegalStateException("only a paused simulation can be stepped");
+            }
+            return ++stepsWanted;
+        });
+    }
+
+    /**
+     * Puts a robot elsewhere at the end of this tick.
+     *
+     * @throws IllegalArgumentException if it would overlap something there
+     */
+    public void teleport(int robot, Pose pose) {
+        world.teleport(robot, pose);
+    }
+
+    /** Everything back to its start at the end of this tick, as by {@link World#reset}; sensors are switched on. */
+    public void reset() {
+        under(() -> {
+            world.reset();
+            switchedOff.clear();
+            return true;
+        });
+    }
+
+    /**
+     * Writes down all that enters this world from tick 0 on, for a {@link Replay}; closing the simulation ends it.
+     *
+     * @throws IllegalStateException if the world has advanced already or is being recorded
+     */
+    public Recording record(Appendable out) {
+        return world.record(out);
     }
 
     /** Disconnects all clients and closes the ports. */
@@ -142,6 +246,10 @@ public final class Simulation implements AutoCloseable {
         });
         ports.forEach(PlayerPorts.Registration::close);
         left.forEach(line -> line.lose(reason));
+        Recording recording = world.recording();
+        if (recording != null) {
+            recording.close();
+        }
     }
 
     private void publish(Snapshot now, List<ClientLine> audience) {
@@ -199,6 +307,51 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** Waits as long as time is paused. */
+    private void awaitTime() {
+        while (true) {
+            synchronized (lock) {
+                if (!paused || closed) {
+                    return;
+                }
+                stoodStill = true;
+                if (stepsWanted > 0) {
+                    stepsWanted--;
+                    return;
+                }
+                await(whileWaiting == null ? 0 : 1);
+            }
+            if (whileWaiting != null) {
+                whileWaiting.run();
+            }
+        }
+    }
+
+    /** Whether time stood still since the last tick: nothing is late then. */
+    private boolean takeStoodStill() {
+        boolean stood = stoodStill;
+        stoodStill = false;
+        return stood;
+    }
+
+    /** Sleeps at most so long, and no longer if this simulation is closed. */
+    void sleep(long nanos) {
+        synchronized (lock) {
+            if (closed) {
+                throw new IllegalStateException(CLOSED);
+            }
+            long millis = nanos / 1_000_000;
+            if (millis >= 2) {
+                await(millis - 1); // which is good to a millisecond
+                return;
+            }
+        }
+        LockSupport.parkNanos(nanos);
+        if (Thread.currentThread().isInterrupted()) {
+            throw new IllegalStateException("interrupted while waiting for the time");
+        }
+    }
+
     private void await(long millis) {
         try {
             lock.wait(millis);
@@ -241,6 +394,19 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** Whether a device has anything to say. */
+    boolean publishes(Offer offer) {
+        return offer.publishes() && !switchedOff.contains(offer);
+    }
+
+    void switchSensor(Offer offer, boolean on) {
+        if (on) {
+            switchedOff.remove(offer);
+        } else {
+            switchedOff.add(offer);
+        }
+    }
+
     boolean isClosed() {
         return under(() -> closed);
     }
@@ -249,6 +415,7 @@ public final class Simulation implements AutoCloseable {
     boolean awaitClients(int count) throws InterruptedException {
         synchronized (lock) {
             while (!closed && lines.stream().filter(ClientLine::hasBegun).count() < count) {
+                stoodStill = true;
                 lock.wait();
             }
             return !closed;

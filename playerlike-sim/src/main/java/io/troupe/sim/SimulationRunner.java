@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.actor.time.Clock;
 import java.lang.System.Logger.Level;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -12,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> A daemon thread; nobody else may tick the simulation before or meanwhile.
  * <p><b>Order.</b> Time stands still until the given number of clients have subscribed and wait for their first data (by {@code runThreaded},
  * {@code readAll}, {@code isDataReady} or {@code nextData}): so all of them start at the same moment in every run. It stands still again while there is no
- * client.
+ * client. The pace is that of the answers; while a client never answers it is that of real time, unless another {@link Pace} is asked for.
  * <p><b>Errors.</b> Whatever a tick or the observer throws ends the run, disconnects the clients with the same message, and is thrown by {@link #close}.
  */
 public final class SimulationRunner implements AutoCloseable {
@@ -20,13 +21,17 @@ public final class SimulationRunner implements AutoCloseable {
     private final int clients;
     private final Consumer<Snapshot> observer;
     private final Thread thread;
+    private final Pacer pacer;
+    private volatile Pace pace;
     private volatile boolean stopping;
     private volatile @Nullable RuntimeException failure;
 
-    private SimulationRunner(Simulation simulation, int clients, Consumer<Snapshot> observer) {
+    private SimulationRunner(Simulation simulation, int clients, Consumer<Snapshot> observer, Pace pace) {
         this.simulation = simulation;
         this.clients = clients;
         this.observer = observer;
+        this.pace = pace;
+        this.pacer = new Pacer(Clock.system(), simulation::sleep);
         this.thread = Thread.ofPlatform()
                 .name("simulation-" + simulation.world().spec().name())
                 .daemon()
@@ -40,11 +45,18 @@ public final class SimulationRunner implements AutoCloseable {
      * @param observer gets every snapshot that a tick leads to, on the runner's thread
      */
     public static SimulationRunner start(Simulation simulation, int clients, Consumer<Snapshot> observer) {
+        return start(simulation, clients, observer, new Pace.OfAnswers());
+    }
+
+    /** The same at a pace of its own. */
+    public static SimulationRunner start(
+            Simulation simulation, int clients, Consumer<Snapshot> observer, Pace pace) {
+        Objects.requireNonNull(pace, "pace");
         Objects.requireNonNull(observer, "observer");
         if (clients < 1) {
             throw new IllegalArgumentException("clients is " + clients + ", expected at least 1");
         }
-        var runner = new SimulationRunner(simulation, clients, observer);
+        var runner = new SimulationRunner(simulation, clients, observer, pace);
         runner.thread.start();
         return runner;
     }
@@ -53,7 +65,7 @@ public final class SimulationRunner implements AutoCloseable {
         try {
             boolean open = simulation.awaitClients(clients);
             while (open && !stopping) {
-                observer.accept(simulation.tick());
+                observer.accept(simulation.tick(pacer, pace));
                 open = simulation.awaitClients(1);
             }
         } catch (InterruptedException stopped) {
@@ -65,6 +77,16 @@ public final class SimulationRunner implements AutoCloseable {
                 simulation.close("the simulation has ended: " + thrown.getMessage());
             }
         }
+    }
+
+    /** Changes the pace, from the next tick on. */
+    public void pace(Pace newPace) {
+        pace = Objects.requireNonNull(newPace, "newPace");
+    }
+
+    /** How much simulated time is late for good, because it could not be caught up with within a quarter of a second. */
+    public long droppedMicros() {
+        return pacer.droppedMicros();
     }
 
     /** Whether it may still tick. */

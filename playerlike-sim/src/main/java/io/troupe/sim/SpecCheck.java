@@ -14,7 +14,7 @@ import java.util.List;
 /** Refuses worlds the simulator cannot run as they are meant. */
 final class SpecCheck {
     /** Beyond this, single-precision physics gets coarse. */
-    private static final double FARTHEST_M = 500;
+    static final double FARTHEST_M = 500;
 
     private static final double STRAIGHT = 1e-9;
 

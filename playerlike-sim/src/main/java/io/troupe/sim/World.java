@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.sim.device.Blobfinder;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.physics.Physics;
@@ -18,8 +19,8 @@ import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the specification, the
  * settings and, for each interval, the commands given before it; equal input gives equal snapshots, bit for bit.
  * <p><b>Threads.</b> {@link #advance} belongs to the thread that calls it first; everything else may be called from any thread.
- * <p><b>Order.</b> An interval latches odometry resets and commands (of several for one robot the newest; by robot index), runs
+ * <p><b>Order.</b> An interval latches a reset, teleports, odometry resets, motor power and commands (of several for one robot the newest; by robot index), runs
  * the physics steps, reads all devices and publishes a snapshot.
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
@@ -36,27 +37,29 @@ public final class World {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
     private static final Shape NO_SHAPE = new Shape(List.of());
 
-    private record Command(double forwardMps, double turnRadps) {
-        static final Command ZERO = new Command(0, 0);
-    }
-
     /** A robot's devices. */
     private record Devices(
             Position2d position2d,
             @Nullable Sonar sonar,
-            @Nullable Blobfinder blobfinder) {}
+            @Nullable Blobfinder blobfinder,
+            List<Ranger> rangers) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
     private final long intervalMicros;
     private final int stepsPerInterval;
-    private final Physics physics;
+    private final List<Pose> startPoses;
+    private final Room room;
+    private final List<String> robotNames;
     private final Scene scene;
     private final List<Devices> devices = new ArrayList<>();
-    private final AtomicReferenceArray<Command> newestCommands;
-    private final AtomicReferenceArray<@Nullable Pose> odometryToSet;
-    private final Command[] latched;
+    private final List<Pilot> pilots = new ArrayList<>();
+    private final Drive.Velocity[] latched;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
+    private final AtomicBoolean resetWanted = new AtomicBoolean();
+    private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
+    private Physics physics;
+    private long physicsStartMicros; // physics counts its time from the last reset
     private volatile Snapshot latest;
 
     /**
@@ -80,34 +83,45 @@ public final class World {
     private World(WorldSpec spec, WorldSettings settings, List<Pose> startPoses) {
         this.spec = spec;
         this.settings = settings;
+        this.startPoses = startPoses;
         intervalMicros = spec.intervalMillis() * 1000L;
         stepsPerInterval = Math.toIntExact(intervalMicros / settings.physicsStepMicros());
         int robotCount = spec.robots().size();
-        newestCommands = new AtomicReferenceArray<>(robotCount);
-        odometryToSet = new AtomicReferenceArray<>(robotCount);
-        latched = new Command[robotCount];
+        latched = new Drive.Velocity[robotCount];
         scene = new Scene(spec);
-        physics = new Physics(robotCount, settings.physicsStepMicros(), sweepM());
-        for (ObstacleSpec obstacle : spec.obstacles()) {
-            physics.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
-        }
+        room = new Room(spec);
+        robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         for (int i = 0; i < robotCount; i++) {
-            RobotSpec robot = spec.robots().get(i);
-            Pose start = startPoses.get(i);
-            physics.addRobot(start, robot.shape(), robot.massKg());
-            devices.add(devicesOf(robot, start));
-            newestCommands.set(i, Command.ZERO);
-            latched[i] = Command.ZERO;
+            pilots.add(new Pilot(i, settings.watchdogMicros()));
         }
+        physics = begin();
         latest = sense(0);
     }
 
-    private static Devices devicesOf(RobotSpec robot, Pose start) {
+    /** Everything at its start. */
+    private Physics begin() {
+        var begun = new Physics(spec.robots().size(), settings.physicsStepMicros(), sweepM());
+        for (ObstacleSpec obstacle : spec.obstacles()) {
+            begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
+        }
+        devices.clear();
+        for (int i = 0; i < spec.robots().size(); i++) {
+            RobotSpec robot = spec.robots().get(i);
+            Pose start = startPoses.get(i);
+            begun.addRobot(start, robot.shape(), robot.massKg());
+            devices.add(devicesOf(robot, start));
+            latched[i] = Drive.STILL;
+        }
+        return begun;
+    }
+
+    private Devices devicesOf(RobotSpec robot, Pose start) {
         try {
             return new Devices(
-                    new Position2d(start, robot.startOdometry()),
+                    new Position2d(start, robot.startOdometry(), Noise.ofOdometry(robot, settings.seed())),
                     robot.sonar() == null ? null : new Sonar(robot.sonar()),
-                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()));
+                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()),
+                    Noise.rangers(robot, settings.seed()));
         } catch (IllegalArgumentException e) {
             throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
         }
@@ -161,11 +175,102 @@ public final class World {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
-        newestCommands.set(
-                robot,
-                new Command(
-                        Math.clamp(forwardMps, -settings.maxForwardMps(), settings.maxForwardMps()),
-                        Math.clamp(turnRadps, -settings.maxTurnRadps(), settings.maxTurnRadps())));
+        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
+    }
+
+    /**
+     * Drives at a speed and steers to a heading in the odometry frame, until another command replaces it.
+     *
+     * @param forwardMps clamped to the settings' limits
+     */
+    public void steer(int robot, double forwardMps, double headingRad) {
+        RobotSpec target = robot(robot);
+        if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
+            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
+                    + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
+        }
+        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad));
+    }
+
+    /**
+     * Drives to a pose in the odometry frame in the way of Stage's position control, and stands there, until another command replaces it. It stops nearer than
+     * 2 cm along x and y and then turns; things in its way it does not see.
+     */
+    public void goTo(int robot, Pose goal) {
+        RobotSpec target = robot(robot);
+        if (!isFinite(goal)) {
+            throw new IllegalArgumentException(
+                    "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
+        }
+        pilots.get(robot).drive(new Drive.GoTo(goal));
+    }
+
+    /** Switches a robot's motors; while they are off it stands still and forgets what it is told. On at the start. */
+    public void motorPower(int robot, boolean on) {
+        robot(robot);
+        pilots.get(robot).power(on);
+    }
+
+    /**
+     * Puts a robot elsewhere when the next {@link #advance} begins.
+     *
+     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something where everything is at the newest snapshot. If something else has got
+     * there by then, the robot stays where it is, and the log says so.
+     */
+    public void teleport(int robot, Pose pose) {
+        String refusal = teleportRefusal(robot, pose);
+        if (refusal != null) {
+            throw new IllegalArgumentException(refusal);
+        }
+        teleportLater(robot, pose);
+    }
+
+    /** Why {@link #teleport} would refuse, or null. */
+    @Nullable
+    String teleportRefusal(int robot, Pose pose) {
+        robot(robot);
+        List<RobotReading> robots = latest.robots();
+        return room.refusal(robot, pose, other -> robots.get(other).pose());
+    }
+
+    /** A teleport that is checked only when it takes effect. */
+    void teleportLater(int robot, Pose pose) {
+        pilots.get(robot).teleport(pose);
+    }
+
+    /** Index of the robot of that name, or -1. */
+    int robotNumber(String name) {
+        return robotNames.indexOf(name);
+    }
+
+    /**
+     * Puts everything back to its start when the next {@link #advance} begins: poses, odometry, motors, random streams; what robots were told before is
+     * forgotten. Ticks and time go on. What follows is what followed at the beginning, bit for bit, if the commands are the same.
+     */
+    public void reset() {
+        resetWanted.set(true);
+    }
+
+    /**
+     * Begins to write down all that enters this world.
+     *
+     * @param out is closed with the recording if it can be
+     * @throws IllegalStateException if the world has advanced already or is being recorded
+     */
+    public Recording record(Appendable out) {
+        if (latest.tick() != 0) {
+            throw new IllegalStateException("a recording begins at tick 0, the world is at tick " + latest.tick());
+        }
+        var begun = new Recording(out, spec, settings, latest);
+        if (!recording.compareAndSet(null, begun)) {
+            throw new IllegalStateException("the world is being recorded already");
+        }
+        return begun;
+    }
+
+    @Nullable
+    Recording recording() {
+        return recording.get();
     }
 
     /** The same as a command to stand still. */
@@ -176,11 +281,15 @@ public final class World {
     /** Makes odometry report this pose where the robot stands when the next {@link #advance} begins. */
     public void setOdometry(int robot, Pose pose) {
         RobotSpec target = robot(robot);
-        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
+        if (!isFinite(pose)) {
             throw new IllegalArgumentException(
                     "odometry of robot '" + target.name() + "' was set to " + pose + ", expected finite numbers");
         }
-        odometryToSet.set(robot, pose);
+        pilots.get(robot).odometry(pose);
+    }
+
+    private static boolean isFinite(Pose pose) {
+        return Double.isFinite(pose.x()) && Double.isFinite(pose.y()) && Double.isFinite(pose.headingRad());
     }
 
     private RobotSpec robot(int robot) {
@@ -201,6 +310,10 @@ public final class World {
         }
         Snapshot next = sense(latest.tick() + 1);
         latest = next;
+        Recording log = recording.get();
+        if (log != null) {
+            log.advanced(next);
+        }
         return next;
     }
 
@@ -215,14 +328,61 @@ public final class World {
     }
 
     private void latch() {
+        Recording log = recording.get();
+        long nowMicros = latest.timeMicros();
+        if (resetWanted.getAndSet(false)) {
+            if (log != null) {
+                log.reset();
+            }
+            physics = begin();
+            physicsStartMicros = nowMicros;
+            pilots.forEach(pilot -> pilot.forget(nowMicros));
+            sense(latest.tick()); // as at the start: each reading moves the random streams on
+        }
         for (int i = 0; i < latched.length; i++) {
-            Pose odometry = odometryToSet.getAndSet(i, null);
+            latchPlace(i, log);
+        }
+        for (int i = 0; i < latched.length; i++) {
+            Pose odometry = pilots.get(i).takeOdometry();
             if (odometry != null) {
                 devices.get(i).position2d().set(physics.pose(i), odometry);
+                if (log != null) {
+                    log.odometry(i, odometry);
+                }
             }
-            latched[i] = newestCommands.get(i);
+            Drive drive = pilots.get(i).latch(nowMicros, log);
+            latched[i] = drive instanceof Drive.Velocity velocity ? clamp(velocity) : clamp(drive.now(reported(i)));
             physics.drive(i, latched[i].forwardMps(), latched[i].turnRadps());
         }
+    }
+
+    private Pose reported(int robot) {
+        return devices.get(robot).position2d().report(physics.pose(robot));
+    }
+
+    private void latchPlace(int robot, @Nullable Recording log) {
+        Pose place = pilots.get(robot).takeTeleport();
+        if (place == null) {
+            return;
+        }
+        String refusal = room.refusal(robot, place, physics::pose);
+        if (refusal != null) {
+            LOG.log(System.Logger.Level.WARNING, "at tick " + latest.tick() + " " + refusal);
+            return;
+        }
+        devices.get(robot).position2d().teleported(physics.pose(robot), place);
+        physics.teleport(robot, place);
+        if (log != null) {
+            log.teleport(robot, place);
+        }
+    }
+
+    private Drive.Velocity clamp(Drive.Velocity wanted) {
+        double forwardMps = Math.clamp(wanted.forwardMps(), -settings.maxForwardMps(), settings.maxForwardMps());
+        double turnRadps = Math.clamp(wanted.turnRadps(), -settings.maxTurnRadps(), settings.maxTurnRadps());
+        return forwardMps == wanted.forwardMps() && turnRadps == wanted.turnRadps()
+                ? wanted
+                : new Drive.Velocity(forwardMps, turnRadps);
     }
 
     private Snapshot sense(long tick) {
@@ -242,7 +402,7 @@ public final class World {
     private RobotReading read(int robot) {
         Pose pose = physics.pose(robot);
         Devices its = devices.get(robot);
-        Command command = latched[robot];
+        Drive.Velocity command = latched[robot];
         var odometry = new Odometry(
                 its.position2d().report(pose), command.forwardMps(), command.turnRadps(), physics.stalled(robot));
         return new RobotReading(
@@ -250,7 +410,9 @@ public final class World {
                 odometry,
                 its.sonar() == null ? null : its.sonar().read(scene, robot),
                 its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
-                List.of(),
+                its.rangers().stream()
+                        .map(ranger -> ranger.read(scene, robot))
+                        .toList(),
                 scene.wallGapM(robot));
     }
 
@@ -258,6 +420,6 @@ public final class World {
         String other = touch.otherRobot() >= 0
                 ? spec.robots().get(touch.otherRobot()).name()
                 : spec.obstacles().get(touch.obstacle()).name();
-        return new Contact(touch.timeMicros(), touch.robot(), other, touch.otherRobot());
+        return new Contact(physicsStartMicros + touch.timeMicros(), touch.robot(), other, touch.otherRobot());
     }
 }

@@ -11,10 +11,17 @@ package io.troupe.sim;
  * @param physicsStepMicros one step of the physics; divides the world's interval
  * @param maxForwardMps commands are clamped to plus or minus this speed
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
+ * @param watchdogMicros a robot that has not been told a speed for so long, in simulated time, stops; 0 = off. A robot on its way to a goal goes on
  */
 public record WorldSettings(
-        long seed, double jitterM, double jitterRad, int physicsStepMicros, double maxForwardMps, double maxTurnRadps) {
-    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most. */
+        long seed,
+        double jitterM,
+        double jitterRad,
+        int physicsStepMicros,
+        double maxForwardMps,
+        double maxTurnRadps,
+        long watchdogMicros) {
+    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog. */
     public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10);
 
     public WorldSettings {
@@ -25,22 +32,63 @@ public record WorldSettings(
         if (physicsStepMicros < 1) {
             throw new IllegalArgumentException("physicsStepMicros is " + physicsStepMicros + ", expected at least 1");
         }
+        if (watchdogMicros < 0) {
+            throw new IllegalArgumentException("watchdogMicros is " + watchdogMicros + ", expected 0 or more");
+        }
+    }
+
+    /** Without a watchdog. */
+    public WorldSettings(
+            long seed,
+            double jitterM,
+            double jitterRad,
+            int physicsStepMicros,
+            double maxForwardMps,
+            double maxTurnRadps) {
+        this(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, 0);
     }
 
     public WorldSettings withSeed(long seed) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps);
+        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+    }
+
+    public WorldSettings withWatchdogMicros(long watchdogMicros) {
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+    }
+
+    /** All values in their order. */
+    String words() {
+        return seed + " " + jitterM + " " + jitterRad + " " + physicsStepMicros + " " + maxForwardMps + " "
+                + maxTurnRadps + " " + watchdogMicros;
+    }
+
+    /** Settings from their {@link #words}. */
+    static WorldSettings parse(String words) {
+        String[] each = words.split(" ", -1);
+        if (each.length != 7) {
+            throw new IllegalArgumentException("'" + words + "', expected seven settings");
+        }
+        return new WorldSettings(
+                Long.parseLong(each[0]),
+                Double.parseDouble(each[1]),
+                Double.parseDouble(each[2]),
+                Integer.parseInt(each[3]),
+                Double.parseDouble(each[4]),
+                Double.parseDouble(each[5]),
+                Long.parseLong(each[6]));
     }
 
     private static void requireAtLeastZero(String name, double value) {

@@ -239,7 +239,6 @@ class LockStepTest {
         var son = client.requestInterfaceSonar(1, PlayerConstants.PLAYER_OPEN_MODE);
         pos.setMotorPower(1);
         son.setSonarPower(1);
-        pos.setMotorPower(0); // refused, which is in the log
         pos.setOdometry(new PlayerPose2d(7, 8, 0));
         simulation.whileWaiting(
                 () -> { // the client's part of the tick, on this thread

@@ -152,6 +152,11 @@ public final class Physics {
         robots.get(robot).drive(forwardMps, turnRadps);
     }
 
+    /** Puts a robot elsewhere, as it is; what it touched it touches no more. */
+    public void teleport(int robot, Pose pose) {
+        robots.get(robot).teleport(pose);
+    }
+
     /** Advances by one step. */
     public void step() {
         for (RobotBody robot : robots) {

@@ -47,6 +47,13 @@ final class RobotBody {
         this.turnRadps = turnRadps;
     }
 
+    void teleport(Pose pose) {
+        x = pose.x();
+        y = pose.y();
+        headingRad = wrap(pose.headingRad());
+        body.setTransform(new Vec2((float) x, (float) y), (float) headingRad);
+    }
+
     /** Gives the body the velocity that takes it to the end of this step's arc. */
     void aim() {
         double halfTurnRad = turnRadps * stepS / 2;

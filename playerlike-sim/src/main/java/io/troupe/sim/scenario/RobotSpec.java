@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  * @param sonar null if it has none
  * @param blobfinder null if it has none
  * @param rangers its lasers and rangers, in the order of the file
+ * @param odometryError how wrong its odometry may be; {@link OdometryError#NONE} unless the file asks for it
  */
 public record RobotSpec(
         String name,
@@ -32,8 +33,87 @@ public record RobotSpec(
         List<RangerSpec> rangers,
         boolean blocksRangers,
         boolean visible,
-        SourcePosition where) {
+        SourcePosition where,
+        OdometryError odometryError) {
     public RobotSpec {
         rangers = List.copyOf(rangers);
+    }
+
+    /** With exact odometry. */
+    public RobotSpec(
+            String name,
+            Pose pose,
+            Shape shape,
+            int colour,
+            double lengthM,
+            double widthM,
+            double massKg,
+            Pose origin,
+            Pose startOdometry,
+            @Nullable SonarSpec sonar,
+            @Nullable BlobfinderSpec blobfinder,
+            List<RangerSpec> rangers,
+            boolean blocksRangers,
+            boolean visible,
+            SourcePosition where) {
+        this(
+                name,
+                pose,
+                shape,
+                colour,
+                lengthM,
+                widthM,
+                massKg,
+                origin,
+                startOdometry,
+                sonar,
+                blobfinder,
+                rangers,
+                blocksRangers,
+                visible,
+                where,
+                OdometryError.NONE);
+    }
+
+    /** The same robot with other odometry. */
+    public RobotSpec withOdometryError(OdometryError error) {
+        return new RobotSpec(
+                name,
+                pose,
+                shape,
+                colour,
+                lengthM,
+                widthM,
+                massKg,
+                origin,
+                startOdometry,
+                sonar,
+                blobfinder,
+                rangers,
+                blocksRangers,
+                visible,
+                where,
+                error);
+    }
+
+    /** The same robot with these lasers and rangers. */
+    public RobotSpec withRangers(List<RangerSpec> others) {
+        return new RobotSpec(
+                name,
+                pose,
+                shape,
+                colour,
+                lengthM,
+                widthM,
+                massKg,
+                origin,
+                startOdometry,
+                sonar,
+                blobfinder,
+                others,
+                blocksRangers,
+                visible,
+                where,
+                odometryError);
     }
 }

@@ -1,0 +1,236 @@
+package io.troupe.sim;
+
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.Interfaces;
+import io.troupe.sim.PendingCommands.Kind;
+import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.scenario.ObstacleSpec;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangerSpec;
+import io.troupe.sim.scenario.RobotSpec;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Understands what a client tells and asks the simulated devices. What changes the world waits for the end of the tick; {@code Pause} does not, since a world
+ * that stands still has no ticks.
+ *
+ * <p><b>Threads.</b> None of its own; guarded by the simulation's lock.
+ * <p><b>Source.</b> What Stage acknowledges, what it refuses and what it ignores.
+ */
+final class DeviceDesk {
+    /** Takes what shall happen at the end of the tick. */
+    interface Later {
+        void add(Offer offer, Kind kind, Runnable action);
+    }
+
+    private static final DeviceReply ACK = new DeviceReply.Ack();
+    private static final DeviceReply NOT_OFFERED =
+            new DeviceReply.Nack("the simulator does not offer that for this device");
+    private static final DeviceReply AS_IN_THE_FILE =
+            new DeviceReply.Nack("the configuration of a simulated device is that of its world file");
+
+    private final Simulation simulation;
+    private final World world;
+    private final Later later;
+
+    DeviceDesk(Simulation simulation, Later later) {
+        this.simulation = simulation;
+        this.world = simulation.world();
+        this.later = later;
+    }
+
+    void command(Offer offer, DeviceCommand command) {
+        switch (offer.type()) {
+            case POSITION2D -> drive(offer, command);
+            case SIMULATION -> simulate(offer, command);
+            case SONAR, RANGER, LASER, BLOBFINDER -> throw new IllegalArgumentException(offer + " takes no commands");
+        }
+    }
+
+    /** Sideways speeds are ignored: these robots have two wheels. */
+    private void drive(Offer offer, DeviceCommand command) {
+        int robot = offer.robot();
+        Runnable action =
+                switch (command) {
+                    case DeviceCommand.Velocity to -> {
+                        checkFinite(offer, to, to.vx(), to.va());
+                        yield to.enabled() ? () -> world.command(robot, to.vx(), to.va()) : () -> world.stop(robot);
+                    }
+                    case DeviceCommand.Car to -> {
+                        checkFinite(offer, to, to.velocityMps(), to.angleRad());
+                        yield () -> world.command(robot, to.velocityMps(), to.angleRad());
+                    }
+                    case DeviceCommand.VelocityHeading to -> {
+                        checkFinite(offer, to, to.velocityMps(), to.headingRad());
+                        yield () -> world.steer(robot, to.velocityMps(), to.headingRad());
+                    }
+                    case DeviceCommand.GoTo to -> {
+                        checkFinite(offer, to, to.px(), to.py(), to.pa());
+                        yield to.enabled()
+                                ? () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()))
+                                : () -> world.stop(robot);
+                    }
+                    case DeviceCommand.Pause other -> throw notUnderstood(offer, other);
+                    case DeviceCommand.Reset other -> throw notUnderstood(offer, other);
+                    case DeviceCommand.Save other -> throw notUnderstood(offer, other);
+                };
+        later.add(offer, Kind.SPEED, action);
+    }
+
+    private void simulate(Offer offer, DeviceCommand command) {
+        switch (command) {
+            case DeviceCommand.Pause pause -> simulation.togglePause();
+            case DeviceCommand.Reset reset -> later.add(offer, Kind.RESET, simulation::reset);
+            case DeviceCommand.Save save ->
+                System.getLogger(DeviceDesk.class.getName())
+                        .log(System.Logger.Level.WARNING, "a client asked to save the world, which is not offered");
+            case DeviceCommand.Velocity other -> throw notUnderstood(offer, other);
+            case DeviceCommand.Car other -> throw notUnderstood(offer, other);
+            case DeviceCommand.VelocityHeading other -> throw notUnderstood(offer, other);
+            case DeviceCommand.GoTo other -> throw notUnderstood(offer, other);
+        }
+    }
+
+    private static IllegalArgumentException notUnderstood(Offer offer, DeviceCommand command) {
+        return new IllegalArgumentException(offer + " does not understand " + command);
+    }
+
+    private static void checkFinite(Offer offer, DeviceCommand command, double... numbers) {
+        if (!Arrays.stream(numbers).allMatch(Double::isFinite)) {
+            throw new IllegalArgumentException(offer + " was told " + command + ", expected finite numbers");
+        }
+    }
+
+    DeviceReply request(Offer offer, DeviceRequest request) {
+        if (request instanceof DeviceRequest.Capability asked) {
+            return Capabilities.understands(offer.type(), asked.type(), asked.subtype()) ? ACK : NOT_OFFERED;
+        }
+        return switch (offer.type()) {
+            case POSITION2D -> ofPosition(offer, request);
+            case SONAR ->
+                switch (request) {
+                    case DeviceRequest.Geometry geometry -> DeviceMessages.sonarGeometry(robot(offer));
+                    case DeviceRequest.Power power -> sensorPower(offer, power.on());
+                    default -> NOT_OFFERED;
+                };
+            case LASER -> ofLaser(offer, robot(offer).rangers().get(offer.ranger()), request);
+            case RANGER -> ofRanger(offer, robot(offer).rangers().get(offer.ranger()), request);
+            case BLOBFINDER -> NOT_OFFERED;
+            case SIMULATION -> ofSimulation(offer, request);
+        };
+    }
+
+    private RobotSpec robot(Offer offer) {
+        return world.spec().robots().get(offer.robot());
+    }
+
+    private DeviceReply ofPosition(Offer offer, DeviceRequest request) {
+        return switch (request) {
+            case DeviceRequest.Geometry geometry -> DeviceMessages.positionGeometry(robot(offer));
+            case DeviceRequest.ResetOdometry reset -> odometry(offer, Pose.ORIGIN);
+            case DeviceRequest.SetOdometry set -> odometry(offer, new Pose(set.px(), set.py(), set.pa()));
+            case DeviceRequest.Power power -> {
+                later.add(offer, Kind.POWER, () -> world.motorPower(offer.robot(), power.on()));
+                yield ACK;
+            }
+            // each command says by itself what it is about
+            case DeviceRequest.PositionMode mode ->
+                mode.mode() == 0 || mode.mode() == 1
+                        ? ACK
+                        : new DeviceReply.Nack(
+                                "position mode is " + mode.mode() + ", expected 0 (velocity) or 1 (position)");
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply odometry(Offer offer, Pose pose) {
+        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
+            return new DeviceReply.Nack("odometry cannot be " + pose + ", expected finite numbers");
+        }
+        later.add(offer, Kind.ODOMETRY, () -> world.setOdometry(offer.robot(), pose));
+        return ACK;
+    }
+
+    private DeviceReply sensorPower(Offer offer, boolean on) {
+        later.add(offer, Kind.POWER, () -> simulation.switchSensor(offer, on));
+        return ACK;
+    }
+
+    private DeviceReply ofLaser(Offer offer, RangerSpec laser, DeviceRequest request) {
+        var configuration =
+                RangerMessages.laserConfiguration(laser, world.spec().intervalMillis());
+        return switch (request) {
+            case DeviceRequest.Geometry geometry -> RangerMessages.laserGeometry(laser);
+            case DeviceRequest.GetConfiguration get -> new DeviceReply.OfLaser(configuration);
+            case DeviceRequest.SetLaserConfiguration set ->
+                set.configuration().equals(configuration) ? new DeviceReply.OfLaser(configuration) : AS_IN_THE_FILE;
+            case DeviceRequest.Power power -> sensorPower(offer, power.on());
+            case DeviceRequest.LaserId id -> new DeviceReply.LaserId(offer.address().index());
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply ofRanger(Offer offer, RangerSpec ranger, DeviceRequest request) {
+        var configuration =
+                RangerMessages.rangerConfiguration(ranger, world.spec().intervalMillis());
+        return switch (request) {
+            case DeviceRequest.Geometry geometry -> RangerMessages.rangerGeometry(ranger);
+            case DeviceRequest.GetConfiguration get -> new DeviceReply.OfRanger(configuration);
+            case DeviceRequest.SetRangerConfiguration set ->
+                set.configuration().equals(configuration) ? new DeviceReply.OfRanger(configuration) : AS_IN_THE_FILE;
+            case DeviceRequest.Power power -> sensorPower(offer, power.on());
+            case DeviceRequest.Intensities intensities -> intensities.on() ? NOT_OFFERED : ACK;
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply ofSimulation(Offer offer, DeviceRequest request) {
+        return switch (request) {
+            case DeviceRequest.GetPose get -> {
+                Pose pose = poseOf(get.model());
+                yield pose == null
+                        ? noModel(get.model())
+                        : new DeviceReply.ModelPose(get.model(), pose.x(), pose.y(), pose.headingRad());
+            }
+            case DeviceRequest.SetPose set -> teleport(offer, set);
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply noModel(String model) {
+        return new DeviceReply.Nack("world '" + world.spec().name() + "' has no model '" + model + "'");
+    }
+
+    private @Nullable Pose poseOf(String model) {
+        int robot = world.robotNumber(model);
+        if (robot >= 0) {
+            return world.latest().robots().get(robot).pose();
+        }
+        for (ObstacleSpec obstacle : world.spec().obstacles()) {
+            if (obstacle.name().equals(model)) {
+                return obstacle.pose();
+            }
+        }
+        return null;
+    }
+
+    private DeviceReply teleport(Offer offer, DeviceRequest.SetPose set) {
+        int robot = world.robotNumber(set.model());
+        if (robot < 0) {
+            return poseOf(set.model()) == null
+                    ? noModel(set.model())
+                    : new DeviceReply.Nack("'" + set.model() + "' is an obstacle, and only robots can be moved");
+        }
+        Pose pose = new Pose(set.px(), set.py(), set.pa());
+        String refusal = world.teleportRefusal(robot, pose);
+        if (refusal != null) {
+            return new DeviceReply.Nack(refusal);
+        }
+        var itself = new Offer(offer.address(), Interfaces.SIMULATION, robot, 0); // the newest for each robot counts
+        later.add(itself, Kind.PLACE, () -> world.teleportLater(robot, pose));
+        return ACK;
+    }
+}

@@ -1,0 +1,90 @@
+package io.troupe.sim;
+
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.LaserConfiguration;
+import io.troupe.player.wire.Pose3d;
+import io.troupe.player.wire.RangerConfiguration;
+import io.troupe.player.wire.Size3d;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangeSensorSpec;
+import io.troupe.sim.scenario.RangerSpec;
+import java.util.List;
+
+/**
+ * Lasers and rangers in the words of Player.
+ *
+ * <p>The resolution is the angle between two rays, so that the first angle and the number of ranges lead to the last angle; Stage divides the field of view by
+ * the number of rays, one too many. Readings have no steps of their own, so the range resolution is 0, and there are no intensities.
+ */
+final class RangerMessages {
+    private RangerMessages() {}
+
+    static DeviceData scan(RangerSpec laser, List<Double> rangesM, long tick) {
+        RangeSensorSpec sensor = laser.sensors().getFirst();
+        return new DeviceData.LaserScan(
+                (float) (-sensor.fovRad() / 2),
+                (float) (sensor.fovRad() / 2),
+                (float) resolutionRad(sensor),
+                (float) sensor.maxRangeM(),
+                rangesM.stream().map(Double::floatValue).toList(),
+                List.of(),
+                (int) tick);
+    }
+
+    static DeviceReply laserGeometry(RangerSpec laser) {
+        return new DeviceReply.LaserGeometry(
+                flat(laser.mount()), new Size3d(laser.widthM(), laser.lengthM(), 0));
+    }
+
+    /** Its sensors' poses are relative to its own. */
+    static DeviceReply rangerGeometry(RangerSpec ranger) {
+        return new DeviceReply.RangerGeometry(
+                flat(ranger.mount()),
+                new Size3d(ranger.widthM(), ranger.lengthM(), 0),
+                ranger.sensors().stream()
+                        .map(sensor -> flat(seenFrom(ranger.mount(), sensor.mount())))
+                        .toList(),
+                ranger.sensors().stream()
+                        .map(sensor -> new Size3d(sensor.widthM(), sensor.lengthM(), 0))
+                        .toList());
+    }
+
+    static LaserConfiguration laserConfiguration(RangerSpec laser, int intervalMillis) {
+        RangeSensorSpec sensor = laser.sensors().getFirst();
+        return new LaserConfiguration(
+                (float) (-sensor.fovRad() / 2),
+                (float) (sensor.fovRad() / 2),
+                (float) resolutionRad(sensor),
+                (float) sensor.maxRangeM(),
+                0,
+                false,
+                1000f / intervalMillis);
+    }
+
+    /** Of its first sensor: Player has one configuration for all of them. */
+    static RangerConfiguration rangerConfiguration(RangerSpec ranger, int intervalMillis) {
+        RangeSensorSpec sensor = ranger.sensors().getFirst();
+        return new RangerConfiguration(
+                -sensor.fovRad() / 2,
+                sensor.fovRad() / 2,
+                resolutionRad(sensor),
+                sensor.minRangeM(),
+                sensor.maxRangeM(),
+                0,
+                1000.0 / intervalMillis);
+    }
+
+    private static double resolutionRad(RangeSensorSpec sensor) {
+        return sensor.samples() == 1 ? sensor.fovRad() : sensor.fovRad() / (sensor.samples() - 1);
+    }
+
+    private static Pose seenFrom(Pose frame, Pose pose) {
+        return new Pose(0, 0, -frame.headingRad())
+                .compose(new Pose(pose.x() - frame.x(), pose.y() - frame.y(), pose.headingRad()));
+    }
+
+    private static Pose3d flat(Pose pose) {
+        return Pose3d.flat(pose.x(), pose.y(), pose.headingRad());
+    }
+}

@@ -1,0 +1,144 @@
+package io.troupe.sim;
+
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.WorldSpec;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.Objects;
+
+/**
+ * Writes down everything that enters a world, with the tick at which it took effect.
+ *
+ * <p><b>Role.</b> {@link World#record} makes one; {@link Replay} reads what it has written and does the same again. {@link #close} writes the last line, without
+ * which a recording counts as cut off, and closes the output.
+ * <p><b>Threads.</b> Any thread.
+ * <p><b>Units and shapes.</b> Lines of text; each begins with the tick of the snapshot that was the newest when it took effect. Numbers are written so that
+ * reading them gives the same bits; a checksum over all snapshots so far stands at every hundredth tick and at the end.
+ * <p><b>Errors.</b> {@link UncheckedIOException} from {@link World#advance} and {@link #close} when the output fails.
+ */
+public final class Recording implements AutoCloseable {
+    static final String TITLE = "troupe-recording 1";
+    static final int CHECK_TICKS = 100;
+
+    private final Appendable out;
+    private final SnapshotHash hash = new SnapshotHash();
+    private final StringBuilder line = new StringBuilder();
+    private long tick;
+    private boolean closed;
+
+    Recording(Appendable out, WorldSpec spec, WorldSettings settings, Snapshot first) {
+        this.out = Objects.requireNonNull(out, "out");
+        line.append(TITLE).append('\n');
+        line.append("world ").append(spec.name().replace('\n', ' ')).append('\n');
+        line.append("settings ").append(settings.words()).append('\n');
+        line.append("robots ").append(spec.robots().size());
+        hash.update(first);
+        line.append(" start ").append(hash).append('\n');
+        write();
+    }
+
+    synchronized void reset() {
+        begin("reset");
+        write();
+    }
+
+    synchronized void teleport(int robot, Pose pose) {
+        begin("teleport").append(' ').append(robot);
+        write(pose);
+    }
+
+    synchronized void odometry(int robot, Pose pose) {
+        begin("odometry").append(' ').append(robot);
+        write(pose);
+    }
+
+    synchronized void power(int robot, boolean on) {
+        begin("power").append(' ').append(robot).append(on ? " on" : " off");
+        write();
+    }
+
+    synchronized void drive(int robot, Drive drive) {
+        switch (drive) {
+            case Drive.Velocity velocity -> {
+                begin("velocity").append(' ').append(robot);
+                line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.turnRadps());
+                write();
+            }
+            case Drive.Heading heading -> {
+                begin("heading").append(' ').append(robot);
+                line.append(' ').append(heading.forwardMps()).append(' ').append(heading.headingRad());
+                write();
+            }
+            case Drive.GoTo goTo -> {
+                begin("goto").append(' ').append(robot);
+                write(goTo.goal());
+            }
+        }
+    }
+
+    /** For the reader only: it changes nothing in the world. */
+    synchronized void paused(boolean paused) {
+        if (!closed) {
+            begin(paused ? "pause" : "resume");
+            write();
+        }
+    }
+
+    synchronized void advanced(Snapshot snapshot) {
+        tick = snapshot.tick();
+        hash.update(snapshot);
+        if (tick % CHECK_TICKS == 0 && !closed) {
+            begin("is").append(' ').append(hash);
+            write();
+        }
+    }
+
+    /** Writes the last line and closes the output; the world goes on unrecorded. */
+    @Override
+    public synchronized void close() {
+        if (closed) {
+            return;
+        }
+        begin("end").append(' ').append(hash);
+        write();
+        closed = true;
+        if (out instanceof AutoCloseable closeable) {
+            try {
+                closeable.close();
+            } catch (IOException e) {
+                throw new UncheckedIOException("the recording could not be closed", e);
+            } catch (Exception e) {
+                throw new IllegalStateException("the recording could not be closed", e);
+            }
+        }
+    }
+
+    /** A checksum over all snapshots so far. */
+    public synchronized long hash() {
+        return hash.value();
+    }
+
+    private StringBuilder begin(String word) {
+        return line.append(tick).append(' ').append(word);
+    }
+
+    private void write(Pose pose) {
+        line.append(' ').append(pose.x()).append(' ').append(pose.y()).append(' ').append(pose.headingRad());
+        write();
+    }
+
+    private void write() {
+        if (line.charAt(line.length() - 1) != '\n') {
+            line.append('\n');
+        }
+        try {
+            if (!closed) {
+                out.append(line);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("the recording cannot be written at tick " + tick, e);
+        } finally {
+            line.setLength(0);
+        }
+    }
+}

@@ -1,0 +1,128 @@
+package io.troupe.sim;
+
+import io.troupe.sim.device.Blob;
+import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.scenario.Pose;
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.zip.CRC32C;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A checksum over every bit of the snapshots it is given: equal runs have equal checksums, and runs that differ anywhere almost certainly have not.
+ *
+ * <p><b>Order.</b> Counts. <b>Threads.</b> One thread at a time.
+ * <p><b>Source.</b> CRC-32C over the numbers in the order of the records, doubles by their bits; a list is preceded by its length.
+ */
+public final class SnapshotHash {
+    private final CRC32C crc = new CRC32C();
+    private final ByteBuffer buffer = ByteBuffer.allocate(1 << 13);
+
+    /** The checksum of one snapshot alone. */
+    public static long of(Snapshot snapshot) {
+        var hash = new SnapshotHash();
+        hash.update(snapshot);
+        return hash.value();
+    }
+
+    /** Takes in the next snapshot. */
+    public void update(Snapshot snapshot) {
+        add(snapshot.tick());
+        add(snapshot.timeMicros());
+        add(snapshot.robots().size());
+        snapshot.robots().forEach(this::add);
+        add(snapshot.contacts().size());
+        for (Contact contact : snapshot.contacts()) {
+            add(contact.timeMicros());
+            add(contact.robot());
+            add(contact.otherRobot());
+            add(contact.other());
+        }
+    }
+
+    /** The checksum so far, from 0 to 2^32 - 1. */
+    public long value() {
+        flush();
+        return crc.getValue();
+    }
+
+    /** In eight hexadecimal digits. */
+    @Override
+    public String toString() {
+        return String.format("%08x", value());
+    }
+
+    private void add(RobotReading robot) {
+        add(robot.pose());
+        add(robot.odometry().pose());
+        add(robot.odometry().forwardMps());
+        add(robot.odometry().turnRadps());
+        add(robot.odometry().stalled() ? 1 : 0);
+        addAll(robot.sonarM());
+        add(robot.blobs());
+        add(robot.rangersM().size());
+        robot.rangersM().forEach(this::addAll);
+        add(robot.wallGapM());
+    }
+
+    private void add(Pose pose) {
+        add(pose.x());
+        add(pose.y());
+        add(pose.headingRad());
+    }
+
+    private void addAll(@Nullable List<Double> values) {
+        if (values == null) {
+            add(-1);
+            return;
+        }
+        add(values.size());
+        for (int i = 0; i < values.size(); i++) {
+            add(values.get(i).doubleValue());
+        }
+    }
+
+    private void add(@Nullable BlobImage image) {
+        if (image == null) {
+            add(-1);
+            return;
+        }
+        add(image.widthPx());
+        add(image.heightPx());
+        add(image.blobs().size());
+        for (Blob blob : image.blobs()) {
+            add(blob.colour());
+            add(blob.areaPx2());
+            add(blob.x());
+            add(blob.y());
+            add(blob.left());
+            add(blob.right());
+            add(blob.top());
+            add(blob.bottom());
+            add(blob.rangeM());
+        }
+    }
+
+    private void add(String text) {
+        add(text.length());
+        for (int i = 0; i < text.length(); i++) {
+            add(text.charAt(i));
+        }
+    }
+
+    private void add(double value) {
+        add(Double.doubleToRawLongBits(value));
+    }
+
+    private void add(long bits) {
+        if (buffer.remaining() < Long.BYTES) {
+            flush();
+        }
+        buffer.putLong(bits);
+    }
+
+    private void flush() {
+        crc.update(buffer.flip());
+        buffer.clear();
+    }
+}

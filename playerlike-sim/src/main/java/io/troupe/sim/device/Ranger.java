@@ -1,0 +1,158 @@
+package io.troupe.sim.device;
+
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangeSensorSpec;
+import io.troupe.sim.scenario.RangerSpec;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.DoubleUnaryOperator;
+
+/**
+ * A laser or a ranger: all its sensors, each a fan of rays from right to left.
+ *
+ * <p><b>Units and shapes.</b> Metres; the readings of the sensors follow one another in the order of the specification.
+ * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> A reading allocates nothing.
+ */
+public final class Ranger {
+    private final RangerSpec spec;
+    private final List<SensorRays> sensors;
+    private final int size;
+
+    /**
+     * A ranger as specified.
+     *
+     * @param draw for a bound, an evenly spread number from minus to plus that bound; drawn from only by sensors with noise
+     */
+    public Ranger(RangerSpec spec, DoubleUnaryOperator draw) {
+        this.spec = spec;
+        if (spec.sensors().isEmpty() || spec.kind() == RangerSpec.Kind.LASER && spec.sensors().size() > 1) {
+            throw new IllegalArgumentException("a " + spec.kind().name().toLowerCase(Locale.ROOT) + " has "
+                    + spec.sensors().size() + " sensors, expected "
+                    + (spec.kind() == RangerSpec.Kind.LASER ? "one" : "at least one"));
+        }
+        sensors = spec.sensors().stream()
+                .map(sensor -> new SensorRays(sensor, draw))
+                .toList();
+        size = sensors.stream().mapToInt(SensorRays::size).sum();
+    }
+
+    /** Number of readings. */
+    public int size() {
+        return size;
+    }
+
+    public RangerSpec spec() {
+        return spec;
+    }
+
+    /**
+     * Reads all rays, past the robot that carries the ranger.
+     *
+     * @param into receives {@link #size} ranges: from the sensor to what its ray hits, the greatest range if it hits nothing, the least if it is nearer
+     */
+    public void read(Scene scene, int robot, double[] into) {
+        int from = 0;
+        for (int i = 0; i < sensors.size(); i++) {
+            sensors.get(i).read(scene, robot, into, from);
+            from += sensors.get(i).size();
+        }
+    }
+
+    /** The same in a list. */
+    public List<Double> read(Scene scene, int robot) {
+        double[] ranges = new double[size];
+        read(scene, robot, ranges);
+        return Arrays.stream(ranges).boxed().toList();
+    }
+
+    /** The directions of a sensor's rays from where it looks, left positive, from the right end of its field of view to the left end. */
+    public static double[] directionsRad(RangeSensorSpec sensor) {
+        double[] directions = new double[sensor.samples()];
+        if (directions.length > 1) {
+            for (int i = 0; i < directions.length; i++) {
+                directions[i] = -sensor.fovRad() / 2 + i * sensor.fovRad() / (directions.length - 1);
+            }
+        }
+        return directions;
+    }
+
+    /** One sensor. */
+    private static final class SensorRays {
+        private final RangeSensorSpec spec;
+        private final DoubleUnaryOperator draw;
+        private final double[] headingsRad; // of the rays, in the robot's frame
+        private final RayFan fan;
+        private final int[] things;
+        private final double[] distancesM;
+        private final boolean noisyDirection;
+        private final boolean noisyRange;
+
+        SensorRays(RangeSensorSpec spec, DoubleUnaryOperator draw) {
+            check(spec);
+            this.spec = spec;
+            this.draw = draw;
+            headingsRad = directionsRad(spec);
+            List<Pose> starts = new ArrayList<>();
+            for (int i = 0; i < headingsRad.length; i++) {
+                headingsRad[i] += spec.mount().headingRad();
+                starts.add(new Pose(spec.mount().x(), spec.mount().y(), headingsRad[i]));
+            }
+            fan = new RayFan(starts);
+            things = new int[fan.size()];
+            distancesM = new double[fan.size()];
+            noisyDirection = spec.noise().angularRad() > 0;
+            noisyRange = spec.noise().constantM() > 0 || spec.noise().proportional() > 0;
+        }
+
+        private static void check(RangeSensorSpec spec) {
+            if (!(spec.minRangeM() >= 0 && spec.maxRangeM() > spec.minRangeM() && spec.maxRangeM() < 1e6)) {
+                throw new IllegalArgumentException("range of a ranger is [" + spec.minRangeM() + " " + spec.maxRangeM()
+                        + "], expected 0 <= least < greatest, in metres");
+            }
+            if (spec.samples() < 1) {
+                throw new IllegalArgumentException("a ranger has " + spec.samples() + " samples, expected at least 1");
+            }
+            if (!(spec.fovRad() >= 0 && spec.fovRad() <= 2 * StrictMath.PI)) {
+                throw new IllegalArgumentException(
+                        "field of view of a ranger is " + spec.fovRad() + " rad, expected 0 to a full turn");
+            }
+            for (double amount : new double[] {
+                spec.noise().constantM(), spec.noise().proportional(), spec.noise().angularRad()
+            }) {
+                if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
+                    throw new IllegalArgumentException(
+                            "noise of a ranger is " + spec.noise() + ", expected finite numbers, 0 or more");
+                }
+            }
+        }
+
+        int size() {
+            return fan.size();
+        }
+
+        void read(Scene scene, int robot, double[] into, int from) {
+            if (noisyDirection) {
+                for (int i = 0; i < headingsRad.length; i++) {
+                    double headingRad =
+                            headingsRad[i] + draw.applyAsDouble(spec.noise().angularRad() / 2);
+                    fan.dirX[i] = StrictMath.cos(headingRad);
+                    fan.dirY[i] = StrictMath.sin(headingRad);
+                }
+            }
+            scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), things, distancesM);
+            for (int i = 0; i < distancesM.length; i++) {
+                double rangeM = noisyRange ? noisy(distancesM[i]) : distancesM[i];
+                into[from + i] = Math.clamp(rangeM, spec.minRangeM(), spec.maxRangeM());
+            }
+        }
+
+        /** Draws as often for a ray that hits nothing, so that what one ray meets does not change the errors of the others. */
+        private double noisy(double rangeM) {
+            double constantM = draw.applyAsDouble(spec.noise().constantM() / 2);
+            double proportional = draw.applyAsDouble(spec.noise().proportional() / 2);
+            return rangeM == Double.POSITIVE_INFINITY ? rangeM : rangeM + rangeM * proportional + constantM;
+        }
+    }
+}

@@ -1,0 +1,127 @@
+package io.troupe.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangeNoise;
+import io.troupe.sim.scenario.WorldSpec;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The checksum, and runs with every device and all noise that must have the same. */
+class SnapshotHashTest {
+    @Test
+    void sameSeed_givesTheSameChecksum_withAllDevicesAndNoise() {
+        assertThat(Arena.minute(7).toString()).isEqualTo(Arena.minute(7).toString());
+        assertThat(Arena.minute(8).toString()).isNotEqualTo(Arena.minute(7).toString());
+    }
+
+    @Test
+    @Timeout(300)
+    void interpretedJvm_givesTheSameChecksum() throws Exception {
+        Process process = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-Xint",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Arena.class.getName(),
+                        "7")
+                .redirectErrorStream(true)
+                .start();
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(process.waitFor(200, TimeUnit.SECONDS)).isTrue();
+
+        assertThat(said.strip()).isEqualTo(Arena.minute(7).toString());
+    }
+
+    @Test
+    void oneBitAnywhere_changesTheChecksum() {
+        World world = World.create(Arena.spec(2), Arena.seed(1));
+        Snapshot snapshot = world.latest();
+        RobotReading first = snapshot.robots().getFirst();
+        List<List<Double>> rangers = new ArrayList<>(first.rangersM());
+        List<Double> scan = new ArrayList<>(rangers.getLast());
+        scan.set(3, Math.nextUp(scan.get(3)));
+        rangers.set(1, scan);
+        var changed = new RobotReading(
+                first.pose(), first.odometry(), first.sonarM(), first.blobs(), rangers, first.wallGapM());
+
+        assertThat(SnapshotHash.of(with(snapshot, changed))).isNotEqualTo(SnapshotHash.of(snapshot));
+        assertThat(SnapshotHash.of(with(snapshot, first))).isEqualTo(SnapshotHash.of(snapshot));
+        assertThat(SnapshotHash.of(new Snapshot(
+                        0, 0, snapshot.robots(), List.of(new Contact(0, 0, "wall", -1)))))
+                .isNotEqualTo(SnapshotHash.of(snapshot));
+    }
+
+    private static Snapshot with(Snapshot snapshot, RobotReading first) {
+        return new Snapshot(
+                snapshot.tick(), snapshot.timeMicros(), List.of(first, snapshot.robots().get(1)), List.of());
+    }
+
+    @Test
+    void anotherRobot_changesNobodyElsesNoise() {
+        assertThat(firstReadings(Arena.spec(2))).isEqualTo(firstReadings(Arena.spec(1)));
+    }
+
+    /** The laser and the odometry of the first robot, which turns where it stands and sees no other robot. */
+    private static List<Object> firstReadings(WorldSpec spec) {
+        World world = World.create(spec, WorldSettings.DEFAULT.withSeed(3));
+        var readings = new ArrayList<Object>();
+        for (int tick = 0; tick < 5; tick++) {
+            world.command(0, 0, -1);
+            RobotReading reading = world.advance().robots().getFirst();
+            readings.add(reading.odometry());
+            readings.add(reading.rangersM().getFirst().subList(0, 10)); // to its right
+        }
+        return readings;
+    }
+
+    @Test
+    void noise_isOff_unlessAskedFor() {
+        var plain = Specs.robot("r", Pose.ORIGIN)
+                .withRangers(List.of(Arena.laser(RangeNoise.NONE)));
+        WorldSpec spec = Specs.world(plain, Specs.wall("ahead", 3, 0, 1, 5));
+
+        assertThat(SnapshotHash.of(World.create(spec, WorldSettings.DEFAULT.withSeed(1)).latest()))
+                .isEqualTo(SnapshotHash.of(
+                        World.create(spec, WorldSettings.DEFAULT.withSeed(2)).latest()));
+    }
+
+    @Test
+    void reset_repeatsWhatFollowedTheStart_bitForBit() {
+        World world = World.create(Arena.spec(6), Arena.seed(5));
+        List<Object> fromStart = readings(world);
+        List<Object> afterReset = new ArrayList<>();
+        world.reset();
+        afterReset.addAll(readings(world));
+
+        assertThat(afterReset.equals(fromStart)).isTrue(); // too long to print
+        assertThat(world.latest().tick()).as("time goes on").isEqualTo(400);
+        assertThat(world.latest().timeMicros()).isEqualTo(40_000_000);
+    }
+
+    private static List<Object> readings(World world) {
+        long start = world.timeMicros();
+        var random = new SplittableRandom(9);
+        var readings = new ArrayList<Object>();
+        int contacts = 0;
+        for (int tick = 0; tick < 200; tick++) {
+            Arena.drive(world, random);
+            Snapshot snapshot = world.advance();
+            readings.add(snapshot.robots());
+            for (Contact contact : snapshot.contacts()) {
+                readings.add(new Contact(
+                        contact.timeMicros() - start, contact.robot(), contact.other(), contact.otherRobot()));
+                contacts++;
+            }
+        }
+        assertThat(contacts).as("something must have been hit").isPositive();
+        return readings;
+    }
+}
