@@ -9,9 +9,9 @@ import io.troupe.player.structures.PlayerConstants;
 public class PullThread {
     public static void main(String[] args) {
         PlayerClient robot = new PlayerClient(args[0], Integer.parseInt(args[1]));
+        robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
         Position2DInterface pos = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
         SonarInterface son = robot.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE);
-        robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
         robot.runThreaded(-1, -1);
         while (true) {
             robot.requestData();

@@ -3,12 +3,17 @@ package io.troupe.player.wire;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerPose;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -213,6 +218,48 @@ class RemoteLineTest implements PlayerConstants {
             assertThat(ranger.getGeom().getPose().getPy()).isEqualTo(2);
             assertThat(ranger.isConfReady()).isFalse();
             client.close();
+        }
+    }
+
+    @Test
+    void clientOnAnActorSpace_getsItsFramesAsTurns_andAsksForTheNextWhenNothingIsLeftToDo() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("remote"));
+                var server = new ScriptedSocket((message, self) -> {
+                    if (is(message, 1, 4)) {
+                        long asked = self.received.stream()
+                                .filter(each -> is(each, 1, 4))
+                                .count();
+                        if (asked <= 3) {
+                            self.send(
+                                    self.reply(message, MessageType.ACK, Content.NONE),
+                                    self.position(asked),
+                                    self.synch());
+                        }
+                        return true;
+                    }
+                    return false;
+                })) {
+            var seen = new ConcurrentLinkedQueue<String>();
+            var done = new CountDownLatch(4);
+            space.execute(() -> {
+                var client = connect(server);
+                client.requestDataDeliveryMode(PLAYER_DATAMODE_PULL);
+                var pos = client.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
+                client.runThreaded(-1, -1);
+                space.repeatWhile(() -> true, () -> client.nextData().thenAccept(ready -> {
+                            seen.add(pos.isDataReady() + " " + pos.getX() + " " + (ActorSpace.current() == space));
+                            done.countDown();
+                            if (pos.getX() == 3) {
+                                client.close();
+                            }
+                        }))
+                        .exceptionally(closed -> {
+                            done.countDown();
+                            return null;
+                        });
+            });
+            assertThat(done.await(30, TimeUnit.SECONDS)).isTrue();
+            assertThat(seen).containsExactly("true 1.0 true", "true 2.0 true", "true 3.0 true");
         }
     }
 }
