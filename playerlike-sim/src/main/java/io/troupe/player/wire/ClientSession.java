@@ -66,7 +66,7 @@ final class ClientSession implements DataSink {
 
     private void run(Job job) {
         try {
-            close(job.run());
+            end(job.run());
         } catch (IOException | WireException | LineClosedException | InterruptedException e) {
             close(String.valueOf(e.getMessage()));
         } catch (RuntimeException e) {
@@ -126,16 +126,26 @@ final class ClientSession implements DataSink {
 
     @Override
     public void lost(String reason) {
-        close(reason);
+        end(reason);
     }
 
+    /** As it should. */
+    void end(String reason) {
+        close(Level.DEBUG, reason);
+    }
+
+    /** For a reason that somebody may want to know. */
     void close(String reason) {
+        close(Level.INFO, reason);
+    }
+
+    private void close(Level level, String reason) {
         if (!closed.compareAndSet(false, true)) {
             return;
         }
         int dropped = outbox.dropped();
         LOG.log(
-                Level.INFO,
+                level,
                 () -> peer + " is disconnected: " + reason
                         + (dropped == 0 ? "" : "; " + dropped + " data messages did not reach it"));
         outbox.close();

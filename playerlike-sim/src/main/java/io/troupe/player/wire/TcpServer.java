@@ -38,6 +38,7 @@ public final class TcpServer implements AutoCloseable {
     private static final Logger LOG = System.getLogger(TcpServer.class.getName());
     private static final int BANNER_BYTES = 32;
     private static final int BACKLOG = 256;
+    private static final Duration CLOSING_LIMIT = Duration.ofSeconds(5);
 
     /** By what time, and for how long, a write may be stuck. */
     record WriteClock(Clock clock, Duration limit) {
@@ -51,11 +52,13 @@ public final class TcpServer implements AutoCloseable {
     private final WriteClock clock;
     private final Set<ClientSession> sessions = ConcurrentHashMap.newKeySet();
     private final CountDownLatch closing = new CountDownLatch(1);
+    private final Thread acceptor;
 
     private TcpServer(PlayerServer devices, ServerSocket socket, WriteClock clock) {
         this.devices = devices;
         this.socket = socket;
         this.clock = clock;
+        this.acceptor = Thread.ofVirtual().name("player-accept-" + port()).unstarted(this::accept);
     }
 
     /**
@@ -98,7 +101,7 @@ public final class TcpServer implements AutoCloseable {
                     socket.getLocalSocketAddress());
         }
         var server = new TcpServer(devices, socket, clock);
-        Thread.ofVirtual().name("player-accept-" + server.port()).start(server::accept);
+        server.acceptor.start();
         Thread.ofVirtual().name("player-watch-" + server.port()).start(server::watch);
         return server;
     }
@@ -143,7 +146,7 @@ public final class TcpServer implements AutoCloseable {
             session.close("it could not be served: " + e.getMessage());
         }
         if (closing.getCount() == 0) {
-            session.close("the server is closed");
+            session.end("the server is closed");
         }
     }
 
@@ -169,6 +172,7 @@ public final class TcpServer implements AutoCloseable {
         }
     }
 
+    /** Ends all connections; when it returns the port is free. */
     @Override
     public void close() {
         closing.countDown();
@@ -177,6 +181,11 @@ public final class TcpServer implements AutoCloseable {
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "Player port " + port() + " could not be closed", e);
         }
-        List.copyOf(sessions).forEach(session -> session.close("the server is closed"));
+        try {
+            acceptor.join(CLOSING_LIMIT); // the port is free only when the thread that listens has left it
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        List.copyOf(sessions).forEach(session -> session.end("the server is closed"));
     }
 }

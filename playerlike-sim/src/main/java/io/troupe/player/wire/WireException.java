@@ -5,6 +5,6 @@ final class WireException extends Exception {
     private static final long serialVersionUID = 1L;
 
     WireException(String message) {
-        super(message);
+        super(message, null, false, false); // no trace: whoever sends garbage shall not make us work
     }
 }

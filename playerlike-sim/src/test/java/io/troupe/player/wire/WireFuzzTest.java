@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Test;
  * Damaged bytes lead to {@link WireException} and to nothing else. {@code -Dwire.fuzz=1000000} tries so many, {@code -Dwire.seed=7} with another seed.
  */
 class WireFuzzTest {
-    private static final int CASES = Integer.getInteger("wire.fuzz", 300_000);
+    private static final int CASES = Integer.getInteger("wire.fuzz", 200_000);
     private static final long SEED = Long.getLong("wire.seed", 1);
     private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10};
     private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};

@@ -1,0 +1,180 @@
+package io.troupe.player.wire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What real clients say, and what they must hear. */
+@Timeout(60)
+class ConversationsTest {
+    private static final String REAL_PORT = "00001a09";
+
+    /** Time and sequence number are free, the port is ours, what the sonars see too. */
+    private static String comparable(byte[] message, int port) {
+        String text = Hex.text(message).replace(port(port), REAL_PORT);
+        boolean sonarData = text.startsWith("00000005000000000000000100000001", 16);
+        return text.substring(0, 48) + " " + text.substring(72, 80) + " " + (sonarData ? "" : text.substring(80));
+    }
+
+    private static String port(int port) {
+        return String.format("%08x", port);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {"s32-playerprint-position2d.txt", "s32-playerprint-sonar.txt", "s32-playerprint-blobfinder.txt"})
+    void playerprint_asCaptured_hearsTheSameBytes(String name) {
+        List<Hex.Line> lines = Hex.capture(name);
+        try (var served = Served.open();
+                var client = RawClient.greeted(served.port())) {
+            for (var line : lines.subList(1, lines.size())) {
+                if (line.sender() == 'C') {
+                    client.send(Hex.bytes(Hex.text(line.bytes()).replace(REAL_PORT, port(served.port()))));
+                    continue;
+                }
+                if (line.message().header().type() == MessageType.DATA) {
+                    served.tickApart();
+                }
+                assertThat(comparable(client.next().bytes(), served.port()))
+                        .as("what answers %s", line.message())
+                        .isEqualTo(comparable(line.bytes(), 6665));
+            }
+        }
+    }
+
+    @Test
+    void javaclient_inPushMode_isServedToTheEnd() throws WireException {
+        try (var served = Served.open();
+                var client = new RawClient(served.port())) {
+            assertThat(client.banner()).hasSizeBetween(10, 31);
+            String robot = port(served.port());
+            String here = "0100007f " + robot;
+            // DEVLIST as javaclient3 sends it
+            client.send(Hex.bytes("00000000 00000000 00000001 00000000 00000003 00000001 41dac04314800000"
+                    + "00000000 00000008 00000000 00000000"));
+            assertThat(comparable(client.next().bytes(), served.port()))
+                    .isEqualTo(comparable(
+                            Hex.bytes(here + "00000001 00000000 00000004 00000001 0000000000000000 00000000 00000038"
+                                    + "00000003 00000003" + here + "00000004 00000000" + here + "00000005 00000000"
+                                    + here + "00000007 00000000"),
+                            served.port()));
+            for (String code : List.of("00000004", "00000005", "00000007")) {
+                client.send(Hex.bytes("00000000 00000000 00000001 00000000 00000003 00000002 41dac04314800000"
+                        + "00000000 00000018" + here + code + "00000000 00000000 00000000"));
+                assertThat(comparable(client.next().bytes(), served.port()))
+                        .isEqualTo(comparable(
+                                Hex.bytes(here + "00000001 00000000 00000004 00000002 0000000000000000 00000000"
+                                        + "00000020" + here + code + "00000000 00000006 00000006 73746167 65000000"),
+                                served.port()));
+            }
+            served.tick(3); // nothing of which the client hears: it has not subscribed
+            client.subscribe(Interfaces.POSITION2D);
+            served.tick(1);
+            Message data = client.next(MessageType.DATA, 4, 1);
+            assertThat(data.header().timeSeconds()).isEqualTo(0.3);
+            assertThat(data.header().address())
+                    .isEqualTo(new DeviceAddress(TcpServer.LOOPBACK_HOST, served.port(), 4, 0));
+            client.drive(0.5, 0).ask(new PlayerRequest.DeviceList()); // so that the command has arrived
+            served.tick(2);
+            client.nextPosition();
+            assertThat(client.nextPosition().px()).isGreaterThan(0.01);
+        }
+    }
+
+    @Test
+    void requests_thatCannotBeServed_areRefusedWithoutContent_inOrder() {
+        var nack = List.of(
+                RawClient.message(MessageType.REQ, 62, 0, Content.empty(1)), // no such device
+                RawClient.message(MessageType.REQ, 4, 3, Content.empty(1)), // no such index
+                RawClient.message(MessageType.REQ, 4, 0, Content.empty(200)), // no such request
+                RawClient.message(MessageType.REQ, 4, 0, new Content(5, new byte[4])), // too short
+                RawClient.message(MessageType.REQ, 1, 0, new Content(7, new byte[12])), // AUTH
+                RawClient.message(MessageType.REQ, 1, 0, new Content(8, new byte[4])), // NAMESERVICE
+                RawClient.message(MessageType.REQ, 1, 0, new Content(5, Hex.bytes("00000007"))), // no such mode
+                RawClient.message(MessageType.REQ, 1, 0, new Content(255, Hex.bytes("00000003 00000007"))),
+                RawClient.access(Interfaces.RANGER, PlayerRequest.OPEN),
+                RawClient.access(Interfaces.SONAR, 7),
+                RawClient.bytes(new PlayerRequest.DriverInfo(new DeviceAddress(0, 0, 62, 0))));
+        byte[] good = RawClient.message(MessageType.REQ, 1, 0, new Content(255, Hex.bytes("00000003 00000003")));
+        byte[] unknownCommand = RawClient.message(MessageType.CMD, 4, 0, Content.empty(99));
+        byte[] commandToNobody = RawClient.message(MessageType.CMD, 62, 0, Content.empty(1));
+        byte[] strange = RawClient.message(MessageType.SYNCH, 1, 0, Content.empty(1));
+        try (var served = Served.open();
+                var client = RawClient.greeted(served.port())) {
+            for (byte[] request : nack) {
+                client.send(unknownCommand, commandToNobody, strange, request, good);
+            }
+            for (byte[] request : nack) {
+                Header asked = Hex.message(request).header();
+                Message refused = client.next();
+                assertThat(refused.header().type()).isEqualTo(MessageType.NACK);
+                assertThat(refused.payload()).isEmpty();
+                assertThat(refused.header().subtype()).isEqualTo(asked.subtype());
+                assertThat(refused.header().address())
+                        .isEqualTo(new DeviceAddress(
+                                TcpServer.LOOPBACK_HOST,
+                                served.port(),
+                                asked.address().interfaceCode(),
+                                asked.address().index()));
+                client.next(MessageType.ACK, 1, 255);
+            }
+        }
+    }
+
+    @Test
+    void requestsToDevices_areAnswered_withTheirSequenceNumber() throws WireException {
+        try (var served = Served.open();
+                var client = RawClient.greeted(served.port())) {
+            var header = new Header(new DeviceAddress(9, 9, 4, 0), MessageType.REQ, 1, 0, 77, 0);
+            client.send(new Message(header, Content.NONE).bytes());
+            Message reply = client.next(MessageType.ACK, 4, 1);
+            assertThat(reply.header().sequence()).isEqualTo(77);
+            assertThat(ReplyMessages.decode(4, MessageType.ACK, 1, reply.payload()))
+                    .isEqualTo(new DeviceReply.Position2dGeometry(0, 0, 0, 0.4, 0.3));
+            client.send(RawClient.message(MessageType.REQ, 5, 0, Content.empty(1)));
+            assertThat(client.next(MessageType.ACK, 5, 1).payload()).hasSize(8 + 16 * 48);
+            client.send(RawClient.message(
+                    MessageType.REQ, 4, 0, RequestMessages.encode(4, new DeviceRequest.SetOdometry(1, 2, 0.5))));
+            assertThat(client.next(MessageType.ACK, 4, 5).payload()).isEmpty();
+        }
+    }
+
+    @Test
+    void unsubscribed_hearsNothingMore() throws WireException {
+        try (var served = Served.open();
+                var client = RawClient.greeted(served.port())) {
+            client.subscribe(Interfaces.POSITION2D);
+            client.subscribe(Interfaces.SONAR);
+            served.tick(1);
+            client.nextPosition();
+            client.next(MessageType.DATA, 5, 1);
+            Message closed = client.ask(
+                    new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
+            assertThat(PlayerMessages.reply(MessageType.ACK, 3, closed.payload()))
+                    .isEqualTo(new PlayerReply.Access(
+                            new DeviceAddress(TcpServer.LOOPBACK_HOST, served.port(), 5, 0),
+                            PlayerRequest.CLOSE,
+                            "stage"));
+            served.tick(2);
+            client.nextPosition();
+            client.nextPosition();
+        }
+    }
+
+    @Test
+    void greeting_isOneTextOf32Bytes() {
+        try (var served = Served.open();
+                var client = new RawClient(served.port())) {
+            client.banner();
+            assertThat(new String(client.received(), StandardCharsets.US_ASCII))
+                    .startsWith("Player v.3")
+                    .endsWith("\0")
+                    .hasSize(32);
+        }
+    }
+}

@@ -1,0 +1,246 @@
+package io.troupe.player.wire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayOutputStream;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class OutboxTest {
+    private static final DeviceAddress POSITION = new DeviceAddress(1, 2, 4, 0);
+    private static final DeviceAddress SONAR = new DeviceAddress(1, 2, 5, 0);
+
+    private final Outbox outbox = new Outbox();
+
+    private static Message reply(int subtype) {
+        return Message.of(new DeviceAddress(1, 2, 1, 0), MessageType.ACK, subtype, 0, Content.NONE);
+    }
+
+    private static DataMessage position(double px) {
+        return new DataMessage(POSITION, 0, new DeviceData.Position2d(px, 0, 0, 0, 0, 0, false));
+    }
+
+    private static DataMessage sonar() {
+        return new DataMessage(SONAR, 0, new DeviceData.SonarRanges(List.of()));
+    }
+
+    private boolean frame(long tick, DataMessage... messages) {
+        return outbox.frame(tick, tick / 10.0, List.of(messages));
+    }
+
+    private Outbox pull() {
+        outbox.subscribed(POSITION, reply(3));
+        outbox.subscribed(SONAR, reply(3));
+        outbox.mode(Delivery.PULL);
+        sent();
+        return outbox;
+    }
+
+    /** All that would be written now, in short: ACK/3, DATA 4 x=1.0, .. */
+    private List<String> sent() {
+        var bytes = new ByteArrayOutputStream();
+        try {
+            while (true) {
+                outbox.greet(Content.NONE); // so that taking never waits
+                byte[] batch = outbox.take();
+                if (batch.length == 0) {
+                    break;
+                }
+                bytes.writeBytes(batch);
+            }
+            var reader = new MessageReader(new ByteArrayInputStream(bytes.toByteArray()), 1 << 16);
+            var texts = new ArrayList<String>();
+            for (Message each = reader.read(); each != null; each = reader.read()) {
+                texts.add(text(each));
+            }
+            return texts;
+        } catch (IOException | WireException | InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static String text(Message message) throws WireException {
+        int code = message.header().address().interfaceCode();
+        int subtype = message.header().subtype();
+        return switch (message.header().type()) {
+            case DATA ->
+                DataMessages.decode(code, subtype, message.payload()).orElseThrow()
+                                instanceof DeviceData.Position2d state
+                        ? "position " + (int) state.px()
+                        : "sonar";
+            case SYNCH -> "SYNCH " + subtype + " " + PlayerMessages.dropped(subtype, message.payload());
+            default -> message.header().type() + " " + subtype;
+        };
+    }
+
+    @Test
+    void push_sendsAsItComes_whatHasBeenSubscribed() {
+        outbox.subscribed(POSITION, reply(3));
+        frame(0, position(0), sonar());
+        outbox.reply(reply(1));
+        frame(1, position(1));
+        assertThat(sent()).containsExactly("ACK 3", "position 0", "ACK 1", "position 1");
+    }
+
+    @Test
+    void pull_holdsDataUntilAsked_andEndsTheFrame() {
+        pull();
+        frame(0, position(0), sonar());
+        frame(1, position(1));
+        assertThat(sent()).isEmpty();
+        assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(sent()).containsExactly("ACK 4", "position 0", "sonar", "position 1", "SYNCH 1 0");
+        assertThat(outbox.ask(reply(4))).isEqualTo(1);
+        assertThat(sent()).containsExactly("ACK 4");
+        assertThat(frame(2, position(2))).isFalse();
+        frame(3, position(3));
+        assertThat(sent()).containsExactly("position 2", "SYNCH 1 0");
+        assertThat(outbox.ask(reply(4))).isEqualTo(2);
+    }
+
+    @Test
+    void pull_replyFlushesWhatWasQueuedBefore() {
+        pull();
+        frame(0, position(0));
+        outbox.reply(reply(1));
+        frame(1, position(1));
+        assertThat(sent()).containsExactly("position 0", "ACK 1");
+        assertThat(outbox.ask(reply(4))).isZero();
+        assertThat(sent()).containsExactly("ACK 4", "position 1", "SYNCH 1 0");
+    }
+
+    @Test
+    void pull_overflow_isCountedAndTold() {
+        pull();
+        for (int tick = 0; tick < Outbox.MAX_DATA + 7; tick++) {
+            frame(tick, position(tick));
+        }
+        outbox.ask(reply(4));
+        List<String> sent = sent();
+        assertThat(sent).hasSize(Outbox.MAX_DATA + 2).endsWith("position 1023", "SYNCH 2 7");
+        outbox.ask(reply(4));
+        frame(2000, position(1));
+        assertThat(sent()).containsExactly("ACK 4", "position 1", "SYNCH 1 0");
+    }
+
+    @Test
+    void push_toAClientThatDoesNotRead_keepsABoundedNumber() {
+        outbox.subscribed(POSITION, reply(3));
+        for (int tick = 0; tick < 5000; tick++) {
+            frame(tick, position(tick));
+        }
+        assertThat(outbox.dropped()).isEqualTo(5000 - Outbox.MAX_DATA);
+        assertThat(sent()).hasSize(1 + Outbox.MAX_DATA);
+    }
+
+    @Test
+    void rules_replaceAndIgnore_theNewestCounts() {
+        pull();
+        outbox.add(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
+        frame(0, position(0), sonar());
+        frame(1, position(1), sonar());
+        outbox.ask(reply(4));
+        assertThat(sent()).containsExactly("ACK 4", "position 1", "sonar", "SYNCH 1 0");
+        outbox.add(new ReplaceRule(5, -1, 1, 1, ReplaceRule.IGNORE));
+        outbox.ask(reply(4));
+        frame(2, position(2), sonar());
+        assertThat(sent()).containsExactly("ACK 4", "position 2", "SYNCH 1 0");
+        outbox.add(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.ACCEPT));
+        outbox.ask(reply(4));
+        frame(3, position(3), sonar());
+        assertThat(sent()).containsExactly("ACK 4", "position 3", "sonar", "SYNCH 1 0");
+    }
+
+    @Test
+    void rules_inPushMode_replaceWhatHasNotBeenWritten() {
+        outbox.subscribed(POSITION, reply(3));
+        outbox.add(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
+        for (int tick = 0; tick < 5000; tick++) {
+            frame(tick, position(tick));
+        }
+        assertThat(outbox.dropped()).isZero();
+        assertThat(sent()).containsExactly("ACK 3", "position 4999");
+    }
+
+    @Test
+    void pull_frameOfWhichNothingIsLeft_isAnsweredIfTheClientWaits() {
+        pull();
+        outbox.add(new ReplaceRule(-1, -1, -1, -1, ReplaceRule.IGNORE));
+        assertThat(frame(0, position(0))).isFalse();
+        assertThat(outbox.ask(reply(4))).isZero();
+        assertThat(frame(1, position(1))).isTrue();
+        assertThat(sent()).containsExactly("ACK 4");
+    }
+
+    @Test
+    void unsubscribed_takesItsDataOut() {
+        pull();
+        frame(0, position(0), sonar());
+        outbox.unsubscribed(SONAR, reply(3));
+        frame(1, position(1), sonar());
+        outbox.ask(reply(4));
+        assertThat(sent()).containsExactly("position 0", "ACK 3", "ACK 4", "position 1", "SYNCH 1 0");
+    }
+
+    @Test
+    void backToPush_releasesWhatWaits() {
+        pull();
+        frame(0, position(0));
+        outbox.mode(Delivery.PUSH);
+        frame(1, position(1));
+        assertThat(sent()).containsExactly("position 0", "position 1");
+    }
+
+    @Test
+    void corked_keepsEverythingBack() throws InterruptedException {
+        outbox.cork();
+        outbox.reply(reply(3));
+        var taken = new CountDownLatch(1);
+        Thread taker = Thread.ofVirtual().start(() -> {
+            try {
+                outbox.take();
+                taken.countDown();
+            } catch (InterruptedException e) {
+                throw new AssertionError(e);
+            }
+        });
+        frame(0, position(0));
+        assertThat(taken.getCount()).isEqualTo(1);
+        outbox.uncork();
+        taken.await();
+        taker.join();
+    }
+
+    @Test
+    void manyRepliesUnread_makeTheReaderWait_untilTheyAreTaken() throws InterruptedException {
+        for (int i = 0; i <= Outbox.MAX_REPLY_BYTES / Header.BYTES; i++) {
+            outbox.reply(reply(1));
+        }
+        var reader = Thread.ofPlatform().daemon().start(() -> {
+            try {
+                outbox.awaitRoom();
+            } catch (InterruptedException e) {
+                throw new AssertionError(e);
+            }
+        });
+        while (reader.getState() != Thread.State.WAITING) {
+            assertThat(reader.isAlive()).as("the reader waits").isTrue();
+            Thread.onSpinWait();
+        }
+        outbox.take();
+        reader.join();
+    }
+
+    @Test
+    void closed_endsEveryWaiting() throws InterruptedException {
+        outbox.close();
+        assertThat(outbox.take()).isNull();
+        assertThat(outbox.awaitRoom()).isFalse();
+    }
+}

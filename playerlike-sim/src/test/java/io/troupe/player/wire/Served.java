@@ -1,0 +1,100 @@
+package io.troupe.player.wire;
+
+import io.troupe.actor.time.Clock;
+import io.troupe.player.PlayerPorts;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.TestWorlds;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.SonarSpec;
+import java.net.InetAddress;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.List;
+
+/** A world of one robot, and a server for it. */
+final class Served implements AutoCloseable {
+    static final int PORT = 6781;
+
+    final Simulation simulation;
+    final TcpServer server;
+    private final ExecutorService ticker = Executors.newSingleThreadExecutor();
+    private final List<Future<Snapshot>> ticks = new ArrayList<>();
+
+    private Served(Simulation simulation, TcpServer server) {
+        this.simulation = simulation;
+        this.server = server;
+    }
+
+    static Served open() {
+        return open(0, new TcpServer.WriteClock(Clock.system(), TcpServer.WRITE_LIMIT));
+    }
+
+    /** @param port 0 for any */
+    static Served open(int port, TcpServer.WriteClock clock) {
+        var simulation = Simulation.open(
+                TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot()))), WorldSettings.DEFAULT);
+        var devices = PlayerPorts.find(PORT).orElseThrow();
+        return new Served(simulation, TcpServer.open(devices, port, InetAddress.getLoopbackAddress(), clock));
+    }
+
+    /** Where the captured robot stood, with sixteen sonars as it had; nothing around. */
+    private static RobotSpec robot() {
+        RobotSpec plain = TestWorlds.robot("r1", 0, -5, 0);
+        return new RobotSpec(
+                plain.name(),
+                plain.pose(),
+                plain.shape(),
+                plain.colour(),
+                plain.lengthM(),
+                plain.widthM(),
+                plain.massKg(),
+                plain.origin(),
+                new Pose(0, -5, 0),
+                new SonarSpec(Collections.nCopies(16, Pose.ORIGIN), 0, 5, 0.1),
+                plain.blobfinder(),
+                plain.rangers(),
+                true,
+                true,
+                plain.where());
+    }
+
+    int port() {
+        return server.port();
+    }
+
+    /** Ticks, and waits until that is done; for clients that need not answer. */
+    void tick(int times) {
+        for (int i = 0; i < times; i++) {
+            done(ticker.submit(simulation::tick));
+        }
+    }
+
+    /** Ticks on another thread: in lock step a tick ends when the client asks again. */
+    void tickApart() {
+        ticks.add(ticker.submit(simulation::tick));
+    }
+
+    private static void done(Future<Snapshot> tick) {
+        try {
+            tick.get();
+        } catch (InterruptedException | ExecutionException e) {
+            throw new AssertionError("a tick went wrong", e);
+        }
+    }
+
+    /** Ticks that began must have gone well; without clients they wait for nobody. */
+    @Override
+    public void close() {
+        server.close();
+        ticks.forEach(Served::done);
+        ticker.shutdownNow();
+        simulation.close();
+    }
+}
