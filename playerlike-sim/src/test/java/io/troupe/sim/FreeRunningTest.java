@@ -129,12 +129,13 @@ class FreeRunningTest {
         hash.update(simulation.latest());
         Recording recording = simulation.record(out);
         var enough = new CountDownLatch(150);
+        var said = new CountDownLatch(600);
         var stop = new AtomicBoolean();
         WireClient push = push();
         for (int i = 0; i < 3; i++) {
             push.subscribe(Interfaces.POSITION2D, i);
         }
-        var talker = Thread.ofPlatform().start(() -> talk(push, stop));
+        var talker = Thread.ofPlatform().start(() -> talk(push, stop, said));
         try (var runner = SimulationRunner.start(
                 simulation,
                 1,
@@ -144,6 +145,7 @@ class FreeRunningTest {
                 },
                 new Pace.Unlimited())) {
             assertThat(enough.await(60, TimeUnit.SECONDS)).isTrue();
+            assertThat(said.await(60, TimeUnit.SECONDS)).isTrue();
             assertThat(runner.isRunning()).isTrue();
         } finally {
             stop.set(true);
@@ -162,7 +164,7 @@ class FreeRunningTest {
         assertThat(replayed.toString()).isEqualTo(hash.toString());
     }
 
-    private static void talk(WireClient push, AtomicBoolean stop) {
+    private static void talk(WireClient push, AtomicBoolean stop, CountDownLatch said) {
         var random = new SplittableRandom(3);
         while (!stop.get()) {
             int robot = random.nextInt(3);
@@ -187,7 +189,8 @@ class FreeRunningTest {
                             robot,
                             new DeviceCommand.Car(random.nextDouble(0.6), random.nextDouble(-1, 1)));
             }
-            for (int i = random.nextInt(200_000); i > 0; i--) {
+            said.countDown();
+            for (int i = random.nextInt(20_000); i > 0; i--) {
                 Thread.onSpinWait();
             }
         }
