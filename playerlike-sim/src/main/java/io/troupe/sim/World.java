@@ -20,6 +20,7 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -52,6 +53,7 @@ public final class World {
     private final List<String> robotNames;
     private final Scene scene;
     private final List<Devices> devices = new ArrayList<>();
+    private final IntFunction<Position2d> position2d = robot -> devices.get(robot).position2d();
     private final Drive.Velocity[] latched;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private Physics physics;
@@ -283,7 +285,7 @@ public final class World {
             physicsStartMicros = latest.timeMicros();
             sense(latest.tick()); // as at the start: each reading moves the random streams on
         }
-        orders.latch(latest, physics, robot -> devices.get(robot).position2d(), latched);
+        orders.latch(latest, physics, position2d, latched);
     }
 
     private Snapshot sense(long tick) {
