@@ -53,7 +53,8 @@ public final class World {
     private final List<String> robotNames;
     private final Scene scene;
     private final List<Devices> devices = new ArrayList<>();
-    private final IntFunction<Position2d> position2d = robot -> devices.get(robot).position2d();
+    private final IntFunction<Position2d> position2d =
+            robot -> devices.get(robot).position2d();
     private final Drive.Velocity[] latched;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private Physics physics;
