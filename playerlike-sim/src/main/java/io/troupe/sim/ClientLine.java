@@ -97,7 +97,8 @@ final class ClientLine implements PlayerConnection {
                 ? List.of()
                 : offers.stream()
                         .filter(offer -> subscribed.contains(offer) && simulation.publishes(offer))
-                        .map(offer -> DeviceMessages.data(offer, simulation.world().spec(), now))
+                        .map(offer ->
+                                DeviceMessages.data(offer, simulation.world().spec(), now))
                         .toList());
         if (!messages.isEmpty()) {
             sink.frame(new Frame(now.tick(), now.timeMicros() / 1e6, messages));

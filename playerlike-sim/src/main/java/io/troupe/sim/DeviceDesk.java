@@ -53,30 +53,29 @@ final class DeviceDesk {
     /** Sideways speeds are ignored: these robots have two wheels. */
     private void drive(Offer offer, DeviceCommand command) {
         int robot = offer.robot();
-        Runnable action =
-                switch (command) {
-                    case DeviceCommand.Velocity to -> {
-                        checkFinite(offer, to, to.vx(), to.va());
-                        yield to.enabled() ? () -> world.command(robot, to.vx(), to.va()) : () -> world.stop(robot);
-                    }
-                    case DeviceCommand.Car to -> {
-                        checkFinite(offer, to, to.velocityMps(), to.angleRad());
-                        yield () -> world.command(robot, to.velocityMps(), to.angleRad());
-                    }
-                    case DeviceCommand.VelocityHeading to -> {
-                        checkFinite(offer, to, to.velocityMps(), to.headingRad());
-                        yield () -> world.steer(robot, to.velocityMps(), to.headingRad());
-                    }
-                    case DeviceCommand.GoTo to -> {
-                        checkFinite(offer, to, to.px(), to.py(), to.pa());
-                        yield to.enabled()
-                                ? () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()))
-                                : () -> world.stop(robot);
-                    }
-                    case DeviceCommand.Pause other -> throw notUnderstood(offer, other);
-                    case DeviceCommand.Reset other -> throw notUnderstood(offer, other);
-                    case DeviceCommand.Save other -> throw notUnderstood(offer, other);
-                };
+        Runnable action = switch (command) {
+            case DeviceCommand.Velocity to -> {
+                checkFinite(offer, to, to.vx(), to.va());
+                yield to.enabled() ? () -> world.command(robot, to.vx(), to.va()) : () -> world.stop(robot);
+            }
+            case DeviceCommand.Car to -> {
+                checkFinite(offer, to, to.velocityMps(), to.angleRad());
+                yield () -> world.command(robot, to.velocityMps(), to.angleRad());
+            }
+            case DeviceCommand.VelocityHeading to -> {
+                checkFinite(offer, to, to.velocityMps(), to.headingRad());
+                yield () -> world.steer(robot, to.velocityMps(), to.headingRad());
+            }
+            case DeviceCommand.GoTo to -> {
+                checkFinite(offer, to, to.px(), to.py(), to.pa());
+                yield to.enabled()
+                        ? () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()))
+                        : () -> world.stop(robot);
+            }
+            case DeviceCommand.Pause other -> throw notUnderstood(offer, other);
+            case DeviceCommand.Reset other -> throw notUnderstood(offer, other);
+            case DeviceCommand.Save other -> throw notUnderstood(offer, other);
+        };
         later.add(offer, Kind.SPEED, action);
     }
 
@@ -168,7 +167,8 @@ final class DeviceDesk {
             case DeviceRequest.SetLaserConfiguration set ->
                 set.configuration().equals(configuration) ? new DeviceReply.OfLaser(configuration) : AS_IN_THE_FILE;
             case DeviceRequest.Power power -> sensorPower(offer, power.on());
-            case DeviceRequest.LaserId id -> new DeviceReply.LaserId(offer.address().index());
+            case DeviceRequest.LaserId id ->
+                new DeviceReply.LaserId(offer.address().index());
             default -> NOT_OFFERED;
         };
     }

@@ -33,8 +33,7 @@ final class RangerMessages {
     }
 
     static DeviceReply laserGeometry(RangerSpec laser) {
-        return new DeviceReply.LaserGeometry(
-                flat(laser.mount()), new Size3d(laser.widthM(), laser.lengthM(), 0));
+        return new DeviceReply.LaserGeometry(flat(laser.mount()), new Size3d(laser.widthM(), laser.lengthM(), 0));
     }
 
     /** Its sensors' poses are relative to its own. */

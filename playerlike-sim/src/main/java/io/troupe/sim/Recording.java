@@ -123,7 +123,12 @@ public final class Recording implements AutoCloseable {
     }
 
     private void write(Pose pose) {
-        line.append(' ').append(pose.x()).append(' ').append(pose.y()).append(' ').append(pose.headingRad());
+        line.append(' ')
+                .append(pose.x())
+                .append(' ')
+                .append(pose.y())
+                .append(' ')
+                .append(pose.headingRad());
         write();
     }
 

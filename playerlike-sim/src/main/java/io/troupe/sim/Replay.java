@@ -81,10 +81,12 @@ public final class Replay {
         var lines = new ArrayList<Line>();
         long checks = 0;
         for (int i = 4; i < all.size(); i++) {
-            lines.add(line(i + 1, all.get(i), lines.isEmpty() ? 0 : lines.getLast().tick(), robots));
+            lines.add(line(
+                    i + 1, all.get(i), lines.isEmpty() ? 0 : lines.getLast().tick(), robots));
             checks = checks(checks, lines.getLast());
             if (lines.getLast().words().getFirst().equals("end") && i + 1 < all.size()) {
-                throw new RecordingException("line " + (i + 2) + " of the recording: nothing is expected after its end");
+                throw new RecordingException(
+                        "line " + (i + 2) + " of the recording: nothing is expected after its end");
             }
         }
         if (lines.isEmpty() || !lines.getLast().words().getFirst().equals("end")) {
@@ -98,17 +100,18 @@ public final class Replay {
     private static long checks(long before, Line line) {
         long checks = line.words().getFirst().equals("is") ? before + 1 : before;
         if (checks != line.tick() / Recording.CHECK_TICKS) {
-            throw line.error("a line '" + (before + 1) * Recording.CHECK_TICKS + " is <checksum>' is missing before tick "
-                    + line.tick());
+            throw line.error("a line '" + (before + 1) * Recording.CHECK_TICKS
+                    + " is <checksum>' is missing before tick " + line.tick());
         }
         return checks;
     }
 
     private static String after(String word, List<String> all, int number) {
         if (all.size() < number || !all.get(number - 1).startsWith(word)) {
-            throw new RecordingException(all.size() < number
-                    ? "the recording is cut off after line " + all.size()
-                    : "line " + number + " of the recording: expected '" + word + "..'");
+            throw new RecordingException(
+                    all.size() < number
+                            ? "the recording is cut off after line " + all.size()
+                            : "line " + number + " of the recording: expected '" + word + "..'");
         }
         return all.get(number - 1).substring(word.length());
     }
@@ -117,14 +120,15 @@ public final class Replay {
         try {
             return WorldSettings.parse(words);
         } catch (IllegalArgumentException e) {
-            throw new RecordingException("line 3 of the recording: " + e.getMessage());
+            throw new RecordingException("line 3 of the recording: settings '" + words + "': " + e.getMessage());
         }
     }
 
     private static Line line(int number, String text, long fromTick, int robots) {
         List<String> words = List.of(text.split(" ", -1));
         if (words.size() < 2 || !words.getFirst().matches("\\d{1,18}")) {
-            throw new RecordingException("line " + number + " of the recording: '" + text + "', expected '<tick> <what> ..'");
+            throw new RecordingException(
+                    "line " + number + " of the recording: '" + text + "', expected '<tick> <what> ..'");
         }
         var line = new Line(number, Long.parseLong(words.getFirst()), words.subList(1, words.size()));
         if (line.tick() < fromTick) {
@@ -139,8 +143,8 @@ public final class Replay {
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
         if (line.words().size() != expected) {
-            throw line.error("'" + line.words().getFirst() + "' has " + (line.words().size() - 1) + " words after it, expected "
-                    + (expected - 1));
+            throw line.error("'" + line.words().getFirst() + "' has "
+                    + (line.words().size() - 1) + " words after it, expected " + (expected - 1));
         }
         if (expected > 2) {
             line.robot(robots);
@@ -177,15 +181,16 @@ public final class Replay {
      */
     public long play(WorldSpec spec, Consumer<Snapshot> observer) {
         if (spec.robots().size() != robots) {
-            throw new RecordingException("the recording was made in world '" + world + "' with " + robots
-                    + " robots; world '" + spec.name() + "' has " + spec.robots().size());
+            throw new RecordingException(
+                    "the recording was made in world '" + world + "' with " + robots + " robots; world '" + spec.name()
+                            + "' has " + spec.robots().size());
         }
         World player = World.create(spec, settings);
         var hash = new SnapshotHash();
         hash.update(player.latest());
         if (!hash.toString().equals(start)) {
-            throw new RecordingException("the recording was made in another world: '" + world + "' started with checksum "
-                    + start + ", world '" + spec.name() + "' starts with " + hash);
+            throw new RecordingException("the recording was made in another world: '" + world
+                    + "' started with checksum " + start + ", world '" + spec.name() + "' starts with " + hash);
         }
         observer.accept(player.latest());
         for (Line line : lines) {

@@ -49,8 +49,7 @@ public final class SimulationRunner implements AutoCloseable {
     }
 
     /** The same at a pace of its own. */
-    public static SimulationRunner start(
-            Simulation simulation, int clients, Consumer<Snapshot> observer, Pace pace) {
+    public static SimulationRunner start(Simulation simulation, int clients, Consumer<Snapshot> observer, Pace pace) {
         Objects.requireNonNull(pace, "pace");
         Objects.requireNonNull(observer, "observer");
         if (clients < 1) {

@@ -19,8 +19,8 @@ import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -49,15 +49,14 @@ public final class World {
     private final long intervalMicros;
     private final int stepsPerInterval;
     private final List<Pose> startPoses;
-    private final Room room;
+    private final Orders orders;
     private final List<String> robotNames;
     private final Scene scene;
     private final List<Devices> devices = new ArrayList<>();
-    private final List<Pilot> pilots = new ArrayList<>();
+    private final IntFunction<Position2d> position2d =
+            robot -> devices.get(robot).position2d();
     private final Drive.Velocity[] latched;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
-    private final AtomicBoolean resetWanted = new AtomicBoolean();
-    private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
     private Physics physics;
     private long physicsStartMicros; // physics counts its time from the last reset
     private volatile Snapshot latest;
@@ -89,11 +88,8 @@ public final class World {
         int robotCount = spec.robots().size();
         latched = new Drive.Velocity[robotCount];
         scene = new Scene(spec);
-        room = new Room(spec);
+        orders = new Orders(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
-        for (int i = 0; i < robotCount; i++) {
-            pilots.add(new Pilot(i, settings.watchdogMicros()));
-        }
         physics = begin();
         latest = sense(0);
     }
@@ -170,12 +166,7 @@ public final class World {
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
-        RobotSpec target = robot(robot);
-        if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
-            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
-                    + " m/s and " + turnRadps + " rad/s, expected finite numbers");
-        }
-        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
+        orders.drive(robot, forwardMps, turnRadps);
     }
 
     /**
@@ -184,12 +175,7 @@ public final class World {
      * @param forwardMps clamped to the settings' limits
      */
     public void steer(int robot, double forwardMps, double headingRad) {
-        RobotSpec target = robot(robot);
-        if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
-            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
-                    + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
-        }
-        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad));
+        orders.steer(robot, forwardMps, headingRad);
     }
 
     /**
@@ -197,18 +183,12 @@ public final class World {
      * 2 cm along x and y and then turns; things in its way it does not see.
      */
     public void goTo(int robot, Pose goal) {
-        RobotSpec target = robot(robot);
-        if (!isFinite(goal)) {
-            throw new IllegalArgumentException(
-                    "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
-        }
-        pilots.get(robot).drive(new Drive.GoTo(goal));
+        orders.goTo(robot, goal);
     }
 
     /** Switches a robot's motors; while they are off it stands still and forgets what it is told. On at the start. */
     public void motorPower(int robot, boolean on) {
-        robot(robot);
-        pilots.get(robot).power(on);
+        orders.power(robot, on);
     }
 
     /**
@@ -228,14 +208,12 @@ public final class World {
     /** Why {@link #teleport} would refuse, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose) {
-        robot(robot);
-        List<RobotReading> robots = latest.robots();
-        return room.refusal(robot, pose, other -> robots.get(other).pose());
+        return orders.teleportRefusal(robot, pose, latest);
     }
 
     /** A teleport that is checked only when it takes effect. */
     void teleportLater(int robot, Pose pose) {
-        pilots.get(robot).teleport(pose);
+        orders.teleport(robot, pose);
     }
 
     /** Index of the robot of that name, or -1. */
@@ -248,29 +226,22 @@ public final class World {
      * forgotten. Ticks and time go on. What follows is what followed at the beginning, bit for bit, if the commands are the same.
      */
     public void reset() {
-        resetWanted.set(true);
+        orders.reset();
     }
 
     /**
-     * Begins to write down all that enters this world.
+     * Begins to write down all that enters this world; to be called before anybody advances it.
      *
      * @param out is closed with the recording if it can be
      * @throws IllegalStateException if the world has advanced already or is being recorded
      */
     public Recording record(Appendable out) {
-        if (latest.tick() != 0) {
-            throw new IllegalStateException("a recording begins at tick 0, the world is at tick " + latest.tick());
-        }
-        var begun = new Recording(out, spec, settings, latest);
-        if (!recording.compareAndSet(null, begun)) {
-            throw new IllegalStateException("the world is being recorded already");
-        }
-        return begun;
+        return orders.record(out, latest);
     }
 
     @Nullable
     Recording recording() {
-        return recording.get();
+        return orders.recording();
     }
 
     /** The same as a command to stand still. */
@@ -280,25 +251,7 @@ public final class World {
 
     /** Makes odometry report this pose where the robot stands when the next {@link #advance} begins. */
     public void setOdometry(int robot, Pose pose) {
-        RobotSpec target = robot(robot);
-        if (!isFinite(pose)) {
-            throw new IllegalArgumentException(
-                    "odometry of robot '" + target.name() + "' was set to " + pose + ", expected finite numbers");
-        }
-        pilots.get(robot).odometry(pose);
-    }
-
-    private static boolean isFinite(Pose pose) {
-        return Double.isFinite(pose.x()) && Double.isFinite(pose.y()) && Double.isFinite(pose.headingRad());
-    }
-
-    private RobotSpec robot(int robot) {
-        List<RobotSpec> robots = spec.robots();
-        if (robot < 0 || robot >= robots.size()) {
-            throw new IllegalArgumentException("there is no robot " + robot + ", world '" + spec.name() + "' has "
-                    + robots.size() + ", counted from 0");
-        }
-        return robots.get(robot);
+        orders.odometry(robot, pose);
     }
 
     /** Advances by one interval and publishes the snapshot at its end. */
@@ -310,7 +263,7 @@ public final class World {
         }
         Snapshot next = sense(latest.tick() + 1);
         latest = next;
-        Recording log = recording.get();
+        Recording log = orders.recording();
         if (log != null) {
             log.advanced(next);
         }
@@ -328,61 +281,12 @@ public final class World {
     }
 
     private void latch() {
-        Recording log = recording.get();
-        long nowMicros = latest.timeMicros();
-        if (resetWanted.getAndSet(false)) {
-            if (log != null) {
-                log.reset();
-            }
+        if (orders.takeReset(latest.timeMicros())) {
             physics = begin();
-            physicsStartMicros = nowMicros;
-            pilots.forEach(pilot -> pilot.forget(nowMicros));
+            physicsStartMicros = latest.timeMicros();
             sense(latest.tick()); // as at the start: each reading moves the random streams on
         }
-        for (int i = 0; i < latched.length; i++) {
-            latchPlace(i, log);
-        }
-        for (int i = 0; i < latched.length; i++) {
-            Pose odometry = pilots.get(i).takeOdometry();
-            if (odometry != null) {
-                devices.get(i).position2d().set(physics.pose(i), odometry);
-                if (log != null) {
-                    log.odometry(i, odometry);
-                }
-            }
-            Drive drive = pilots.get(i).latch(nowMicros, log);
-            latched[i] = drive instanceof Drive.Velocity velocity ? clamp(velocity) : clamp(drive.now(reported(i)));
-            physics.drive(i, latched[i].forwardMps(), latched[i].turnRadps());
-        }
-    }
-
-    private Pose reported(int robot) {
-        return devices.get(robot).position2d().report(physics.pose(robot));
-    }
-
-    private void latchPlace(int robot, @Nullable Recording log) {
-        Pose place = pilots.get(robot).takeTeleport();
-        if (place == null) {
-            return;
-        }
-        String refusal = room.refusal(robot, place, physics::pose);
-        if (refusal != null) {
-            LOG.log(System.Logger.Level.WARNING, "at tick " + latest.tick() + " " + refusal);
-            return;
-        }
-        devices.get(robot).position2d().teleported(physics.pose(robot), place);
-        physics.teleport(robot, place);
-        if (log != null) {
-            log.teleport(robot, place);
-        }
-    }
-
-    private Drive.Velocity clamp(Drive.Velocity wanted) {
-        double forwardMps = Math.clamp(wanted.forwardMps(), -settings.maxForwardMps(), settings.maxForwardMps());
-        double turnRadps = Math.clamp(wanted.turnRadps(), -settings.maxTurnRadps(), settings.maxTurnRadps());
-        return forwardMps == wanted.forwardMps() && turnRadps == wanted.turnRadps()
-                ? wanted
-                : new Drive.Velocity(forwardMps, turnRadps);
+        orders.latch(latest, physics, position2d, latched);
     }
 
     private Snapshot sense(long tick) {
@@ -410,9 +314,7 @@ public final class World {
                 odometry,
                 its.sonar() == null ? null : its.sonar().read(scene, robot),
                 its.blobfinder() == null ? null : its.blobfinder().read(scene, robot),
-                its.rangers().stream()
-                        .map(ranger -> ranger.read(scene, robot))
-                        .toList(),
+                its.rangers().stream().map(ranger -> ranger.read(scene, robot)).toList(),
                 scene.wallGapM(robot));
     }
 

@@ -49,19 +49,23 @@ public record WorldSettings(
     }
 
     public WorldSettings withSeed(long seed) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros);
     }
 
     public WorldSettings withWatchdogMicros(long watchdogMicros) {

@@ -186,7 +186,9 @@ class ProgramCorpusTest {
             case WALL_FOLLOWER ->
                 assertThat(snapshots.getLast().robots().getFirst().wallGapM()).isBetween(0.05, 0.5);
             case BLOB_SEEKER ->
-                assertThat(Math.hypot(end.x() + 3.5, end.y() - 3.5)).as("distance to the red box").isLessThan(1.3);
+                assertThat(Math.hypot(end.x() + 3.5, end.y() - 3.5))
+                        .as("distance to the red box")
+                        .isLessThan(1.3);
             default -> {}
         }
     }

@@ -26,7 +26,11 @@ class CommandsTest {
     @Test
     void goTo_arrives_andTurnsToTheFinalHeading() {
         for (Pose goal : List.of(
-                new Pose(2, 0, 1), new Pose(-1, 1.5, -2), new Pose(0, -3, 3.1), new Pose(0.5, 0.5, 0), new Pose(0, 0, 2))) {
+                new Pose(2, 0, 1),
+                new Pose(-1, 1.5, -2),
+                new Pose(0, -3, 3.1),
+                new Pose(0.5, 0.5, 0),
+                new Pose(0, 0, 2))) {
             World world = world(new Pose(7, -3, 0.8)); // the odometry frame begins there
             world.goTo(0, goal);
 
@@ -125,8 +129,8 @@ class CommandsTest {
 
     @Test
     void teleport_putsTheRobotThere_andItDrivesOn() {
-        World world = World.create(
-                Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 1.18, 0, 1, 4)), WorldSettings.DEFAULT);
+        World world =
+                World.create(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 1.18, 0, 1, 4)), WorldSettings.DEFAULT);
         world.command(0, 0.5, 0);
         run(world, 20);
         assertThat(world.latest().robots().getFirst().odometry().stalled()).isTrue();
@@ -157,7 +161,9 @@ class CommandsTest {
         assertThatThrownBy(() -> world.teleport(0, new Pose(501, 0, 0))).hasMessageContaining("at most 500.0 m");
         assertThat(run(world, 1).pose()).isEqualTo(Pose.ORIGIN);
         world.teleport(0, new Pose(0.1, 0.1, 0));
-        assertThat(run(world, 1).pose()).as("where it stands itself there is room").isEqualTo(new Pose(0.1, 0.1, 0));
+        assertThat(run(world, 1).pose())
+                .as("where it stands itself there is room")
+                .isEqualTo(new Pose(0.1, 0.1, 0));
     }
 
     @Test

@@ -111,7 +111,8 @@ class RecordingTest {
                 .hasMessageContaining("a line '100 is <checksum>' is missing before tick 1");
         assertThatThrownBy(() -> read(text).play(Arena.spec(3), snapshot -> {}))
                 .hasMessage("the recording was made in world 'test' with 4 robots; world 'test' has 3");
-        assertThatThrownBy(() -> read(text.replace("settings 4 ", "settings 6 ")).play(Arena.spec(4), snapshot -> {}))
+        assertThatThrownBy(
+                        () -> read(text.replace("settings 4 ", "settings 6 ")).play(Arena.spec(4), snapshot -> {}))
                 .hasMessageContaining("the recording was made in another world");
     }
 
@@ -124,13 +125,17 @@ class RecordingTest {
         assertThatThrownBy(() -> read(head + "0 velocity 1 0.1 NaN\n0 end 0"))
                 .hasMessage("line 5 of the recording: 'NaN', expected a finite number");
         assertThatThrownBy(() -> read(head + "3 reset\n2 reset\n")).hasMessageContaining("tick 2 comes after tick 3");
-        assertThatThrownBy(() -> read(head + "0 fly 1\n")).hasMessageContaining("'fly' is nothing that can be recorded");
+        assertThatThrownBy(() -> read(head + "0 fly 1\n"))
+                .hasMessageContaining("'fly' is nothing that can be recorded");
         assertThatThrownBy(() -> read(head + "0 velocity 1 0.1\n"))
                 .hasMessageContaining("'velocity' has 2 words after it, expected 3");
         assertThatThrownBy(() -> read(head + "0 power 1 up\n")).hasMessageContaining("expected on or off");
         assertThatThrownBy(() -> read(head + "0 end 0\n1 reset")).hasMessageContaining("nothing is expected after");
         assertThatThrownBy(() -> read(head.replace("10000", "0")))
-                .hasMessageStartingWith("line 3 of the recording: physicsStepMicros is 0");
+                .hasMessage(
+                        "line 3 of the recording: settings '1 0.0 0.0 0 5.0 10.0 0': physicsStepMicros is 0, expected at least 1");
+        assertThatThrownBy(() -> read(head.replace("10000", "1~0")))
+                .hasMessageStartingWith("line 3 of the recording: settings '1 0.0 0.0 1~0 5.0 10.0 0': ");
     }
 
     @Test

@@ -54,14 +54,16 @@ class SnapshotHashTest {
 
         assertThat(SnapshotHash.of(with(snapshot, changed))).isNotEqualTo(SnapshotHash.of(snapshot));
         assertThat(SnapshotHash.of(with(snapshot, first))).isEqualTo(SnapshotHash.of(snapshot));
-        assertThat(SnapshotHash.of(new Snapshot(
-                        0, 0, snapshot.robots(), List.of(new Contact(0, 0, "wall", -1)))))
+        assertThat(SnapshotHash.of(new Snapshot(0, 0, snapshot.robots(), List.of(new Contact(0, 0, "wall", -1)))))
                 .isNotEqualTo(SnapshotHash.of(snapshot));
     }
 
     private static Snapshot with(Snapshot snapshot, RobotReading first) {
         return new Snapshot(
-                snapshot.tick(), snapshot.timeMicros(), List.of(first, snapshot.robots().get(1)), List.of());
+                snapshot.tick(),
+                snapshot.timeMicros(),
+                List.of(first, snapshot.robots().get(1)),
+                List.of());
     }
 
     @Test
@@ -84,11 +86,11 @@ class SnapshotHashTest {
 
     @Test
     void noise_isOff_unlessAskedFor() {
-        var plain = Specs.robot("r", Pose.ORIGIN)
-                .withRangers(List.of(Arena.laser(RangeNoise.NONE)));
+        var plain = Specs.robot("r", Pose.ORIGIN).withRangers(List.of(Arena.laser(RangeNoise.NONE)));
         WorldSpec spec = Specs.world(plain, Specs.wall("ahead", 3, 0, 1, 5));
 
-        assertThat(SnapshotHash.of(World.create(spec, WorldSettings.DEFAULT.withSeed(1)).latest()))
+        assertThat(SnapshotHash.of(
+                        World.create(spec, WorldSettings.DEFAULT.withSeed(1)).latest()))
                 .isEqualTo(SnapshotHash.of(
                         World.create(spec, WorldSettings.DEFAULT.withSeed(2)).latest()));
     }

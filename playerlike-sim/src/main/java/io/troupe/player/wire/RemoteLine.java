@@ -46,7 +46,10 @@ final class RemoteLine implements PlayerConnection {
         this.sink = sink;
         this.space = space;
         this.replyLimit = replyLimit;
-        this.reader = Thread.ofPlatform().daemon().name("player-line-" + name).unstarted(() -> new RemoteReader(this, name, socket, open, frames).run());
+        this.reader = Thread.ofPlatform()
+                .daemon()
+                .name("player-line-" + name)
+                .unstarted(() -> new RemoteReader(this, name, socket, open, frames).run());
     }
 
     /** Starts reading, and asks what there is. */
@@ -105,8 +108,7 @@ final class RemoteLine implements PlayerConnection {
                 throw new RequestFailedException("Error " + what + ": " + name + " granted access " + other.mode()
                         + ", expected " + mode + "; its driver has failed");
             case PlayerReply.Nack nack ->
-                throw new RequestFailedException(
-                        "Negative acknowledgement received for " + what + " at " + name);
+                throw new RequestFailedException("Negative acknowledgement received for " + what + " at " + name);
             default -> throw new RequestFailedException(what + ": " + name + " answered something else");
         }
     }
@@ -250,7 +252,8 @@ final class RemoteLine implements PlayerConnection {
     }
 
     private void send(DeviceAddress device, MessageType type, Content content) {
-        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload()).bytes();
+        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload())
+                .bytes();
         checkOpen();
         try {
             synchronized (outputLock) {
@@ -265,8 +268,7 @@ final class RemoteLine implements PlayerConnection {
     /** As the device list has it: real servers are not the same everywhere in what they call themselves. */
     DeviceAddress listed(DeviceAddress device) {
         return devices.stream()
-                .filter(each ->
-                        each.interfaceCode() == device.interfaceCode() && each.index() == device.index())
+                .filter(each -> each.interfaceCode() == device.interfaceCode() && each.index() == device.index())
                 .findFirst()
                 .orElse(device);
     }

@@ -62,8 +62,7 @@ public final class Position2d {
         double dy = truth.y() - origin.y();
         double cos = StrictMath.cos(origin.headingRad());
         double sin = StrictMath.sin(origin.headingRad());
-        return new Pose(
-                cos * dx + sin * dy, cos * dy - sin * dx, wrap(truth.headingRad() - origin.headingRad()));
+        return new Pose(cos * dx + sin * dy, cos * dy - sin * dx, wrap(truth.headingRad() - origin.headingRad()));
     }
 
     private Pose count(Pose truth) {

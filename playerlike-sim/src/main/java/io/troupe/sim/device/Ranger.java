@@ -27,7 +27,8 @@ public final class Ranger {
      */
     public Ranger(RangerSpec spec, DoubleUnaryOperator draw) {
         this.spec = spec;
-        if (spec.sensors().isEmpty() || spec.kind() == RangerSpec.Kind.LASER && spec.sensors().size() > 1) {
+        if (spec.sensors().isEmpty()
+                || spec.kind() == RangerSpec.Kind.LASER && spec.sensors().size() > 1) {
             throw new IllegalArgumentException("a " + spec.kind().name().toLowerCase(Locale.ROOT) + " has "
                     + spec.sensors().size() + " sensors, expected "
                     + (spec.kind() == RangerSpec.Kind.LASER ? "one" : "at least one"));
@@ -119,7 +120,9 @@ public final class Ranger {
                         "field of view of a ranger is " + spec.fovRad() + " rad, expected 0 to a full turn");
             }
             for (double amount : new double[] {
-                spec.noise().constantM(), spec.noise().proportional(), spec.noise().angularRad()
+                spec.noise().constantM(),
+                spec.noise().proportional(),
+                spec.noise().angularRad()
             }) {
                 if (!(amount >= 0 && amount < Double.POSITIVE_INFINITY)) {
                     throw new IllegalArgumentException(

@@ -98,8 +98,8 @@ class RemoteEndTest implements PlayerConstants {
         try (var server = new ScriptedSocket((message, self) -> false)) {
             var client = connect(server);
             var pos = client.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
-            server.sendRaw("HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n"
-                    .getBytes(StandardCharsets.ISO_8859_1));
+            server.sendRaw(
+                    "HTTP/1.1 400 Bad Request\r\nContent-Length: 0\r\n\r\n".getBytes(StandardCharsets.ISO_8859_1));
             assertThatThrownBy(client::readAll)
                     .isInstanceOf(PlayerException.class)
                     .hasMessageContaining("sent what is not the Player protocol: header ");

@@ -246,13 +246,16 @@ class RemoteLineTest implements PlayerConstants {
                 client.requestDataDeliveryMode(PLAYER_DATAMODE_PULL);
                 var pos = client.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
                 client.runThreaded(-1, -1);
-                space.repeatWhile(() -> true, () -> client.nextData().thenAccept(ready -> {
-                            seen.add(pos.isDataReady() + " " + pos.getX() + " " + (ActorSpace.current() == space));
-                            done.countDown();
-                            if (pos.getX() == 3) {
-                                client.close();
-                            }
-                        }))
+                space.repeatWhile(
+                                () -> true,
+                                () -> client.nextData().thenAccept(ready -> {
+                                    seen.add(pos.isDataReady() + " " + pos.getX() + " "
+                                            + (ActorSpace.current() == space));
+                                    done.countDown();
+                                    if (pos.getX() == 3) {
+                                        client.close();
+                                    }
+                                }))
                         .exceptionally(closed -> {
                             done.countDown();
                             return null;

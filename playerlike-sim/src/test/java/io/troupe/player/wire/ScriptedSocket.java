@@ -80,15 +80,13 @@ final class ScriptedSocket implements AutoCloseable {
             send(reply(message, MessageType.ACK, Content.NONE));
             return;
         }
-        PlayerReply reply =
-                switch (PlayerMessages.request(header.subtype(), message.payload())) {
-                    case PlayerRequest.DeviceList list ->
-                        new PlayerReply.DeviceList(List.of(
-                                device(Interfaces.POSITION2D), device(Interfaces.SONAR), device(Interfaces.RANGER)));
-                    case PlayerRequest.Access access ->
-                        new PlayerReply.Access(access.device(), access.mode(), "stage");
-                    default -> new PlayerReply.Ack();
-                };
+        PlayerReply reply = switch (PlayerMessages.request(header.subtype(), message.payload())) {
+            case PlayerRequest.DeviceList list ->
+                new PlayerReply.DeviceList(
+                        List.of(device(Interfaces.POSITION2D), device(Interfaces.SONAR), device(Interfaces.RANGER)));
+            case PlayerRequest.Access access -> new PlayerReply.Access(access.device(), access.mode(), "stage");
+            default -> new PlayerReply.Ack();
+        };
         send(reply(message, PlayerMessages.type(reply), PlayerMessages.encode(reply)));
     }
 

@@ -42,8 +42,8 @@ class RangerTest {
     @Test
     void scan_ofAWall_isItsDistanceOverTheCosine_fromRightToLeft() {
         // the wall's face is x = 2, from y = -1.5 on to the left
-        List<Double> ranges =
-                read(laser(Pose.ORIGIN, 180, 181), Specs.world(robot("r1", Pose.ORIGIN), wall("ahead", 2.5, 8.5, 1, 20)));
+        List<Double> ranges = read(
+                laser(Pose.ORIGIN, 180, 181), Specs.world(robot("r1", Pose.ORIGIN), wall("ahead", 2.5, 8.5, 1, 20)));
 
         assertThat(ranges).hasSize(181);
         for (int i = 0; i < 181; i++) {
@@ -52,7 +52,9 @@ class RangerTest {
             boolean past = 2 * StrictMath.tan(angle) < -1.5 - 1e-9 || expected > 8 || i == 0 || i == 180;
             assertThat(ranges.get(i)).as("ray %s", i - 90).isCloseTo(past ? 8 : expected, EXACT);
         }
-        assertThat(ranges.get(90 - 40)).as("to the right it looks past the wall").isEqualTo(8);
+        assertThat(ranges.get(90 - 40))
+                .as("to the right it looks past the wall")
+                .isEqualTo(8);
         assertThat(ranges.get(90 + 40)).as("to the left it does not").isLessThan(3);
     }
 
@@ -90,11 +92,14 @@ class RangerTest {
     @Test
     void ranges_areClampedToTheLimits_andOwnBodyIsIgnored() {
         // 0.05 m from the laser to the wall; the laser sits inside its own robot
-        assertThat(read(laser(Pose.ORIGIN, 0, 1), Specs.world(robot("r1", Pose.ORIGIN), wall("touching", 0.55, 0, 1, 1))))
+        assertThat(read(
+                        laser(Pose.ORIGIN, 0, 1),
+                        Specs.world(robot("r1", Pose.ORIGIN), wall("touching", 0.55, 0, 1, 1))))
                 .containsExactly(0.1);
         assertThat(read(laser(Pose.ORIGIN, 0, 1), Specs.world(robot("r1", Pose.ORIGIN), wall("far", 9, 0, 1, 1))))
                 .containsExactly(8.0);
-        assertThat(read(laser(Pose.ORIGIN, 360, 13), Specs.world(robot("r1", Pose.ORIGIN)))).containsOnly(8.0);
+        assertThat(read(laser(Pose.ORIGIN, 360, 13), Specs.world(robot("r1", Pose.ORIGIN))))
+                .containsOnly(8.0);
     }
 
     @Test
@@ -164,7 +169,8 @@ class RangerTest {
             return -bound;
         });
 
-        assertThat(ranger.read(new Scene(Specs.world(robot("r1", Pose.ORIGIN))), 0)).containsOnly(8.0);
+        assertThat(ranger.read(new Scene(Specs.world(robot("r1", Pose.ORIGIN))), 0))
+                .containsOnly(8.0);
         assertThat(bounds).hasSize(30);
     }
 

@@ -1,0 +1,67 @@
+package io.troupe.player;
+
+import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.DeviceAddress;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.Frame;
+import io.troupe.player.wire.Interfaces;
+import io.troupe.player.wire.PlayerConnection;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BiConsumer;
+
+/** A client on the bare wire that does the same with every frame. */
+public final class WireClient implements DataSink {
+    /** What a client in lock step does at least. */
+    public static final BiConsumer<WireClient, Frame> ANSWER = (self, frame) -> self.line.answered(frame.tick());
+
+    public final List<Frame> frames = new CopyOnWriteArrayList<>();
+    public final PlayerConnection line;
+    private final BiConsumer<WireClient, Frame> move;
+
+    public WireClient(int port, BiConsumer<WireClient, Frame> move) {
+        this.move = move;
+        line = PlayerPorts.find(port).orElseThrow().connect(this, null);
+    }
+
+    public WireClient subscribe(Interfaces type, int index) {
+        line.subscribe(device(type, index));
+        return this;
+    }
+
+    public DeviceAddress device(Interfaces type, int index) {
+        return line.devices().stream()
+                .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    public void tell(Interfaces type, int index, DeviceCommand command) {
+        line.command(device(type, index), command);
+    }
+
+    public DeviceReply ask(Interfaces type, int index, DeviceRequest request) {
+        return line.request(device(type, index), request);
+    }
+
+    /** The newest data of a device. */
+    public DeviceData newest(Interfaces type, int index) {
+        return frames.getLast().messages().stream()
+                .filter(each -> each.from().equals(device(type, index)))
+                .findFirst()
+                .orElseThrow()
+                .data();
+    }
+
+    @Override
+    public void frame(Frame frame) {
+        frames.add(frame);
+        move.accept(this, frame);
+    }
+
+    @Override
+    public void lost(String reason) {}
+}
