@@ -4,6 +4,7 @@ import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
+import io.troupe.player.wire.RequestFailedException;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
@@ -121,7 +122,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
     static <T> T calling(Supplier<T> call) {
         try {
             return call.get();
-        } catch (LineClosedException | IllegalArgumentException refused) {
+        } catch (LineClosedException | RequestFailedException | IllegalArgumentException refused) {
             throw new PlayerException(refused.getMessage(), refused);
         }
     }

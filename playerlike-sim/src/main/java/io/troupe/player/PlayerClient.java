@@ -7,8 +7,11 @@ import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
+import io.troupe.player.wire.RemoteServer;
+import io.troupe.player.wire.RequestFailedException;
 import java.lang.System.Logger.Level;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
@@ -17,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * A connection with a Player server, and the way to its devices.
  *
  * <p><b>Role.</b> Made by a program that drives robots; the names are those of the Player Java client. A server in this JVM is found by its port
- * without a socket (see {@link PlayerPorts}).
+ * without a socket (see {@link PlayerPorts}); every other one, ours or a real one of Player 3, is connected over TCP.
  * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) new data appear by themselves and a thread keeps the JVM alive, as in the
  * original; else {@link #readAll} brings them. A client made on the thread of an actor space belongs to that space: what arrives is dispatched as a
  * turn of the space, {@code runThreaded} starts no thread, and {@link #nextData} says when to look.
@@ -26,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * style a frame appears as a whole, and in the call of {@code isDataReady()} by which the program waits for it: a program that uses its client from one
  * thread does the same every time, however fast anybody is. What it sends after its answer counts for the next tick. Use one client per thread. A program that
  * only reads {@code getData()} and never asks may meet the devices of one frame one after the other.
- * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away.
+ * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away. Nothing reconnects: that is for the program to decide.
  */
 public class PlayerClient extends ServerInquiries {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
@@ -47,20 +50,20 @@ public class PlayerClient extends ServerInquiries {
      */
     public PlayerClient(String serverName, int portNumber) {
         super("player-client-" + portNumber, portNumber);
-        var server = server(serverName, portNumber);
-        connection = calling(() -> server.connect(incoming, space));
-        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
-    }
-
-    private static PlayerServer server(String serverName, int portNumber) {
-        String failed = "[PlayerClient]: Error in PlayerClient init: ";
-        if (!THIS_MACHINE.contains(serverName)) {
-            throw new PlayerException(failed + serverName + ":" + portNumber
-                    + " is not in this JVM, and other machines are not offered yet");
+        boolean thisMachine = THIS_MACHINE.contains(serverName);
+        PlayerServer server = thisMachine ? PlayerPorts.find(portNumber).orElse(null) : null;
+        try {
+            if (server == null) {
+                server = new RemoteServer(serverName, portNumber);
+            }
+            connection = server.connect(incoming, space);
+        } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
+            throw new PlayerException(
+                    "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()
+                            + (thisMachine ? " (ports of worlds in this JVM: " + PlayerPorts.list() + ")" : ""),
+                    e);
         }
-        return PlayerPorts.find(portNumber)
-                .orElseThrow(() -> new PlayerException(failed + "no server in this JVM at " + serverName + ":"
-                        + portNumber + "; open ports: " + PlayerPorts.list()));
+        LOG.log(Level.DEBUG, "{0}:{1,number,#}: {2}", serverName, portNumber, server.banner());
     }
 
     // ---- waiting for data
@@ -141,7 +144,12 @@ public class PlayerClient extends ServerInquiries {
         calling(connection::devices); // throws if the server has gone
     }
 
-    /** Chooses between {@code PLAYER_DATAMODE_PUSH} (the default) and {@code PLAYER_DATAMODE_PULL}. */
+    /**
+     * Chooses between {@code PLAYER_DATAMODE_PUSH} (the default) and {@code PLAYER_DATAMODE_PULL}.
+     *
+     * <p>Behind a socket only a client in pull mode is in lock step, if it has chosen that before its first subscription: a world of ours that has once had
+     * a push client keeps pace with real time. In this JVM both modes are in lock step.
+     */
     public void requestDataDeliveryMode(int mode) {
         if (mode != PLAYER_DATAMODE_PUSH && mode != PLAYER_DATAMODE_PULL) {
             throw new PlayerException("data delivery mode is " + mode + ", expected 1 (push) or 2 (pull)");

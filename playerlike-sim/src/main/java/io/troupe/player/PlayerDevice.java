@@ -89,7 +89,12 @@ public abstract class PlayerDevice implements PlayerConstants {
      * @throws PlayerException when called otherwise, as no message is there then
      */
     public void readData(PlayerMsgHdr header) {
-        accept(present(arrived));
+        DeviceData data = present(arrived);
+        if (data instanceof DeviceData.GeometryChanged(DeviceReply geometry)) {
+            accept(geometry);
+        } else {
+            accept(data);
+        }
         timestamp = header.getTimestamp(); // last: whoever sees a new one without asking isDataReady() finds its data
     }
 
@@ -122,7 +127,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         var header = new PlayerMsgHdr();
         header.setAddr(convert(message.from()));
         header.setType((byte) PLAYER_MSGTYPE_DATA);
-        header.setSubtype((byte) 1);
+        header.setSubtype(subtype(message.data()));
         header.setTimestamp(message.timeSeconds());
         arrived = message.data();
         try {
@@ -130,6 +135,20 @@ public abstract class PlayerDevice implements PlayerConstants {
         } finally {
             arrived = null;
         }
+    }
+
+    private static byte subtype(DeviceData data) {
+        return switch (data) {
+            case DeviceData.Position2d position -> 1;
+            case DeviceData.SonarRanges sonar -> 1;
+            case DeviceData.Blobs blobs -> 1;
+            case DeviceData.LaserScan scan -> 1;
+            case DeviceData.RangerRanges ranges -> 1;
+            case DeviceData.RangerIntensities intensities -> 3;
+            case DeviceData.RangerStamped stamped -> (byte) (subtype(stamped.data()) + 1);
+            case DeviceData.GeometryChanged(DeviceReply geometry) ->
+                (byte) (geometry instanceof DeviceReply.RangerGeometry ? 5 : 2);
+        };
     }
 
     final void receive(DeviceRequest request, DeviceReply reply) {

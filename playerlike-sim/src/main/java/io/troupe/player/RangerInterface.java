@@ -10,6 +10,7 @@ import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.RangerConfiguration;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -91,13 +92,34 @@ public class RangerInterface extends PlayerDevice {
 
     @Override
     void accept(DeviceData message) {
-        if (message instanceof DeviceData.RangerRanges scan) {
-            var newest = new PlayerRangerData();
-            newest.setRanges(
-                    scan.rangesM().stream().mapToDouble(Double::doubleValue).toArray());
-            newest.setRanges_count(scan.rangesM().size());
-            data.put(newest);
+        switch (message) {
+            case DeviceData.RangerRanges scan -> {
+                var newest = new PlayerRangerData();
+                newest.setRanges(array(scan.rangesM()));
+                newest.setRanges_count(scan.rangesM().size());
+                data.put(newest);
+            }
+            case DeviceData.RangerIntensities scan -> {
+                var newest = new PlayerRangerDataIntns();
+                newest.setIntens(array(scan.intensities()));
+                newest.setIntns_count(scan.intensities().size());
+                intensities.put(newest);
+            }
+            case DeviceData.RangerStamped stamped -> {
+                if (stamped.geometry() != null) {
+                    accept(stamped.geometry());
+                }
+                if (stamped.configuration() != null) {
+                    accept(new DeviceReply.OfRanger(stamped.configuration()));
+                }
+                accept(stamped.data());
+            }
+            default -> {} // not a ranger's
         }
+    }
+
+    private static double[] array(List<Double> values) {
+        return values.stream().mapToDouble(Double::doubleValue).toArray();
     }
 
     @Override

@@ -120,7 +120,7 @@ public final class Replay {
         try {
             return WorldSettings.parse(words);
         } catch (IllegalArgumentException e) {
-            throw new RecordingException("line 3 of the recording: " + e.getMessage());
+            throw new RecordingException("line 3 of the recording: settings '" + words + "': " + e.getMessage());
         }
     }
 

@@ -18,7 +18,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -32,12 +31,13 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> {@link UnansweredTickException} if a client does not answer in time.
  */
 public final class Simulation implements AutoCloseable {
-    private static final String CLOSED = "the simulated world has been closed";
+    static final String CLOSED = "the simulated world has been closed";
     private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
 
     private final World world;
     private final ManualClock clock = new ManualClock();
     private final Object lock = new Object();
+    private final TimeGate time = new TimeGate(lock);
     private final List<ClientLine> lines = new ArrayList<>();
     private final List<PlayerPorts.Registration> ports = new ArrayList<>();
     private final int[] drivers;
@@ -45,9 +45,6 @@ public final class Simulation implements AutoCloseable {
     private @Nullable Runnable whileWaiting;
     private final Set<Offer> switchedOff = new HashSet<>();
     private int connected;
-    private boolean paused;
-    private boolean stoodStill;
-    private int stepsWanted;
     private boolean closed;
 
     private Simulation(World world) {
@@ -127,7 +124,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private Snapshot tick(@Nullable Pacer pacer, double factor) {
-        awaitTime();
+        time.awaitTime(whileWaiting);
         Snapshot now = world.latest();
         List<ClientLine> audience = under(() -> {
             if (closed) {
@@ -139,7 +136,7 @@ public final class Simulation implements AutoCloseable {
         publish(now, audience);
         awaitAnswers(now.tick(), audience);
         if (pacer != null) {
-            if (under(this::takeStoodStill)) {
+            if (time.takeStoodStill()) {
                 pacer.restart();
             }
             pacer.await(now.timeMicros(), now.timeMicros() + world.spec().intervalMillis() * 1000L, factor);
@@ -169,26 +166,19 @@ public final class Simulation implements AutoCloseable {
     }
 
     public boolean isPaused() {
-        return under(() -> paused);
+        return time.isPaused();
     }
 
     private void setPaused(boolean wanted) {
-        under(() -> {
-            Recording recording = world.recording();
-            if (paused != wanted && recording != null) {
-                recording.paused(wanted);
-            }
-            paused = wanted;
-            stepsWanted = 0;
-            return wanted;
-        });
+        Recording recording = world.recording();
+        if (time.pause(wanted) && recording != null) {
+            recording.paused(wanted);
+        }
     }
 
+    /** Under the lock. */
     void togglePause() {
-        under(() -> {
-            setPaused(!paused);
-            return paused;
-        });
+        setPaused(!time.isPaused());
     }
 
     /**
@@ -197,12 +187,7 @@ public final class Simulation implements AutoCloseable {
      * @throws IllegalStateException if it is not paused
      */
     public void step() {
-        under(() -> {
-            if (!paused) {
-                throw new IllegalStateException("only a paused simulation can be stepped");
-            }
-            return ++stepsWanted;
-        });
+        time.step();
     }
 
     /**
@@ -242,6 +227,7 @@ public final class Simulation implements AutoCloseable {
     void close(String reason) {
         List<ClientLine> left = under(() -> {
             closed = true;
+            time.close();
             return List.copyOf(lines);
         });
         ports.forEach(PlayerPorts.Registration::close);
@@ -308,51 +294,6 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Waits as long as time is paused. */
-    private void awaitTime() {
-        while (true) {
-            synchronized (lock) {
-                if (!paused || closed) {
-                    return;
-                }
-                stoodStill = true;
-                if (stepsWanted > 0) {
-                    stepsWanted--;
-                    return;
-                }
-                await(whileWaiting == null ? 0 : 1);
-            }
-            if (whileWaiting != null) {
-                whileWaiting.run();
-            }
-        }
-    }
-
-    /** Whether time stood still since the last tick: nothing is late then. */
-    private boolean takeStoodStill() {
-        boolean stood = stoodStill;
-        stoodStill = false;
-        return stood;
-    }
-
-    /** Sleeps at most so long, and no longer if this simulation is closed. */
-    void sleep(long nanos) {
-        synchronized (lock) {
-            if (closed) {
-                throw new IllegalStateException(CLOSED);
-            }
-            long millis = nanos / 1_000_000;
-            if (millis >= 2) {
-                await(millis - 1); // which is good to a millisecond
-                return;
-            }
-        }
-        LockSupport.parkNanos(nanos);
-        if (Thread.currentThread().isInterrupted()) {
-            throw new IllegalStateException("interrupted while waiting for the time");
-        }
-    }
-
     private void await(long millis) {
         try {
             lock.wait(millis);
@@ -395,6 +336,11 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** Sleeps for a pacer, at most so long. */
+    void sleep(long nanos) {
+        time.sleep(nanos);
+    }
+
     /** Whether a device has anything to say. */
     boolean publishes(Offer offer) {
         return offer.publishes() && !switchedOff.contains(offer);
@@ -416,7 +362,7 @@ public final class Simulation implements AutoCloseable {
     boolean awaitClients(int count) throws InterruptedException {
         synchronized (lock) {
             while (!closed && lines.stream().filter(ClientLine::hasBegun).count() < count) {
-                stoodStill = true;
+                time.standsStill();
                 lock.wait();
             }
             return !closed;

@@ -3,7 +3,6 @@ package io.troupe.sim;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.sim.device.Odometry;
-import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
@@ -17,7 +16,6 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -44,16 +42,13 @@ public final class World implements AutoCloseable {
     private final long intervalMicros;
     private final int stepsPerInterval;
     private final List<Pose> startPoses;
-    private final Room room;
+    private final Orders orders;
     private final List<String> robotNames;
     private final Scene scene;
-    private final List<Pilot> pilots = new ArrayList<>();
     private final WorldView view = new WorldView(this);
     private final Scratch[] scratches;
     private final Sensing sensing;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
-    private final AtomicBoolean resetWanted = new AtomicBoolean();
-    private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
     private List<RobotDevices> devices;
     private Physics physics;
     private long physicsStartMicros; // physics counts its time from the last reset
@@ -88,11 +83,8 @@ public final class World implements AutoCloseable {
         stepsPerInterval = Math.toIntExact(intervalMicros / settings.physicsStepMicros());
         int robotCount = spec.robots().size();
         scene = new Scene(spec);
-        room = new Room(spec);
+        orders = new Orders(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
-        for (int i = 0; i < robotCount; i++) {
-            pilots.add(new Pilot(spec.robots().get(i).drive(), i, settings));
-        }
         physics = newPhysics();
         devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
@@ -166,22 +158,12 @@ public final class World implements AutoCloseable {
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
-        checkCommand(robot, forwardMps, turnRadps);
-        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
+        orders.drive(robot, forwardMps, turnRadps);
     }
 
     /** The same for the thread that advances the world. */
     void commandNow(int robot, double forwardMps, double turnRadps) {
-        checkCommand(robot, forwardMps, turnRadps);
-        pilots.get(robot).driveNow(forwardMps, turnRadps);
-    }
-
-    private void checkCommand(int robot, double forwardMps, double turnRadps) {
-        RobotSpec target = robot(robot);
-        if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
-            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
-                    + " m/s and " + turnRadps + " rad/s, expected finite numbers");
-        }
+        orders.driveNow(robot, forwardMps, turnRadps);
     }
 
     /**
@@ -190,12 +172,7 @@ public final class World implements AutoCloseable {
      * @param forwardMps clamped to the settings' limits
      */
     public void steer(int robot, double forwardMps, double headingRad) {
-        RobotSpec target = robot(robot);
-        if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
-            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
-                    + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
-        }
-        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad));
+        orders.steer(robot, forwardMps, headingRad);
     }
 
     /**
@@ -203,18 +180,12 @@ public final class World implements AutoCloseable {
      * 2 cm along x and y and then turns; things in its way it does not see.
      */
     public void goTo(int robot, Pose goal) {
-        RobotSpec target = robot(robot);
-        if (!isFinite(goal)) {
-            throw new IllegalArgumentException(
-                    "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
-        }
-        pilots.get(robot).drive(new Drive.GoTo(goal));
+        orders.goTo(robot, goal);
     }
 
     /** Switches a robot's motors; while they are off it stands still and forgets what it is told. On at the start. */
     public void motorPower(int robot, boolean on) {
-        robot(robot);
-        pilots.get(robot).power(on);
+        orders.power(robot, on);
     }
 
     /**
@@ -234,14 +205,12 @@ public final class World implements AutoCloseable {
     /** Why {@link #teleport} would refuse, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose) {
-        robot(robot);
-        List<RobotReading> robots = latest.robots();
-        return room.refusal(robot, pose, other -> robots.get(other).pose());
+        return orders.teleportRefusal(robot, pose, latest);
     }
 
     /** A teleport that is checked only when it takes effect. */
     void teleportLater(int robot, Pose pose) {
-        pilots.get(robot).teleport(pose);
+        orders.teleport(robot, pose);
     }
 
     /** Index of the robot of that name, or -1. */
@@ -254,29 +223,22 @@ public final class World implements AutoCloseable {
      * forgotten. Ticks and time go on. What follows is what followed at the beginning, bit for bit, if the commands are the same.
      */
     public void reset() {
-        resetWanted.set(true);
+        orders.reset();
     }
 
     /**
-     * Begins to write down all that enters this world.
+     * Begins to write down all that enters this world; to be called before anybody advances it.
      *
      * @param out is closed with the recording if it can be
      * @throws IllegalStateException if the world has advanced already or is being recorded
      */
     public Recording record(Appendable out) {
-        if (latest.tick() != 0) {
-            throw new IllegalStateException("a recording begins at tick 0, the world is at tick " + latest.tick());
-        }
-        var begun = new Recording(out, spec, settings, latest);
-        if (!recording.compareAndSet(null, begun)) {
-            throw new IllegalStateException("the world is being recorded already");
-        }
-        return begun;
+        return orders.record(out, latest);
     }
 
     @Nullable
     Recording recording() {
-        return recording.get();
+        return orders.recording();
     }
 
     /** The same as a command to stand still. */
@@ -286,25 +248,7 @@ public final class World implements AutoCloseable {
 
     /** Makes odometry report this pose where the robot stands when the next {@link #advance} begins. */
     public void setOdometry(int robot, Pose pose) {
-        RobotSpec target = robot(robot);
-        if (!isFinite(pose)) {
-            throw new IllegalArgumentException(
-                    "odometry of robot '" + target.name() + "' was set to " + pose + ", expected finite numbers");
-        }
-        pilots.get(robot).odometry(pose);
-    }
-
-    private static boolean isFinite(Pose pose) {
-        return Double.isFinite(pose.x()) && Double.isFinite(pose.y()) && Double.isFinite(pose.headingRad());
-    }
-
-    private RobotSpec robot(int robot) {
-        List<RobotSpec> robots = spec.robots();
-        if (robot < 0 || robot >= robots.size()) {
-            throw new IllegalArgumentException("there is no robot " + robot + ", world '" + spec.name() + "' has "
-                    + robots.size() + ", counted from 0");
-        }
-        return robots.get(robot);
+        orders.odometry(robot, pose);
     }
 
     /** Advances by one interval and publishes the snapshot at its end. */
@@ -337,7 +281,7 @@ public final class World implements AutoCloseable {
                 }
                 controller.control(view);
                 advanceUnpublished();
-                Recording log = recording.get();
+                Recording log = orders.recording();
                 if (log != null) {
                     publish();
                     log.advanced(latest);
@@ -384,61 +328,19 @@ public final class World implements AutoCloseable {
     }
 
     private void latch() {
-        Recording log = recording.get();
         long nowMicros = tick * intervalMicros;
-        if (resetWanted.get() && resetWanted.getAndSet(false)) {
-            if (log != null) {
-                log.reset();
-            }
-            startAgain(nowMicros);
+        if (orders.takeReset(nowMicros)) {
+            physics = newPhysics();
+            physicsStartMicros = nowMicros;
+            devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
+            sense(); // as at the start: each reading moves the random streams on
         }
-        for (int i = 0; i < pilots.size(); i++) {
-            latchPlace(i, log);
-        }
-        for (int i = 0; i < pilots.size(); i++) {
-            Pilot pilot = pilots.get(i);
-            Position2d position = devices.get(i).position2d();
-            Pose odometry = pilot.takeOdometry();
-            if (odometry != null) {
-                position.set(physics.pose(i), odometry);
-                if (log != null) {
-                    log.odometry(i, odometry);
-                }
-            }
-            pilot.latch(nowMicros, log);
-            pilot.steer(position);
-            physics.drive(i, pilot.forwardMps(), pilot.turnRadps());
-        }
-    }
-
-    private void startAgain(long nowMicros) {
-        physics = newPhysics();
-        physicsStartMicros = nowMicros;
-        devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
-        pilots.forEach(pilot -> pilot.forget(nowMicros));
-        sense(); // as at the start: each reading moves the random streams on
-    }
-
-    private void latchPlace(int robot, @Nullable Recording log) {
-        Pose place = pilots.get(robot).takeTeleport();
-        if (place == null) {
-            return;
-        }
-        String refusal = room.refusal(robot, place, physics::pose);
-        if (refusal != null) {
-            LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
-            return;
-        }
-        physics.teleport(robot, place);
-        devices.get(robot).position2d().teleported(place);
-        if (log != null) {
-            log.teleport(robot, place);
-        }
+        orders.latch(tick, nowMicros, physics, devices);
     }
 
     /** Reads all devices. */
     private void sense() {
-        for (int i = 0; i < pilots.size(); i++) {
+        for (int i = 0; i < devices.size(); i++) {
             double x = physics.x(i);
             double y = physics.y(i);
             double headingRad = physics.headingRad(i);
@@ -456,8 +358,8 @@ public final class World implements AutoCloseable {
     }
 
     Snapshot snapshot() {
-        List<RobotReading> readings = new ArrayList<>(pilots.size());
-        for (int i = 0; i < pilots.size(); i++) {
+        List<RobotReading> readings = new ArrayList<>(devices.size());
+        for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
         return new Snapshot(tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec, physicsStartMicros));
@@ -466,9 +368,8 @@ public final class World implements AutoCloseable {
     private RobotReading read(int robot) {
         Pose pose = physics.pose(robot);
         RobotDevices its = devices.get(robot);
-        Pilot pilot = pilots.get(robot);
         var odometry = new Odometry(
-                its.position2d().reported(), pilot.forwardMps(), pilot.turnRadps(), physics.stalled(robot));
+                its.position2d().reported(), orders.forwardMps(robot), orders.turnRadps(robot), physics.stalled(robot));
         return new RobotReading(
                 pose,
                 odometry,
@@ -491,11 +392,11 @@ public final class World implements AutoCloseable {
     }
 
     double forwardMps(int robot) {
-        return pilots.get(robot).forwardMps();
+        return orders.forwardMps(robot);
     }
 
     double turnRadps(int robot) {
-        return pilots.get(robot).turnRadps();
+        return orders.turnRadps(robot);
     }
 
     RobotDevices devices(int robot) {

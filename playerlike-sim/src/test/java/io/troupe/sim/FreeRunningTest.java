@@ -129,7 +129,7 @@ class FreeRunningTest {
         hash.update(simulation.latest());
         Recording recording = simulation.record(out);
         var enough = new CountDownLatch(150);
-        var said = new CountDownLatch(400);
+        var said = new CountDownLatch(600);
         var stop = new AtomicBoolean();
         WireClient push = push();
         for (int i = 0; i < 3; i++) {
@@ -190,7 +190,7 @@ class FreeRunningTest {
                             new DeviceCommand.Car(random.nextDouble(0.6), random.nextDouble(-1, 1)));
             }
             said.countDown();
-            for (int i = random.nextInt(200_000); i > 0; i--) {
+            for (int i = random.nextInt(20_000); i > 0; i--) {
                 Thread.onSpinWait();
             }
         }

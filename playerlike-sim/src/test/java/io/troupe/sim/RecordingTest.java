@@ -132,7 +132,10 @@ class RecordingTest {
         assertThatThrownBy(() -> read(head + "0 power 1 up\n")).hasMessageContaining("expected on or off");
         assertThatThrownBy(() -> read(head + "0 end 0\n1 reset")).hasMessageContaining("nothing is expected after");
         assertThatThrownBy(() -> read(head.replace("10000", "0")))
-                .hasMessageStartingWith("line 3 of the recording: physicsStepMicros is 0");
+                .hasMessage(
+                        "line 3 of the recording: settings '1 0.0 0.0 0 5.0 10.0 0': physicsStepMicros is 0, expected at least 1");
+        assertThatThrownBy(() -> read(head.replace("10000", "1~0")))
+                .hasMessageStartingWith("line 3 of the recording: settings '1 0.0 0.0 1~0 5.0 10.0 0': ");
     }
 
     @Test

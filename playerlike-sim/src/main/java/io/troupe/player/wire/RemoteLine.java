@@ -2,7 +2,6 @@ package io.troupe.player.wire;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
-import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.Socket;
@@ -26,9 +25,6 @@ import org.jspecify.annotations.Nullable;
  */
 final class RemoteLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
-    /** The payload that Player's own clients accept. */
-    private static final int MOST_PAYLOAD_BYTES = 32 * 1024 * 1024;
-
     private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
 
     private final String name;
@@ -50,7 +46,10 @@ final class RemoteLine implements PlayerConnection {
         this.sink = sink;
         this.space = space;
         this.replyLimit = replyLimit;
-        this.reader = Thread.ofPlatform().daemon().name("player-line-" + name).unstarted(this::readAll);
+        this.reader = Thread.ofPlatform()
+                .daemon()
+                .name("player-line-" + name)
+                .unstarted(() -> new RemoteReader(this, name, socket, open, frames).run());
     }
 
     /** Starts reading, and asks what there is. */
@@ -109,8 +108,7 @@ final class RemoteLine implements PlayerConnection {
                 throw new RequestFailedException("Error " + what + ": " + name + " granted access " + other.mode()
                         + ", expected " + mode + "; its driver has failed");
             case PlayerReply.Nack nack ->
-                throw new RequestFailedException(
-                        "Negative acknowledgement received for " + what + " at " + name);
+                throw new RequestFailedException("Negative acknowledgement received for " + what + " at " + name);
             default -> throw new RequestFailedException(what + ": " + name + " answered something else");
         }
     }
@@ -254,7 +252,8 @@ final class RemoteLine implements PlayerConnection {
     }
 
     private void send(DeviceAddress device, MessageType type, Content content) {
-        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload()).bytes();
+        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload())
+                .bytes();
         checkOpen();
         try {
             synchronized (outputLock) {
@@ -266,6 +265,14 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
+    /** As the device list has it: real servers are not the same everywhere in what they call themselves. */
+    DeviceAddress listed(DeviceAddress device) {
+        return devices.stream()
+                .filter(each -> each.interfaceCode() == device.interfaceCode() && each.index() == device.index())
+                .findFirst()
+                .orElse(device);
+    }
+
     private void checkOpen() {
         String reason = closed.get();
         if (reason != null) {
@@ -273,88 +280,17 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
+    String gone(@Nullable String how) {
+        return "the Player server at " + name + " has gone: " + how;
+    }
+
     private static String text(DeviceAddress device) {
         return Interfaces.name(device.interfaceCode()) + ":" + device.index();
     }
 
-    // ---- the reader
+    // ---- for the reader
 
-    private void readAll() {
-        try {
-            var messages = new MessageReader(new BufferedInputStream(socket.getInputStream()), MOST_PAYLOAD_BYTES);
-            for (Message message = messages.read(); message != null; message = messages.read()) {
-                take(message);
-            }
-            lose(gone("it closed the connection"));
-        } catch (IOException e) {
-            lose(gone(e.getMessage()));
-        } catch (WireException e) {
-            lose(name + " sent what is not the Player protocol: " + e.getMessage());
-        } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
-            lose(name + ": a message could not be handled: " + e);
-        }
-    }
-
-    private String gone(@Nullable String how) {
-        return "the Player server at " + name + " has gone: " + how;
-    }
-
-    private void take(Message message) {
-        var header = message.header();
-        switch (header.type()) {
-            case DATA -> data(message);
-            case SYNCH -> synch(message);
-            case ACK, NACK -> reply(message);
-            case CMD, REQ -> LOG.log(Level.WARNING, "{0} sent {1}, which only clients do", name, message);
-        }
-    }
-
-    private void data(Message message) {
-        var header = message.header();
-        var from = devices.stream()
-                .filter(each -> each.interfaceCode() == header.address().interfaceCode()
-                        && each.index() == header.address().index())
-                .findFirst()
-                .orElse(header.address());
-        try {
-            DataMessages.decode(from.interfaceCode(), header.subtype(), message.payload())
-                    .ifPresent(content -> frames.add(new DataMessage(from, header.timeSeconds(), content))
-                            .forEach(this::deliver));
-        } catch (WireException e) {
-            LOG.log(Level.WARNING, "{0}: {1} is left out: {2}", name, message, e.getMessage());
-        }
-    }
-
-    private void synch(Message message) {
-        try {
-            int dropped = PlayerMessages.dropped(message.header().subtype(), message.payload());
-            if (dropped != 0) {
-                LOG.log(Level.WARNING, "{0} has dropped {1} messages: this client is too slow", name, dropped);
-            }
-        } catch (WireException e) {
-            LOG.log(Level.WARNING, "{0}: {1}: {2}", name, message, e.getMessage());
-        }
-        frames.synch().forEach(this::deliver);
-    }
-
-    private void reply(Message message) {
-        var header = message.header();
-        if (header.address().interfaceCode() == PlayerRequest.INTERFACE
-                && header.subtype()
-                        == PlayerMessages.encode(new PlayerRequest.NextData()).subtype()) {
-            if (header.type() == MessageType.NACK) {
-                LOG.log(Level.WARNING, "{0} refused to send data in pull mode", name);
-                frames.refused();
-            }
-            return;
-        }
-        if (!open.answer(message)) {
-            LOG.log(Level.DEBUG, "{0}: {1} answers nothing that is waited for", name, message);
-        }
-    }
-
-    private void deliver(Frame frame) {
+    void deliver(Frame frame) {
         if (space == null) {
             sink.frame(frame);
             return;
@@ -373,9 +309,7 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    // ---- the end
-
-    private void lose(String reason) {
+    void lose(String reason) {
         if (shut(reason)) {
             sink.lost(reason);
         }

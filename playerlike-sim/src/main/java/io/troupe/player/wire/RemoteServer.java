@@ -90,7 +90,8 @@ public final class RemoteServer implements PlayerServer {
             }
             greeting[at] = (byte) octet;
             if (at < BANNER_START.length() && octet != BANNER_START.charAt(at)) {
-                throw new IOException("it greeted with \"" + printable(greeting, at + 1) + "..\", expected \""
+                int more = in.readNBytes(greeting, at + 1, Math.min(in.available(), BANNER_BYTES - at - 1));
+                throw new IOException("it greeted with \"" + printable(greeting, at + 1 + more) + "\", expected \""
                         + BANNER_START + "..\": it is no Player server");
             }
         }

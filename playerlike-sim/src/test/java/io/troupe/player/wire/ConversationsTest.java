@@ -153,8 +153,7 @@ class ConversationsTest {
             served.tick(1);
             client.nextPosition();
             client.next(MessageType.DATA, 5, 1);
-            Message closed = client.ask(
-                    new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
+            Message closed = client.ask(new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
             assertThat(PlayerMessages.reply(MessageType.ACK, 3, closed.payload()))
                     .isEqualTo(new PlayerReply.Access(
                             new DeviceAddress(TcpServer.LOOPBACK_HOST, served.port(), 5, 0),

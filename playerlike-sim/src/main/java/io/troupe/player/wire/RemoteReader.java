@@ -1,0 +1,102 @@
+package io.troupe.player.wire;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.lang.System.Logger.Level;
+import java.net.Socket;
+
+/**
+ * Reads what a server sends: frames go to the line, replies to whoever waits for them.
+ *
+ * <p><b>Threads.</b> The one that runs it, which ends with the connection.
+ * <p><b>Errors.</b> A message that cannot be understood is left out and logged; bytes that are no messages end the line.
+ */
+final class RemoteReader implements Runnable {
+    private static final System.Logger LOG = System.getLogger(RemoteReader.class.getName());
+    /** The payload that Player's own clients accept. */
+    private static final int MOST_PAYLOAD_BYTES = 32 * 1024 * 1024;
+
+    private static final int NEXT_DATA =
+            PlayerMessages.encode(new PlayerRequest.NextData()).subtype();
+
+    private final RemoteLine line;
+    private final String name;
+    private final Socket socket;
+    private final OpenRequests open;
+    private final FrameAssembler frames;
+
+    RemoteReader(RemoteLine line, String name, Socket socket, OpenRequests open, FrameAssembler frames) {
+        this.line = line;
+        this.name = name;
+        this.socket = socket;
+        this.open = open;
+        this.frames = frames;
+    }
+
+    @Override
+    public void run() {
+        try {
+            var messages = new MessageReader(new BufferedInputStream(socket.getInputStream()), MOST_PAYLOAD_BYTES);
+            for (Message message = messages.read(); message != null; message = messages.read()) {
+                take(message);
+            }
+            line.lose(line.gone("it closed the connection"));
+        } catch (IOException e) {
+            line.lose(line.gone(e.getMessage()));
+        } catch (WireException e) {
+            line.lose(name + " sent what is not the Player protocol: " + e.getMessage());
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
+            line.lose(name + ": a message could not be handled: " + e);
+        }
+    }
+
+    private void take(Message message) {
+        switch (message.header().type()) {
+            case DATA -> data(message);
+            case SYNCH -> synch(message);
+            case ACK, NACK -> reply(message);
+            case CMD, REQ -> LOG.log(Level.WARNING, "{0} sent {1}, which only clients do", name, message);
+        }
+    }
+
+    private void data(Message message) {
+        var header = message.header();
+        try {
+            var content = DataMessages.decode(header.address().interfaceCode(), header.subtype(), message.payload());
+            if (content.isPresent()) {
+                var from = line.listed(header.address());
+                frames.add(new DataMessage(from, header.timeSeconds(), content.get()))
+                        .forEach(line::deliver);
+            }
+        } catch (WireException e) {
+            LOG.log(Level.WARNING, "{0}: {1} is left out: {2}", name, message, e.getMessage());
+        }
+    }
+
+    private void synch(Message message) {
+        try {
+            int dropped = PlayerMessages.dropped(message.header().subtype(), message.payload());
+            if (dropped != 0) {
+                LOG.log(Level.WARNING, "{0} has dropped {1} messages: this client is too slow", name, dropped);
+            }
+        } catch (WireException e) {
+            LOG.log(Level.WARNING, "{0}: {1}: {2}", name, message, e.getMessage());
+        }
+        frames.synch().forEach(line::deliver);
+    }
+
+    private void reply(Message message) {
+        var header = message.header();
+        if (header.address().interfaceCode() == PlayerRequest.INTERFACE && header.subtype() == NEXT_DATA) {
+            if (header.type() == MessageType.NACK) {
+                LOG.log(Level.WARNING, "{0} refused to send data in pull mode", name);
+                frames.refused();
+            }
+            return; // the data follow
+        }
+        if (!open.answer(message)) {
+            LOG.log(Level.DEBUG, "{0}: {1} answers nothing that is waited for", name, message);
+        }
+    }
+}

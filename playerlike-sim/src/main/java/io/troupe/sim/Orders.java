@@ -1,0 +1,202 @@
+package io.troupe.sim;
+
+import io.troupe.sim.device.Position2d;
+import io.troupe.sim.physics.Physics;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.WorldSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * All that a world has been told and takes in when its next interval begins, and the recording of it.
+ *
+ * <p><b>Threads.</b> Any thread may tell; {@link #takeReset} and {@link #latch} belong to the one that advances the world.
+ */
+final class Orders {
+    private static final System.Logger LOG = System.getLogger(World.class.getName());
+
+    private final WorldSpec spec;
+    private final WorldSettings settings;
+    private final Room room;
+    private final List<Pilot> pilots = new ArrayList<>();
+    private final AtomicBoolean resetWanted = new AtomicBoolean();
+    private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
+
+    Orders(WorldSpec spec, WorldSettings settings) {
+        this.spec = spec;
+        this.settings = settings;
+        room = new Room(spec);
+        for (int i = 0; i < spec.robots().size(); i++) {
+            pilots.add(new Pilot(spec.robots().get(i).drive(), i, settings));
+        }
+    }
+
+    // ---- from any thread
+
+    void drive(int robot, double forwardMps, double turnRadps) {
+        check(robot, forwardMps, turnRadps);
+        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
+    }
+
+    /** From the thread that advances the world: newer than what the others have said so far. */
+    void driveNow(int robot, double forwardMps, double turnRadps) {
+        check(robot, forwardMps, turnRadps);
+        pilots.get(robot).driveNow(forwardMps, turnRadps);
+    }
+
+    private void check(int robot, double forwardMps, double turnRadps) {
+        RobotSpec target = robot(robot);
+        if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
+            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
+                    + " m/s and " + turnRadps + " rad/s, expected finite numbers");
+        }
+    }
+
+    void steer(int robot, double forwardMps, double headingRad) {
+        RobotSpec target = robot(robot);
+        if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
+            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
+                    + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
+        }
+        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad));
+    }
+
+    void goTo(int robot, Pose goal) {
+        RobotSpec target = robot(robot);
+        if (!isFinite(goal)) {
+            throw new IllegalArgumentException(
+                    "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
+        }
+        pilots.get(robot).drive(new Drive.GoTo(goal));
+    }
+
+    void power(int robot, boolean on) {
+        robot(robot);
+        pilots.get(robot).power(on);
+    }
+
+    void odometry(int robot, Pose pose) {
+        RobotSpec target = robot(robot);
+        if (!isFinite(pose)) {
+            throw new IllegalArgumentException(
+                    "odometry of robot '" + target.name() + "' was set to " + pose + ", expected finite numbers");
+        }
+        pilots.get(robot).odometry(pose);
+    }
+
+    /** Checked only when it takes effect. */
+    void teleport(int robot, Pose pose) {
+        robot(robot);
+        pilots.get(robot).teleport(pose);
+    }
+
+    /** Why a robot could not be put there where everything is at a snapshot, or null. */
+    @Nullable
+    String teleportRefusal(int robot, Pose pose, Snapshot at) {
+        robot(robot);
+        return room.refusal(robot, pose, other -> at.robots().get(other).pose());
+    }
+
+    void reset() {
+        resetWanted.set(true);
+    }
+
+    private static boolean isFinite(Pose pose) {
+        return Double.isFinite(pose.x()) && Double.isFinite(pose.y()) && Double.isFinite(pose.headingRad());
+    }
+
+    private RobotSpec robot(int robot) {
+        List<RobotSpec> robots = spec.robots();
+        if (robot < 0 || robot >= robots.size()) {
+            throw new IllegalArgumentException("there is no robot " + robot + ", world '" + spec.name() + "' has "
+                    + robots.size() + ", counted from 0");
+        }
+        return robots.get(robot);
+    }
+
+    // ---- the recording
+
+    Recording record(Appendable out, Snapshot latest) {
+        if (latest.tick() != 0) {
+            throw new IllegalStateException("a recording begins at tick 0, the world is at tick " + latest.tick());
+        }
+        var begun = new Recording(out, spec, settings, latest);
+        if (!recording.compareAndSet(null, begun)) {
+            throw new IllegalStateException("the world is being recorded already");
+        }
+        return begun;
+    }
+
+    @Nullable
+    Recording recording() {
+        return recording.get();
+    }
+
+    // ---- from the thread that advances the world
+
+    /** Whether the world shall begin again; what it was told and has taken in is forgotten then. */
+    boolean takeReset(long nowMicros) {
+        if (!resetWanted.get() || !resetWanted.getAndSet(false)) {
+            return false;
+        }
+        Recording log = recording.get();
+        if (log != null) {
+            log.reset();
+        }
+        pilots.forEach(pilot -> pilot.forget(nowMicros));
+        return true;
+    }
+
+    /** Takes in teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless somebody on another thread has said something. */
+    void latch(long tick, long nowMicros, Physics physics, List<RobotDevices> devices) {
+        Recording log = recording.get();
+        for (int i = 0; i < pilots.size(); i++) {
+            Pose place = pilots.get(i).takeTeleport();
+            if (place != null) {
+                latchPlace(i, place, tick, physics, devices.get(i).position2d());
+            }
+        }
+        for (int i = 0; i < pilots.size(); i++) {
+            Pilot pilot = pilots.get(i);
+            Position2d odometry = devices.get(i).position2d();
+            Pose toSet = pilot.takeOdometry();
+            if (toSet != null) {
+                odometry.set(physics.pose(i), toSet);
+                if (log != null) {
+                    log.odometry(i, toSet);
+                }
+            }
+            pilot.latch(nowMicros, log);
+            pilot.steer(odometry);
+            physics.drive(i, pilot.forwardMps(), pilot.turnRadps());
+        }
+    }
+
+    private void latchPlace(int robot, Pose place, long tick, Physics physics, Position2d odometry) {
+        String refusal = room.refusal(robot, place, physics::pose);
+        if (refusal != null) {
+            LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
+            return;
+        }
+        physics.teleport(robot, place);
+        odometry.teleported(place);
+        Recording log = recording.get();
+        if (log != null) {
+            log.teleport(robot, place);
+        }
+    }
+
+    /** In the interval that has ended. */
+    double forwardMps(int robot) {
+        return pilots.get(robot).forwardMps();
+    }
+
+    /** In the interval that has ended. */
+    double turnRadps(int robot) {
+        return pilots.get(robot).turnRadps();
+    }
+}

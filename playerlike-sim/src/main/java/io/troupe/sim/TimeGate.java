@@ -1,0 +1,124 @@
+package io.troupe.sim;
+
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Whether a simulation's time passes: paused, let go on step by step, or held back by a pacer.
+ *
+ * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitTime} and {@link #sleep} belong to the one that ticks.
+ */
+final class TimeGate {
+    private final Object lock;
+    private boolean paused;
+    private boolean stoodStill;
+    private int stepsWanted;
+    private boolean open = true;
+
+    /** @param lock is notified whenever something changes */
+    TimeGate(Object lock) {
+        this.lock = lock;
+    }
+
+    boolean isPaused() {
+        synchronized (lock) {
+            return paused;
+        }
+    }
+
+    /** Whether that changed anything. */
+    boolean pause(boolean wanted) {
+        synchronized (lock) {
+            boolean changes = paused != wanted;
+            paused = wanted;
+            stepsWanted = 0;
+            lock.notifyAll();
+            return changes;
+        }
+    }
+
+    void step() {
+        synchronized (lock) {
+            if (!paused) {
+                throw new IllegalStateException("only a paused simulation can be stepped");
+            }
+            stepsWanted++;
+            lock.notifyAll();
+        }
+    }
+
+    /** Nobody waits here any more. */
+    void close() {
+        synchronized (lock) {
+            open = false;
+            lock.notifyAll();
+        }
+    }
+
+    /** Time is standing still for another reason: there is no client. */
+    void standsStill() {
+        synchronized (lock) {
+            stoodStill = true;
+        }
+    }
+
+    /** Whether time stood still since the last call: nothing is late then. */
+    boolean takeStoodStill() {
+        synchronized (lock) {
+            boolean stood = stoodStill;
+            stoodStill = false;
+            return stood;
+        }
+    }
+
+    /**
+     * Waits as long as time is paused.
+     *
+     * @param meanwhile is done again and again
+     */
+    void awaitTime(@Nullable Runnable meanwhile) {
+        while (true) {
+            synchronized (lock) {
+                if (!paused || !open) {
+                    return;
+                }
+                stoodStill = true;
+                if (stepsWanted > 0) {
+                    stepsWanted--;
+                    return;
+                }
+                waitMillis(meanwhile == null ? 0 : 1);
+            }
+            if (meanwhile != null) {
+                meanwhile.run();
+            }
+        }
+    }
+
+    /** Sleeps at most so long, and no longer if something happens. */
+    void sleep(long nanos) {
+        synchronized (lock) {
+            if (!open) {
+                throw new IllegalStateException(Simulation.CLOSED);
+            }
+            long millis = nanos / 1_000_000;
+            if (millis >= 2) {
+                waitMillis(millis - 1); // which is good to a millisecond
+                return;
+            }
+        }
+        LockSupport.parkNanos(nanos);
+        if (Thread.currentThread().isInterrupted()) {
+            throw new IllegalStateException("interrupted while waiting for the time");
+        }
+    }
+
+    private void waitMillis(long millis) {
+        try {
+            lock.wait(millis);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new IllegalStateException("interrupted while waiting for the time", e);
+        }
+    }
+}
