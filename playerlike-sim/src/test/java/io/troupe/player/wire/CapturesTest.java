@@ -38,11 +38,11 @@ class CapturesTest {
         boolean player = code == PlayerRequest.INTERFACE;
         return switch (header.type()) {
             case DATA ->
-                DataMessages.encode(DataMessages.decode(code, subtype, message.payload())
-                        .orElseThrow());
+                DataMessages.encode(
+                        DataMessages.decode(code, subtype, message.payload()).orElseThrow());
             case CMD ->
-                CommandMessages.encode(CommandMessages.decode(code, subtype, message.payload())
-                        .orElseThrow());
+                CommandMessages.encode(
+                        CommandMessages.decode(code, subtype, message.payload()).orElseThrow());
             case REQ ->
                 player
                         ? PlayerMessages.encode(PlayerMessages.request(subtype, message.payload()))
@@ -51,10 +51,9 @@ class CapturesTest {
                 new Content(
                         subtype,
                         player
-                                ? PlayerMessages.encode(
-                                        PlayerMessages.reply(header.type(), subtype, message.payload()))
-                                : ReplyMessages.encode(ReplyMessages.decode(
-                                        code, header.type(), subtype, message.payload())));
+                                ? PlayerMessages.encode(PlayerMessages.reply(header.type(), subtype, message.payload()))
+                                : ReplyMessages.encode(
+                                        ReplyMessages.decode(code, header.type(), subtype, message.payload())));
             case SYNCH -> PlayerMessages.synch(PlayerMessages.dropped(subtype, message.payload()));
         };
     }

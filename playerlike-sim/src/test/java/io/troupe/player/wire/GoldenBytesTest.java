@@ -33,8 +33,8 @@ class GoldenBytesTest {
         int subtype = message.header().subtype();
         assertThat(PlayerMessages.reply(message.header().type(), subtype, message.payload()))
                 .isEqualTo(expected);
-        Message made = Message.of(
-                at(1), PlayerMessages.type(expected), subtype, timeSeconds, PlayerMessages.encode(expected));
+        Message made =
+                Message.of(at(1), PlayerMessages.type(expected), subtype, timeSeconds, PlayerMessages.encode(expected));
         assertThat(Hex.text(made.bytes())).isEqualTo(hex(hex));
     }
 
@@ -86,8 +86,7 @@ class GoldenBytesTest {
         playerRequest(
                 "00000000 00000000 00000001 00000000 00000003 00000001 41dac0434797a609 00000000 00000000",
                 new PlayerRequest.DeviceList());
-        assertThat(PlayerMessages.request(1, Hex.bytes("00000000 00000000")))
-                .isEqualTo(new PlayerRequest.DeviceList());
+        assertThat(PlayerMessages.request(1, Hex.bytes("00000000 00000000"))).isEqualTo(new PlayerRequest.DeviceList());
         playerReply("""
                 0100007f 00001a09 00000001 00000000 00000004 00000001 3ffccccccccccccd 00000000 00000058 | 00000005 00000005
                  0100007f 00001a09 0000001f 00000000 0100007f 00001a09 00000004 00000000 0100007f 00001a09 00000007 00000000
@@ -115,8 +114,7 @@ class GoldenBytesTest {
         assertThat(PlayerMessages.request(
                         3, Hex.bytes("00000000 00000000 00000005 00000000 00000002 00000000 00000000")))
                 .isEqualTo(new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
-        assertThat(Hex.text(
-                        PlayerMessages.encode(new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage"))))
+        assertThat(Hex.text(PlayerMessages.encode(new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage"))))
                 .isEqualTo(hex("0100007f 00001a09 00000005 00000000 00000002 00000006 00000006 73746167 65000000"));
     }
 
@@ -143,8 +141,8 @@ class GoldenBytesTest {
         Content end = PlayerMessages.synch(0);
         Message made = Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, end.subtype(), 0, end.payload());
         assertThat(Hex.text(made.bytes()))
-                .isEqualTo(
-                        hex("00000000 00000000 00000001 00000000 00000005 00000001 0000000000000000 00000000 00000000"));
+                .isEqualTo(hex(
+                        "00000000 00000000 00000001 00000000 00000005 00000001 0000000000000000 00000000 00000000"));
         Content overflow = PlayerMessages.synch(7);
         assertThat(overflow.subtype()).isEqualTo(2);
         assertThat(Hex.text(overflow.payload())).isEqualTo("00000007");
@@ -153,12 +151,9 @@ class GoldenBytesTest {
 
     @Test
     void position2d_data() throws WireException {
-        data(
-                """
+        data("""
                 0100007f 00001a09 00000004 00000000 00000001 00000001 402e99999999999a 00000000 00000034
-                | 0000000000000000 c014000000000000 0000000000000000 0000000000000000 0000000000000000 0000000000000000 00000000""",
-                15.3,
-                new DeviceData.Position2d(0, -5, 0, 0, 0, 0, false));
+                | 0000000000000000 c014000000000000 0000000000000000 0000000000000000 0000000000000000 0000000000000000 00000000""", 15.3, new DeviceData.Position2d(0, -5, 0, 0, 0, 0, false));
     }
 
     @Test
@@ -177,28 +172,21 @@ class GoldenBytesTest {
                         Double.longBitsToDouble(0x3fed0d87e0000000L),
                         true));
         command(3, "3fb999999999999a 3fa999999999999a", new DeviceCommand.Car(0.1, 0.05));
-        command(
-                2,
-                """
+        command(2, """
                 3ff0000000000000 4000000000000000 3fe0000000000000
-                 0000000000000000 0000000000000000 0000000000000000 00000001""",
-                new DeviceCommand.GoTo(1, 2, 0.5, 0, 0, 0, true));
+                 0000000000000000 0000000000000000 0000000000000000 00000001""", new DeviceCommand.GoTo(1, 2, 0.5, 0, 0, 0, true));
     }
 
     @Test
     void position2d_requests() throws WireException {
-        request(
-                4,
-                5,
-                "3ff0000000000000 4000000000000000 3fe0000000000000",
-                new DeviceRequest.SetOdometry(1, 2, 0.5));
+        request(4, 5, "3ff0000000000000 4000000000000000 3fe0000000000000", new DeviceRequest.SetOdometry(1, 2, 0.5));
         request(4, 2, "00000001", new DeviceRequest.Power(true));
         request(4, 1, "", new DeviceRequest.Geometry());
         request(4, 6, "", new DeviceRequest.ResetOdometry());
         byte[] geometry = ReplyMessages.encode(new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33));
         assertThat(Hex.text(geometry))
-                .isEqualTo(hex("bfa47ae147ae147b" + "0".repeat(80) + "3fd51eb851eb851f 3fdc28f5c28f5c29"
-                        + "0".repeat(16)));
+                .isEqualTo(hex(
+                        "bfa47ae147ae147b" + "0".repeat(80) + "3fd51eb851eb851f 3fdc28f5c28f5c29" + "0".repeat(16)));
     }
 
     @Test
@@ -219,8 +207,8 @@ class GoldenBytesTest {
                         Float.intBitsToFloat(0x3f58e111))));
         assertThat(Hex.text(ReplyMessages.encode(new DeviceReply.SonarGeometry(
                         List.of(new DeviceReply.SonarMount(0.075, 0.130, StrictMath.PI / 2))))))
-                .isEqualTo(hex("00000001 00000001 3fb3333333333333 3fc0a3d70a3d70a4" + "0".repeat(48)
-                        + "3ff921fb54442d18"));
+                .isEqualTo(hex(
+                        "00000001 00000001 3fb3333333333333 3fc0a3d70a3d70a4" + "0".repeat(48) + "3ff921fb54442d18"));
     }
 
     @Test
@@ -240,16 +228,11 @@ class GoldenBytesTest {
 
     @Test
     void blobfinder_data() throws WireException {
-        data(
-                """
+        data("""
                 0100007f 00001a09 00000007 00000000 00000001 00000001 400ccccccccccccd 00000000 00000010
-                | 00000000 00000000 00000000 00000000""",
-                3.6,
-                new DeviceData.Blobs(0, 0, List.of()));
+                | 00000000 00000000 00000000 00000000""", 3.6, new DeviceData.Blobs(0, 0, List.of()));
         assertThat(DataMessages.encode(new DeviceData.Blobs(
-                                80,
-                                60,
-                                List.of(new DeviceData.Blob(0, 0xFF0000, 20, 5, 6, 3, 7, 4, 8, 1.5f))))
+                                80, 60, List.of(new DeviceData.Blob(0, 0xFF0000, 20, 5, 6, 3, 7, 4, 8, 1.5f))))
                         .payload())
                 .hasSize(56);
     }

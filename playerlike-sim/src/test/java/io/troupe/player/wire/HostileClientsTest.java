@@ -2,12 +2,12 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.player.PlayerPorts;
-import java.nio.ByteBuffer;
-import java.io.UncheckedIOException;
 import io.troupe.actor.time.ManualClock;
+import io.troupe.player.PlayerPorts;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
+import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -253,8 +253,7 @@ class HostileClientsTest {
         try (var served = Served.open()) {
             int port = served.port();
             served.server.close();
-            try (var again = TcpServer.open(
-                            PlayerPorts.find(Served.PORT).orElseThrow(), port);
+            try (var again = TcpServer.open(PlayerPorts.find(Served.PORT).orElseThrow(), port);
                     var client = RawClient.greeted(port)) {
                 assertThat(again.port()).isEqualTo(port);
                 client.ask(new PlayerRequest.DeviceList());
@@ -266,9 +265,7 @@ class HostileClientsTest {
     void addressOthersCanReach_isWarnedOf() throws IOException {
         try (var served = Served.open();
                 var open = TcpServer.open(
-                        PlayerPorts.find(Served.PORT).orElseThrow(),
-                        0,
-                        InetAddress.getByAddress(new byte[4]));
+                        PlayerPorts.find(Served.PORT).orElseThrow(), 0, InetAddress.getByAddress(new byte[4]));
                 var client = RawClient.greeted(open.port())) {
             client.ask(new PlayerRequest.DeviceList());
             assertThat(open.port()).isNotEqualTo(served.port());

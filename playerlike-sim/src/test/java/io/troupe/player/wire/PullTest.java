@@ -2,10 +2,10 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.io.ByteArrayInputStream;
 import io.troupe.actor.time.Clock;
 import io.troupe.sim.SimulationRunner;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

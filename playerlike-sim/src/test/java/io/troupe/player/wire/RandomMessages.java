@@ -88,19 +88,27 @@ final class RandomMessages {
                         of(4, new DeviceData.GeometryChanged(positionGeometry())),
                         of(5, new DeviceData.SonarRanges(list(this::f))),
                         of(5, new DeviceData.GeometryChanged(sonarGeometry())),
-                        of(7, new DeviceData.Blobs(i(), i(), list(() ->
-                                new DeviceData.Blob(i(), i(), i(), i(), i(), i(), i(), i(), i(), f())))),
+                        of(
+                                7,
+                                new DeviceData.Blobs(
+                                        i(),
+                                        i(),
+                                        list(() -> new DeviceData.Blob(
+                                                i(), i(), i(), i(), i(), i(), i(), i(), i(), f())))),
                         of(62, new DeviceData.RangerRanges(list(this::d))),
                         of(62, new DeviceData.RangerIntensities(list(this::d))),
-                        of(62, new DeviceData.RangerStamped(
-                                new DeviceData.RangerRanges(list(this::d)),
-                                b() ? rangerGeometry() : null,
-                                b() ? rangerConfiguration() : null)),
-                        of(62, new DeviceData.RangerStamped(
-                                new DeviceData.RangerIntensities(list(this::d)), rangerGeometry(), null)),
+                        of(
+                                62,
+                                new DeviceData.RangerStamped(
+                                        new DeviceData.RangerRanges(list(this::d)),
+                                        b() ? rangerGeometry() : null,
+                                        b() ? rangerConfiguration() : null)),
+                        of(
+                                62,
+                                new DeviceData.RangerStamped(
+                                        new DeviceData.RangerIntensities(list(this::d)), rangerGeometry(), null)),
                         of(62, new DeviceData.GeometryChanged(rangerGeometry())),
-                        of(6, new DeviceData.LaserScan(
-                                f(), f(), f(), f(), list(this::f), list(() -> (byte) i()), i())))
+                        of(6, new DeviceData.LaserScan(f(), f(), f(), f(), list(this::f), list(() -> (byte) i()), i())))
                 .toList();
     }
 

@@ -2,7 +2,6 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.net.SocketTimeoutException;
 import java.io.ByteArrayOutputStream;
 import java.io.FilterInputStream;
 import java.io.IOException;
@@ -10,6 +9,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 
 /** A client that sends and receives bytes and knows nothing of our client library. */
@@ -131,9 +131,9 @@ final class RawClient implements AutoCloseable {
     }
 
     DeviceData.Position2d nextPosition() throws WireException {
-        return (DeviceData.Position2d) DataMessages.decode(
-                        4, 1, next(MessageType.DATA, 4, 1).payload())
-                .orElseThrow();
+        return (DeviceData.Position2d)
+                DataMessages.decode(4, 1, next(MessageType.DATA, 4, 1).payload())
+                        .orElseThrow();
     }
 
     /** Waits until the server has ended the connection. */

@@ -35,11 +35,7 @@ class RoundTripTest {
                 assertThat(DataMessages.decode(message.from().interfaceCode(), content.subtype(), content.payload()))
                         .contains(message.data());
                 Message whole = Message.of(
-                        message.from(),
-                        MessageType.DATA,
-                        content.subtype(),
-                        message.timeSeconds(),
-                        content.payload());
+                        message.from(), MessageType.DATA, content.subtype(), message.timeSeconds(), content.payload());
                 assertThat(Hex.message(whole.bytes()).header()).isEqualTo(whole.header());
             }
         });
@@ -54,8 +50,7 @@ class RoundTripTest {
                         .contains(command);
             }
         });
-        for (var command :
-                List.of(new DeviceCommand.Pause(), new DeviceCommand.Reset(), new DeviceCommand.Save())) {
+        for (var command : List.of(new DeviceCommand.Pause(), new DeviceCommand.Reset(), new DeviceCommand.Save())) {
             Content content = CommandMessages.encode(command);
             assertThat(CommandMessages.decode(31, content.subtype(), content.payload()))
                     .contains(command);

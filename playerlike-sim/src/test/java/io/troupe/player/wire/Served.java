@@ -12,11 +12,11 @@ import io.troupe.sim.scenario.SonarSpec;
 import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.List;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.List;
 
 /** A world of one robot, and a server for it. */
 final class Served implements AutoCloseable {
@@ -38,8 +38,8 @@ final class Served implements AutoCloseable {
 
     /** @param port 0 for any */
     static Served open(int port, TcpServer.WriteClock clock) {
-        var simulation = Simulation.open(
-                TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot()))), WorldSettings.DEFAULT);
+        var simulation =
+                Simulation.open(TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot()))), WorldSettings.DEFAULT);
         var devices = PlayerPorts.find(PORT).orElseThrow();
         return new Served(simulation, TcpServer.open(devices, port, InetAddress.getLoopbackAddress(), clock));
     }

@@ -29,15 +29,14 @@ class WireFuzzTest {
         int refused = 0;
         for (int way = 0; way < 6; way++) {
             try {
-                Object decoded =
-                        switch (way) {
-                            case 0 -> DataMessages.decode(code, subtype, payload);
-                            case 1 -> CommandMessages.decode(code, subtype, payload);
-                            case 2 -> RequestMessages.decode(code, subtype, payload);
-                            case 3 -> ReplyMessages.decode(code, MessageType.ACK, subtype, payload);
-                            case 4 -> PlayerMessages.request(subtype, payload);
-                            default -> PlayerMessages.reply(MessageType.ACK, subtype, payload);
-                        };
+                Object decoded = switch (way) {
+                    case 0 -> DataMessages.decode(code, subtype, payload);
+                    case 1 -> CommandMessages.decode(code, subtype, payload);
+                    case 2 -> RequestMessages.decode(code, subtype, payload);
+                    case 3 -> ReplyMessages.decode(code, MessageType.ACK, subtype, payload);
+                    case 4 -> PlayerMessages.request(subtype, payload);
+                    default -> PlayerMessages.reply(MessageType.ACK, subtype, payload);
+                };
                 assertThat(decoded).isNotNull();
             } catch (WireException e) {
                 refused++;
@@ -50,13 +49,16 @@ class WireFuzzTest {
     private static List<byte[]> seeds(Random random) {
         var messages = new RandomMessages(random);
         var payloads = new ArrayList<byte[]>();
-        messages.data().forEach(each -> payloads.add(DataMessages.encode(each.data()).payload()));
-        messages.positionCommands().forEach(each -> payloads.add(CommandMessages.encode(each).payload()));
+        messages.data()
+                .forEach(each -> payloads.add(DataMessages.encode(each.data()).payload()));
+        messages.positionCommands()
+                .forEach(each -> payloads.add(CommandMessages.encode(each).payload()));
         messages.requests()
-                .forEach(each -> payloads.add(
-                        RequestMessages.encode(each.interfaceCode(), each.request()).payload()));
+                .forEach(each -> payloads.add(RequestMessages.encode(each.interfaceCode(), each.request())
+                        .payload()));
         messages.replies().forEach(each -> payloads.add(ReplyMessages.encode(each.reply())));
-        messages.playerRequests().forEach(each -> payloads.add(PlayerMessages.encode(each).payload()));
+        messages.playerRequests()
+                .forEach(each -> payloads.add(PlayerMessages.encode(each).payload()));
         return payloads;
     }
 
@@ -153,7 +155,8 @@ class WireFuzzTest {
 
     @Test
     void hugeSize_isRefused_andAnnouncedBytesTakeNoMemory() throws Exception {
-        byte[] header = Message.of(new DeviceAddress(0, 0, 4, 0), MessageType.REQ, 1, 0, new byte[0]).bytes();
+        byte[] header = Message.of(new DeviceAddress(0, 0, 4, 0), MessageType.REQ, 1, 0, new byte[0])
+                .bytes();
         ByteBuffer.wrap(header).putInt(36, 1 << 31);
         assertThatThrownBy(() -> new MessageReader(new ByteArrayInputStream(header), 65_536).read())
                 .isInstanceOf(WireException.class)
