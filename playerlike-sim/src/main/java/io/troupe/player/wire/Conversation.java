@@ -199,8 +199,7 @@ final class Conversation {
             outbox.reply(refusal(header));
             return;
         }
-        Message reply =
-                reply(header, new PlayerReply.Access(outside(device), mode, line.driverName(device)));
+        Message reply = reply(header, new PlayerReply.Access(outside(device), mode, line.driverName(device)));
         if (mode == PlayerRequest.CLOSE) {
             line.unsubscribe(device);
             outbox.unsubscribed(outside(device), reply);

@@ -102,7 +102,8 @@ final class Outbox {
     }
 
     private void removeNewest(Kind kind) {
-        Deque<Entry> waiting = mode == Delivery.PULL ? held : sending; // in pull mode, what has been released ends with its SYNCH
+        Deque<Entry> waiting =
+                mode == Delivery.PULL ? held : sending; // in pull mode, what has been released ends with its SYNCH
         for (Iterator<Entry> each = waiting.descendingIterator(); each.hasNext(); ) {
             if (kind.equals(each.next().data())) {
                 each.remove();
@@ -211,7 +212,8 @@ final class Outbox {
             subscribed.remove(device);
             for (var waiting : List.of(held, sending)) {
                 int before = waiting.size();
-                waiting.removeIf(each -> each.data() != null && each.data().from().equals(device));
+                waiting.removeIf(
+                        each -> each.data() != null && each.data().from().equals(device));
                 dataWaiting -= before - waiting.size();
             }
             release();

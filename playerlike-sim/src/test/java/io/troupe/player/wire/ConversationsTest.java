@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,6 +46,70 @@ class ConversationsTest {
                         .isEqualTo(comparable(line.bytes(), 6665));
             }
         }
+    }
+
+    @Test
+    void playerprintOfARanger_asCaptured_hearsTheSameBytes() throws WireException {
+        List<Hex.Line> lines = Hex.capture("playerprint-ranger.txt");
+        var ranger = new ScriptedRanger(Map.of(
+                new DeviceRequest.GetConfiguration(), captured(lines, 5),
+                new DeviceRequest.Geometry(), captured(lines, 1)));
+        try (var server = TcpServer.open(ranger, 0);
+                var client = new RawClient(server.port())) {
+            client.banner();
+            assertThat(Hex.text(client.received()))
+                    .isEqualTo(Hex.text(lines.getFirst().bytes()));
+            for (int at = 1; at < lines.size(); ) {
+                int from = at + 1;
+                int to = from;
+                while (to < lines.size() && lines.get(to).sender() == 'S') {
+                    to++;
+                }
+                publish(ranger, lines.subList(from, to)); // before it is asked for
+                client.send(lines.get(at).bytes());
+                for (var line : lines.subList(from, to)) {
+                    boolean data = line.message().header().type() == MessageType.DATA;
+                    byte[] heard = client.next().bytes();
+                    assertThat(data ? Hex.text(heard) : comparable(heard, server.port()))
+                            .as("instead of %s", line.message())
+                            .isEqualTo(
+                                    data
+                                            ? Hex.text(line.bytes()).replace(REAL_PORT, port(server.port()))
+                                            : comparable(line.bytes(), 6665));
+                }
+                at = to;
+            }
+            // what a reply has flushed has been seen
+            client.ask(new PlayerRequest.NextData());
+            client.ask(new PlayerRequest.DeviceList()); // so that the answer has arrived
+            synchronized (ranger) {
+                assertThat(ranger.answers).containsExactly(13L, 23L);
+            }
+        }
+    }
+
+    private static void publish(ScriptedRanger ranger, List<Hex.Line> lines) throws WireException {
+        for (var line : lines) {
+            Header header = line.message().header();
+            if (header.type() == MessageType.DATA) {
+                ranger.publish(
+                        header.timeSeconds(),
+                        DataMessages.decode(62, header.subtype(), line.message().payload())
+                                .orElseThrow());
+            }
+        }
+    }
+
+    private static DeviceReply captured(List<Hex.Line> lines, int subtype) throws WireException {
+        Message reply = lines.stream()
+                .skip(1)
+                .map(Hex.Line::message)
+                .filter(each -> each.header().type() == MessageType.ACK
+                        && each.header().address().interfaceCode() == 62
+                        && each.header().subtype() == subtype)
+                .findFirst()
+                .orElseThrow();
+        return ReplyMessages.decode(62, MessageType.ACK, subtype, reply.payload());
     }
 
     @Test

@@ -1,0 +1,89 @@
+package io.troupe.player.wire;
+
+import io.troupe.actor.ActorSpace;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** A ranger:0 for one client, which says and answers what it has been told to. */
+final class ScriptedRanger implements PlayerServer, PlayerConnection {
+    static final DeviceAddress ADDRESS = new DeviceAddress(0, 1, 62, 0);
+
+    /** What the client has answered, from the first. */
+    final List<Long> answers = new ArrayList<>();
+
+    private final Map<DeviceRequest, DeviceReply> replies;
+    private @Nullable DataSink sink;
+    private long tick;
+
+    ScriptedRanger(Map<DeviceRequest, DeviceReply> replies) {
+        this.replies = replies;
+    }
+
+    void publish(double timeSeconds, DeviceData data) {
+        sink.frame(new Frame(tick++, timeSeconds, List.of(new DataMessage(ADDRESS, timeSeconds, data))));
+    }
+
+    @Override
+    public String banner() {
+        return "Player v.3.1.1-dev";
+    }
+
+    @Override
+    public PlayerConnection connect(DataSink newSink, @Nullable ActorSpace space) {
+        sink = newSink;
+        return this;
+    }
+
+    @Override
+    public List<DeviceAddress> devices() {
+        return List.of(ADDRESS);
+    }
+
+    @Override
+    public String driverName(DeviceAddress device) {
+        return "stage";
+    }
+
+    @Override
+    public void subscribe(DeviceAddress device) {
+        if (!device.equals(ADDRESS)) {
+            throw new IllegalArgumentException("there is no " + device);
+        }
+    }
+
+    @Override
+    public void unsubscribe(DeviceAddress device) {
+        throw new AssertionError("not in the script");
+    }
+
+    @Override
+    public void command(DeviceAddress device, DeviceCommand command) {
+        throw new AssertionError("not in the script");
+    }
+
+    @Override
+    public DeviceReply request(DeviceAddress device, DeviceRequest request) {
+        return replies.getOrDefault(request, new DeviceReply.Nack("not in the script"));
+    }
+
+    @Override
+    public synchronized void answered(long answeredTick) {
+        answers.add(answeredTick);
+    }
+
+    @Override
+    public void neverAnswers() {
+        throw new AssertionError("it asks for its data");
+    }
+
+    @Override
+    public void delivery(Delivery mode) {}
+
+    @Override
+    public void replace(ReplaceRule rule) {}
+
+    @Override
+    public void close() {}
+}
