@@ -13,8 +13,11 @@ import java.util.List;
 
 /** Refuses worlds the simulator cannot run as they are meant. */
 final class SpecCheck {
-    /** Beyond this, single-precision physics gets coarse. */
+    private static final System.Logger LOG = System.getLogger(SpecCheck.class.getName());
+    /** Beyond this, single-precision physics is too coarse: a step of 1 mm is rounded by 3 %. */
     static final double FARTHEST_M = 500;
+    /** Beyond this, it begins to be. */
+    private static final double FAR_M = 150;
 
     private static final double STRAIGHT = 1e-9;
 
@@ -36,6 +39,48 @@ final class SpecCheck {
                         robot.where(), title + " has a mass of " + robot.massKg() + ", expected kilograms above 0");
             }
         }
+        warnIfFar(spec);
+    }
+
+    /** Says once that something is far out, and what is farthest. */
+    private static void warnIfFar(WorldSpec spec) {
+        String farthest = "";
+        double farthestM = FAR_M;
+        for (ObstacleSpec obstacle : spec.obstacles()) {
+            double extentM = extentM(obstacle.pose(), obstacle.shape());
+            if (extentM > farthestM) {
+                farthestM = extentM;
+                farthest = "obstacle '" + obstacle.name() + "'";
+            }
+        }
+        for (RobotSpec robot : spec.robots()) {
+            double extentM = extentM(robot.pose(), robot.shape());
+            if (extentM > farthestM) {
+                farthestM = extentM;
+                farthest = "robot '" + robot.name() + "'";
+            }
+        }
+        if (farthestM > FAR_M) {
+            LOG.log(
+                    System.Logger.Level.WARNING,
+                    "{0}: {1} reaches {2} m from the origin along x or y: beyond {3} m collisions get coarse, expected a world"
+                            + " centred on the origin",
+                    spec.file(),
+                    farthest,
+                    Math.round(farthestM),
+                    FAR_M);
+        }
+    }
+
+    private static double extentM(Pose pose, Shape shape) {
+        double extentM = 0;
+        for (List<Point> polygon : shape.polygons()) {
+            for (Point vertex : polygon) {
+                Point placed = pose.place(vertex);
+                extentM = Math.max(extentM, Math.max(Math.abs(placed.x()), Math.abs(placed.y())));
+            }
+        }
+        return extentM;
     }
 
     private static void checkSteps(WorldSpec spec, WorldSettings settings) {

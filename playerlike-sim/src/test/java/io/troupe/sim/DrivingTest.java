@@ -186,4 +186,16 @@ class DrivingTest {
             assertPose(run(world, 20).pose(), StrictMath.sin(1), 1 - StrictMath.cos(1), 1);
         }
     }
+
+    @Test
+    void slowTurn_ofTenThousandSeconds_staysExact() {
+        World world = world(Pose.ORIGIN);
+        world.command(0, 0, 0.1);
+
+        Snapshot end = world.advance(100_000);
+
+        assertThat(StrictMath.IEEEremainder(
+                        end.robots().getFirst().pose().headingRad() - 0.1 * 10_000, 2 * StrictMath.PI))
+                .isCloseTo(0, within(1e-7));
+    }
 }

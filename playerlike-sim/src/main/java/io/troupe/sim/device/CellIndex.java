@@ -35,12 +35,12 @@ final class CellIndex {
     /** Counting leaves in {@code start[c]} where cell {@code c} ends; filling, from the last segment back, where it starts. */
     private void visit(boolean counting) {
         for (int s = segments.count - 1; s >= 0; s--) {
-            double toX = segments.x[s] + segments.dx[s];
-            double toY = segments.y[s] + segments.dy[s];
-            int firstColumn = grid.column(Math.min(segments.x[s], toX) - MARGIN_M);
-            int lastColumn = grid.column(Math.max(segments.x[s], toX) + MARGIN_M);
-            int firstRow = grid.row(Math.min(segments.y[s], toY) - MARGIN_M);
-            int lastRow = grid.row(Math.max(segments.y[s], toY) + MARGIN_M);
+            double toX = segments.x(s) + segments.dx(s);
+            double toY = segments.y(s) + segments.dy(s);
+            int firstColumn = grid.column(Math.min(segments.x(s), toX) - MARGIN_M);
+            int lastColumn = grid.column(Math.max(segments.x(s), toX) + MARGIN_M);
+            int firstRow = grid.row(Math.min(segments.y(s), toY) - MARGIN_M);
+            int lastRow = grid.row(Math.max(segments.y(s), toY) + MARGIN_M);
             boolean slanted = firstColumn != lastColumn && firstRow != lastRow;
             for (int row = firstRow; row <= lastRow; row++) {
                 for (int column = firstColumn; column <= lastColumn; column++) {
@@ -64,10 +64,10 @@ final class CellIndex {
             return false;
         }
         double half = grid.cellM / 2;
-        double offX = grid.minX + column * grid.cellM + half - segments.x[s];
-        double offY = grid.minY + row * grid.cellM + half - segments.y[s];
-        double dx = segments.dx[s];
-        double dy = segments.dy[s];
+        double offX = grid.minX + column * grid.cellM + half - segments.x(s);
+        double offY = grid.minY + row * grid.cellM + half - segments.y(s);
+        double dx = segments.dx(s);
+        double dy = segments.dy(s);
         double reach = (half + MARGIN_M) * (Math.abs(dx) + Math.abs(dy));
         return Math.abs(dx * offY - dy * offX) > reach;
     }

@@ -9,6 +9,8 @@ package io.troupe.sim.device;
 final class RayCaster {
     /** A ray through the corner where two segments meet must not slip between them. */
     private static final double CORNER = 1e-12;
+    /** More than that, and than rounding. */
+    private static final double FAR = 1e-6;
 
     private final Grid grid;
     private final CellIndex fixed;
@@ -62,24 +64,33 @@ final class RayCaster {
         int end = index.start[cell + 1];
         for (int i = index.start[cell]; i < end; i++) {
             int s = index.items[i];
-            if ((segments.stops[s] & ray.kind) == 0 || segments.carrier[s] == ray.skip) {
-                continue;
+            if (segments.stops(s, ray.kind, ray.skip)) {
+                meet(segments, s, ray);
             }
-            double dx = segments.dx[s];
-            double dy = segments.dy[s];
-            double facing = dx * ray.dirY - dy * ray.dirX; // positive: the ray comes from the right, from outside
-            if (!(facing > 0)) {
-                continue;
-            }
-            double offX = segments.x[s] - ray.x;
-            double offY = segments.y[s] - ray.y;
-            double distanceM = (offY * dx - offX * dy) / facing;
-            double along = (offY * ray.dirX - offX * ray.dirY) / facing;
-            boolean onSegment = along >= -CORNER && along <= 1 + CORNER;
-            if (onSegment && distanceM >= 0 && distanceM <= ray.maxM && distanceM < ray.hitM) {
-                ray.hitM = distanceM;
-                ray.hitThing = segments.thing[s];
-            }
+        }
+    }
+
+    private static void meet(Segments segments, int s, Ray ray) {
+        double dx = segments.dx(s);
+        double dy = segments.dy(s);
+        double facing = dx * ray.dirY - dy * ray.dirX; // positive: the ray comes from the right, from outside
+        if (!(facing > 0)) {
+            return;
+        }
+        double offX = segments.x(s) - ray.x;
+        double offY = segments.y(s) - ray.y;
+        double distanceShare = offY * dx - offX * dy;
+        double alongShare = offY * ray.dirX - offX * ray.dirY;
+        // most segments are missed by far: that can be told without dividing
+        if (distanceShare < 0 || alongShare < -FAR * facing || alongShare > (1 + FAR) * facing) {
+            return;
+        }
+        double distanceM = distanceShare / facing;
+        double along = alongShare / facing;
+        boolean onSegment = along >= -CORNER && along <= 1 + CORNER;
+        if (onSegment && distanceM <= ray.maxM && distanceM < ray.hitM) {
+            ray.hitM = distanceM;
+            ray.hitThing = segments.thing(s);
         }
     }
 }

@@ -123,10 +123,10 @@ public final class Scene {
         double maxY = 0;
         for (Segments segments : all) {
             for (int s = 0; s < segments.count; s++) {
-                minX = Math.min(minX, segments.x[s]);
-                minY = Math.min(minY, segments.y[s]);
-                maxX = Math.max(maxX, segments.x[s]);
-                maxY = Math.max(maxY, segments.y[s]);
+                minX = Math.min(minX, segments.x(s));
+                minY = Math.min(minY, segments.y(s));
+                maxX = Math.max(maxX, segments.x(s));
+                maxY = Math.max(maxY, segments.y(s));
             }
         }
         return new Grid(minX - RIM_M, minY - RIM_M, maxX + RIM_M, maxY + RIM_M);

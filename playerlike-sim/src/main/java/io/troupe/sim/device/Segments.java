@@ -2,54 +2,75 @@ package io.troupe.sim.device;
 
 import java.util.Arrays;
 
-/** Edges that stop rays: from a start point along a vector, the body to the left; each belongs to a thing, known by number. */
+/**
+ * Edges that stop rays: from a start point along a vector, the body to the left; each belongs to a thing, known by number.
+ *
+ * <p>What a ray needs of one edge lies together in memory: rays spend most of their time waiting for it.
+ */
 final class Segments {
-    double[] x = new double[64];
-    double[] y = new double[64];
-    double[] dx = new double[64];
-    double[] dy = new double[64];
-    int[] thing = new int[64];
-    int[] carrier = new int[64]; // whose own rays pass
-    int[] stops = new int[64]; // kinds of ray, as bits
+    /** {@code x, y, dx, dy} of segment {@code s} begin at {@code FIELDS * s}. */
+    static final int FIELDS = 4;
+
+    private static final int KINDS = 2; // bits of Ray.RANGE and Ray.SIGHT
+
+    double[] geometry = new double[64 * FIELDS];
+    private int[] tags = new int[64]; // whose own rays pass, and the kinds of ray it stops
+    private int[] things = new int[64];
     int count;
 
     void clear() {
         count = 0;
     }
 
-    void add(Outline outline, int thingNumber, int rayKinds) {
-        add(outline, thingNumber, thingNumber, rayKinds);
+    void add(Outline outline, int thing, int rayKinds) {
+        add(outline, thing, thing, rayKinds);
     }
 
     /** A thing that another one carries. */
-    void add(Outline outline, int thingNumber, int carrierNumber, int rayKinds) {
+    void add(Outline outline, int thing, int carrier, int rayKinds) {
         for (int p = 0; p < outline.rings().size(); p++) {
             Ring ring = outline.rings().get(p);
             for (int i = 0; i < ring.x.length; i++) {
                 int j = ring.next(i);
-                if (count == x.length) {
-                    grow();
+                if (count == tags.length) {
+                    tags = Arrays.copyOf(tags, 2 * count);
+                    things = Arrays.copyOf(things, 2 * count);
+                    geometry = Arrays.copyOf(geometry, 2 * count * FIELDS);
                 }
-                x[count] = ring.x[i];
-                y[count] = ring.y[i];
-                dx[count] = ring.x[j] - ring.x[i];
-                dy[count] = ring.y[j] - ring.y[i];
-                thing[count] = thingNumber;
-                carrier[count] = carrierNumber;
-                stops[count] = rayKinds;
+                int at = count * FIELDS;
+                geometry[at] = ring.x[i];
+                geometry[at + 1] = ring.y[i];
+                geometry[at + 2] = ring.x[j] - ring.x[i];
+                geometry[at + 3] = ring.y[j] - ring.y[i];
+                tags[count] = carrier << KINDS | rayKinds;
+                things[count] = thing;
                 count++;
             }
         }
     }
 
-    private void grow() {
-        int length = 2 * count;
-        x = Arrays.copyOf(x, length);
-        y = Arrays.copyOf(y, length);
-        dx = Arrays.copyOf(dx, length);
-        dy = Arrays.copyOf(dy, length);
-        thing = Arrays.copyOf(thing, length);
-        carrier = Arrays.copyOf(carrier, length);
-        stops = Arrays.copyOf(stops, length);
+    double x(int s) {
+        return geometry[FIELDS * s];
+    }
+
+    double y(int s) {
+        return geometry[FIELDS * s + 1];
+    }
+
+    double dx(int s) {
+        return geometry[FIELDS * s + 2];
+    }
+
+    double dy(int s) {
+        return geometry[FIELDS * s + 3];
+    }
+
+    int thing(int s) {
+        return things[s];
+    }
+
+    /** Whether a ray of this kind ends here, unless its carrier is to be ignored. */
+    boolean stops(int s, int kind, int ignored) {
+        return (tags[s] & kind) != 0 && tags[s] >> KINDS != ignored;
     }
 }

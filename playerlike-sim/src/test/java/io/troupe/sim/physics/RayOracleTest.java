@@ -2,18 +2,15 @@ package io.troupe.sim.physics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.sim.Specs;
 import io.troupe.sim.TestWorlds;
-import io.troupe.sim.World;
-import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.Scene;
+import io.troupe.sim.device.Sonar;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.SonarSpec;
-import io.troupe.sim.scenario.WorldSpec;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.Random;
 import java.util.stream.IntStream;
 import org.jbox2d.collision.shapes.PolygonShape;
@@ -24,7 +21,8 @@ import org.junit.jupiter.api.Test;
 /** Our rays against jbox2d's own, which are slower and in single precision. */
 class RayOracleTest {
     private static final double REACH_M = 6;
-    private static final int RAYS = 200;
+    private static final int PLACES = 1_200;
+    private static final int RAYS = 400;
     /** jbox2d turns bodies by a table of sines: its answer must lie between those of our rays this much to both sides. */
     private static final double GRAZING_RAD = 3e-5;
 
@@ -35,30 +33,53 @@ class RayOracleTest {
         List<ObstacleSpec> obstacles = obstacles(random);
         var oracle = new org.jbox2d.dynamics.World(new Vec2(0, 0));
         obstacles.forEach(obstacle -> addTo(oracle, obstacle));
+        var scene = new Scene(Specs.world(List.of(Specs.robot("r", Pose.ORIGIN)), obstacles));
+        var straight = new Sonar(fan(0));
+        var left = new Sonar(fan(GRAZING_RAD));
+        var right = new Sonar(fan(-GRAZING_RAD));
         double largest = 0;
         int hits = 0;
-        for (int place = 0; place < 300; place++) {
-            var pose = new Pose(22 * random.nextDouble() - 11, 22 * random.nextDouble() - 11, 0);
-            if (isCrowded(obstacles, pose)) {
-                continue;
-            }
-            double first = random.nextDouble();
-            List<Double> headings = IntStream.range(0, RAYS)
-                    .mapToObj(ray -> first + ray * 2 * StrictMath.PI / RAYS)
-                    .toList();
-            List<Double> straight = cast(obstacles, pose, headings, 0);
-            List<Double> left = cast(obstacles, pose, headings, GRAZING_RAD);
-            List<Double> right = cast(obstacles, pose, headings, -GRAZING_RAD);
+        for (int place = 0; place < PLACES; place++) {
+            Pose pose = freePlace(obstacles, random);
+            scene.place(0, pose);
+            scene.refresh();
+            List<Double> ahead = straight.read(scene, 0);
+            List<Double> toTheLeft = left.read(scene, 0);
+            List<Double> toTheRight = right.read(scene, 0);
             for (int ray = 0; ray < RAYS; ray++) {
-                double theirs = cast(oracle, pose, headings.get(ray));
-                double least = Math.min(straight.get(ray), Math.min(left.get(ray), right.get(ray)));
-                double most = Math.max(straight.get(ray), Math.max(left.get(ray), right.get(ray)));
+                double theirs = cast(oracle, pose, pose.headingRad() + headingRad(ray));
+                double least = Math.min(ahead.get(ray), Math.min(toTheLeft.get(ray), toTheRight.get(ray)));
+                double most = Math.max(ahead.get(ray), Math.max(toTheLeft.get(ray), toTheRight.get(ray)));
                 largest = Math.max(largest, Math.max(least - theirs, theirs - most));
                 hits += theirs < REACH_M ? 1 : 0;
             }
         }
-        assertThat(hits).as("seed %d", seed).isGreaterThan(5_000);
-        assertThat(largest).as("seed %d", seed).isLessThan(0.001);
+        assertThat(PLACES * RAYS).isEqualTo(480_000);
+        assertThat(hits).as("hits, seed %d", seed).isGreaterThan(200_000);
+        assertThat(largest).as("metres of difference, seed %d", seed).isLessThan(0.001);
+    }
+
+    private static double headingRad(int ray) {
+        return ray * 2 * StrictMath.PI / RAYS;
+    }
+
+    private static SonarSpec fan(double asideRad) {
+        return new SonarSpec(
+                IntStream.range(0, RAYS)
+                        .mapToObj(ray -> new Pose(0, 0, headingRad(ray) + asideRad))
+                        .toList(),
+                0,
+                REACH_M,
+                0.1);
+    }
+
+    private static Pose freePlace(List<ObstacleSpec> obstacles, Random random) {
+        while (true) {
+            var pose = new Pose(22 * random.nextDouble() - 11, 22 * random.nextDouble() - 11, random.nextDouble());
+            if (!isCrowded(obstacles, pose)) {
+                return pose;
+            }
+        }
     }
 
     private static List<ObstacleSpec> obstacles(Random random) {
@@ -87,36 +108,6 @@ class RayOracleTest {
         return obstacles.stream()
                 .anyMatch(each ->
                         StrictMath.hypot(each.pose().x() - pose.x(), each.pose().y() - pose.y()) < 0.9);
-    }
-
-    /** The readings of a robot that has a sonar in each direction. */
-    private static List<Double> cast(List<ObstacleSpec> obstacles, Pose pose, List<Double> headings, double aside) {
-        var sonar = new SonarSpec(
-                headings.stream()
-                        .map(heading -> new Pose(0, 0, heading + aside))
-                        .toList(),
-                0,
-                REACH_M,
-                0.1);
-        var robot = new RobotSpec(
-                "r",
-                pose,
-                TestWorlds.box(0.1, 0.1),
-                0,
-                0.1,
-                0.1,
-                1,
-                Pose.ORIGIN,
-                Pose.ORIGIN,
-                sonar,
-                null,
-                List.of(),
-                true,
-                true,
-                TestWorlds.NOWHERE);
-        var world = World.create(
-                new WorldSpec("rays", Path.of("rays.world"), 100, List.of(robot), obstacles), WorldSettings.DEFAULT);
-        return Objects.requireNonNull(world.latest().robots().getFirst().sonarM());
     }
 
     private static double cast(org.jbox2d.dynamics.World oracle, Pose pose, double heading) {
