@@ -113,8 +113,9 @@ public final class World implements AutoCloseable {
         double sweepM = 0;
         boolean fast = false;
         for (RobotSpec robot : spec.robots()) {
-            List<Point> points =
-                    robot.collisionShape().polygons().stream().flatMap(List::stream).toList();
+            List<Point> points = robot.collisionShape().polygons().stream()
+                    .flatMap(List::stream)
+                    .toList();
             var x = points.stream().mapToDouble(Point::x).summaryStatistics();
             var y = points.stream().mapToDouble(Point::y).summaryStatistics();
             double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());

@@ -83,8 +83,7 @@ final class CaveImage {
 
     /** Writes the file anew, from the repository's root. */
     public static void main(String[] arguments) throws IOException {
-        if (!ImageIO.write(
-                draw(), "png", Path.of("demo", "worlds", "cave.png").toFile())) {
+        if (!ImageIO.write(draw(), "png", Path.of("demo", "worlds", "cave.png").toFile())) {
             throw new IOException("no writer for PNG");
         }
     }

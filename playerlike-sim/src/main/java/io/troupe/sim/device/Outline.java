@@ -13,6 +13,10 @@ import java.util.List;
 public final class Outline {
     private final List<ConvexPolygon> polygons;
     private final List<? extends Ring> rings;
+    private double minX;
+    private double minY;
+    private double maxX;
+    private double maxY;
 
     public Outline(Shape shape, Pose pose) {
         polygons = shape.polygons().stream().map(ConvexPolygon::new).toList();
@@ -29,8 +33,15 @@ public final class Outline {
 
     /** Moves the body; the heading is given by its cosine and sine. */
     void place(double x, double y, double cos, double sin) {
+        minX = minY = Double.POSITIVE_INFINITY;
+        maxX = maxY = Double.NEGATIVE_INFINITY;
         for (int i = 0; i < polygons.size(); i++) {
-            polygons.get(i).place(x, y, cos, sin);
+            ConvexPolygon polygon = polygons.get(i);
+            polygon.place(x, y, cos, sin);
+            minX = Math.min(minX, polygon.minX);
+            minY = Math.min(minY, polygon.minY);
+            maxX = Math.max(maxX, polygon.maxX);
+            maxY = Math.max(maxY, polygon.maxY);
         }
         if (rings != polygons) {
             for (int i = 0; i < rings.size(); i++) {
@@ -47,6 +58,9 @@ public final class Outline {
     /** The gap to the other body if it is below {@code limitM}, else {@code limitM}. */
     double gapM(Outline other, double limitM) {
         double gap = limitM;
+        if (isApart(other, limitM)) {
+            return gap;
+        }
         for (int i = 0; i < polygons.size(); i++) {
             ConvexPolygon mine = polygons.get(i);
             for (int j = 0; j < other.polygons.size(); j++) {
@@ -66,21 +80,35 @@ public final class Outline {
 
     /** Whether the bodies reach into each other; touching is not overlapping. */
     public boolean overlaps(Outline other) {
-        return polygons.stream().anyMatch(mine -> other.polygons.stream().anyMatch(mine::overlaps));
+        if (isApart(other, 0)) {
+            return false;
+        }
+        for (int i = 0; i < polygons.size(); i++) {
+            for (int j = 0; j < other.polygons.size(); j++) {
+                if (polygons.get(i).overlaps(other.polygons.get(j))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether the boxes around both are so far from each other along x or along y. */
+    private boolean isApart(Outline other, double distanceM) {
+        return other.minX - maxX > distanceM
+                || minX - other.maxX > distanceM
+                || other.minY - maxY > distanceM
+                || minY - other.maxY > distanceM;
     }
 
     /** Middle of the smallest upright rectangle that holds the body. */
     double centreX() {
-        double min = polygons.stream().mapToDouble(each -> each.minX).min().orElse(0);
-        double max = polygons.stream().mapToDouble(each -> each.maxX).max().orElse(0);
-        return (min + max) / 2;
+        return polygons.isEmpty() ? 0 : (minX + maxX) / 2;
     }
 
     /** See {@link #centreX}. */
     double centreY() {
-        double min = polygons.stream().mapToDouble(each -> each.minY).min().orElse(0);
-        double max = polygons.stream().mapToDouble(each -> each.maxY).max().orElse(0);
-        return (min + max) / 2;
+        return polygons.isEmpty() ? 0 : (minY + maxY) / 2;
     }
 
     List<ConvexPolygon> polygons() {

@@ -39,8 +39,7 @@ final class ConfigReader {
             throw new WorldFileException(driver.where(), "a driver needs a \"name\"; expected \"stage\"");
         }
         if (!name.equals("stage")) {
-            findings.leaveOut(
-                    driver.whereOf("name"), "driver \"" + name + "\" is not supported; expected \"stage\"");
+            findings.leaveOut(driver.whereOf("name"), "driver \"" + name + "\" is not supported; expected \"stage\"");
         }
         return name.equals("stage");
     }
@@ -59,9 +58,8 @@ final class ConfigReader {
     }
 
     private static Entity simulationDriver(Document document, List<Entity> stage) {
-        List<Entity> drivers = stage.stream()
-                .filter(driver -> driver.has("worldfile"))
-                .toList();
+        List<Entity> drivers =
+                stage.stream().filter(driver -> driver.has("worldfile")).toList();
         if (drivers.isEmpty()) {
             throw new WorldFileException(
                     document.root().where(),
@@ -94,7 +92,8 @@ final class ConfigReader {
                     item.where(),
                     simulation
                             ? "simulation is provided by the driver with the \"worldfile\", not by one with a \"model\""
-                            : type + " is provided by a driver with a \"model\", not by the one with the \"worldfile\"");
+                            : type
+                                    + " is provided by a driver with a \"model\", not by the one with the \"worldfile\"");
         }
         requireFreeAddress(provided, item);
         String model = "";
@@ -109,8 +108,8 @@ final class ConfigReader {
 
     private List<DeviceBinding> used(String model, String interfaceName) {
         return devices.stream()
-                .filter(device -> device.model().equals(model)
-                        && device.interfaceName().equals(interfaceName))
+                .filter(device ->
+                        device.model().equals(model) && device.interfaceName().equals(interfaceName))
                 .toList();
     }
 
@@ -134,7 +133,9 @@ final class ConfigReader {
             throw new WorldFileException(
                     item.where(),
                     "robot \"" + name + "\" has " + (count == 1 ? "one " : count + " of ") + type
-                            + (count == 1 ? ", and it is already provided at " : ", and they are already provided, the last at ")
+                            + (count == 1
+                                    ? ", and it is already provided at "
+                                    : ", and they are already provided, the last at ")
                             + used.getLast().where());
         }
         return robot;

@@ -76,8 +76,7 @@ public final class CrowdWorld {
     /** The world file. */
     public static String text(int robots) {
         if (robots < 1 || robots > MOST_ROBOTS) {
-            throw new IllegalArgumentException(
-                    "a crowd has " + robots + " robots, expected from 1 to " + MOST_ROBOTS);
+            throw new IllegalArgumentException("a crowd has " + robots + " robots, expected from 1 to " + MOST_ROBOTS);
         }
         var crowd = new CrowdWorld(robots);
         crowd.write();
@@ -116,8 +115,7 @@ public final class CrowdWorld {
             for (int row = -1; row <= 1; row += 2) {
                 line(
                         "wall ( pose [ %.2f %.2f 0 0 ] size [ 0.2 2.6 0.5 ] )",
-                        x + column * 2 * ROBOT_SPACING_M,
-                        y + row * 2 * ROBOT_SPACING_M);
+                        x + column * 2 * ROBOT_SPACING_M, y + row * 2 * ROBOT_SPACING_M);
             }
         }
         line("panel ( color \"red\" pose [ %.2f %.2f 0 0 ] )", x - 5.4, y + 7.8);

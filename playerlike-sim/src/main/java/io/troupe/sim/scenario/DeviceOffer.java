@@ -85,8 +85,7 @@ final class DeviceOffer {
                         ? robotIndex
                         : world.robots().size() + further.merge(interfaceName, 1, Integer::sum) - 1;
                 int ranger = rangerOf(robot, interfaceName, nth);
-                devices.add(
-                        new DeviceBinding(DEFAULT_PORT, interfaceName, index, robot.name(), ranger, robot.where()));
+                devices.add(new DeviceBinding(DEFAULT_PORT, interfaceName, index, robot.name(), ranger, robot.where()));
             }
         }
         return new Scenario(world, devices);

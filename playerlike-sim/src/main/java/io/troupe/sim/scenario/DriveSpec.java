@@ -29,10 +29,7 @@ public record DriveSpec(
      */
     public record Bounds(double leastForward, double mostForward, double leastTurn, double mostTurn) {
         public static final Bounds NONE = new Bounds(
-                Double.NEGATIVE_INFINITY,
-                Double.POSITIVE_INFINITY,
-                Double.NEGATIVE_INFINITY,
-                Double.POSITIVE_INFINITY);
+                Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
     /** Where odometry gets its pose from. */

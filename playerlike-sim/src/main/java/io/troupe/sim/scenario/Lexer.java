@@ -52,7 +52,8 @@ final class Lexer {
 
     private void token(char c) {
         if (tokens.size() >= MOST_TOKENS - 1) {
-            throw new WorldFileException(here(), "more than " + MOST_TOKENS + " words, numbers and brackets in one file");
+            throw new WorldFileException(
+                    here(), "more than " + MOST_TOKENS + " words, numbers and brackets in one file");
         }
         switch (c) {
             case '(' -> add(Kind.OPEN, at + 1);

@@ -19,7 +19,9 @@ final class SensorReader {
     /** A {@code ranger} of the classic dialect, mounted at {@code pose}. */
     SonarSpec sonar(Entity ranger, Pose pose) {
         if (!ranger.has("scount")) {
-            throw new WorldFileException(ranger.where(), "a ranger needs \"scount\", the number of its sonars, or a sensor( .. ) as in Stage 4");
+            throw new WorldFileException(
+                    ranger.where(),
+                    "a ranger needs \"scount\", the number of its sonars, or a sensor( .. ) as in Stage 4");
         }
         int count = ranger.whole("scount", 0);
         SourcePosition where = ranger.whereOf("scount");

@@ -43,8 +43,8 @@ final class Vocabulary {
     private static final Set<String> SENSORS = Set.of("ranger", "laser", "blobfinder");
 
     private static final String NESTED_ROBOT = "a position inside another entity is not supported";
-    private static final Map<String, String> MODEL_CHILDREN = Map.of(
-            "model", "", "block", "", "ranger", "", "laser", "", "blobfinder", "", "position", NESTED_ROBOT);
+    private static final Map<String, String> MODEL_CHILDREN =
+            Map.of("model", "", "block", "", "ranger", "", "laser", "", "blobfinder", "", "position", NESTED_ROBOT);
 
     private static final Map<String, PropertyRule> WORLD_PROPERTIES = union(
             all(TEXT, "name", "unit_length", "unit_angle"),
@@ -94,8 +94,8 @@ final class Vocabulary {
             all(TEXT, "color"),
             all(numbers(4, 4), "color_rgba"));
 
-    private static final Map<String, PropertyRule> LASER_PROPERTIES = union(
-            MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "fov"), all(WHOLE, "samples", "resolution"));
+    private static final Map<String, PropertyRule> LASER_PROPERTIES =
+            union(MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "fov"), all(WHOLE, "samples", "resolution"));
 
     private static final Map<String, PropertyRule> BLOBFINDER_PROPERTIES = union(
             MODEL_PROPERTIES,

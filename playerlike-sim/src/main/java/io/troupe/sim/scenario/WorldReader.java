@@ -85,8 +85,8 @@ final class WorldReader {
     }
 
     private void checkLaserReturn(Entity model) {
-        boolean differs = model.has("laser_return")
-                && model.number("laser_return", 1) > 0 != dialect.blocksRangers(model);
+        boolean differs =
+                model.has("laser_return") && model.number("laser_return", 1) > 0 != dialect.blocksRangers(model);
         if (differs) {
             findings.leaveOut(
                     model.whereOf("laser_return"),

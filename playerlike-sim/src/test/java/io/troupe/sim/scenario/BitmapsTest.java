@@ -44,7 +44,9 @@ class BitmapsTest {
     private void write(String name, BufferedImage image) {
         try {
             String format = name.substring(name.indexOf('.') + 1);
-            assertThat(ImageIO.write(image, format, worlds.file(name).toFile())).as(name).isTrue();
+            assertThat(ImageIO.write(image, format, worlds.file(name).toFile()))
+                    .as(name)
+                    .isTrue();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
@@ -91,8 +93,7 @@ class BitmapsTest {
                         new Point(-2, 1.5),
                         new Point(-2, -1.5)));
         assertThat(shape.polygons())
-                .containsExactlyInAnyOrder(
-                        Polygons.rectangle(-2, -1.5, 2, -0.5), Polygons.rectangle(-2, -0.5, 0, 1.5));
+                .containsExactlyInAnyOrder(Polygons.rectangle(-2, -1.5, 2, -0.5), Polygons.rectangle(-2, -0.5, 0, 1.5));
     }
 
     @Test
@@ -106,8 +107,9 @@ class BitmapsTest {
 
     @Test
     void pixels_thatShareACornerOnly_areApart() {
-        assertThat(shape("#.", ".#").outlines()).hasSize(2).allSatisfy(line -> assertThat(line)
-                .hasSize(4));
+        assertThat(shape("#.", ".#").outlines())
+                .hasSize(2)
+                .allSatisfy(line -> assertThat(line).hasSize(4));
         assertThat(shape("##.", "#.#", "###").outlines()).hasSize(1);
         assertThat(shape("##", "##").polygons()).hasSize(1);
     }
@@ -254,7 +256,8 @@ class BitmapsTest {
         assertThat(problem("huge.png", ""))
                 .startsWith("t.world:1:16: bitmap huge.png is too large: 1879048195 x 2 pixels; the limit is 16000000");
         assertThat(problem("dot.png", "block ( point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 1 1 ] )"))
-                .isEqualTo("t.world:1:16: a model has a \"bitmap\" or blocks, not both; the first block is at t.world:1:26");
+                .isEqualTo(
+                        "t.world:1:16: a model has a \"bitmap\" or blocks, not both; the first block is at t.world:1:26");
     }
 
     private String problem(String bitmap, String more) {

@@ -159,9 +159,11 @@ class ConfigReaderTest {
                   model ( pose [ 0 0.1 0 90 ] laser ( range_max 4 ) ) )
                 """);
 
-        Scenario scenario = ScenarioReader.readConfig(worlds.write(
-                "t.cfg",
-                STAGE + "driver ( name \"stage\" provides [ \"laser:4\" \"sonar:0\" \"7000:laser:0\" ] model \"full\" )"));
+        Scenario scenario = ScenarioReader.readConfig(
+                worlds.write(
+                        "t.cfg",
+                        STAGE
+                                + "driver ( name \"stage\" provides [ \"laser:4\" \"sonar:0\" \"7000:laser:0\" ] model \"full\" )"));
 
         assertThat(scenario.devices())
                 .extracting(d -> d.port() + " " + d.interfaceName() + ":" + d.index() + " " + d.ranger())

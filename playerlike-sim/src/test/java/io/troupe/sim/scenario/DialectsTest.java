@@ -116,7 +116,8 @@ class DialectsTest {
 
     @Test
     void drive_saysHowTheRobotStartsAndWhereItBelievesToBe() {
-        DriveSpec drive = robot("position ( velocity [ 0.3 0 0 20 ] localization \"odom\" odom_error [ 0.1 0.2 9e-1 0.4 ] )")
+        DriveSpec drive = robot(
+                        "position ( velocity [ 0.3 0 0 20 ] localization \"odom\" odom_error [ 0.1 0.2 9e-1 0.4 ] )")
                 .drive();
 
         assertThat(drive.startForwardMps()).isEqualTo(0.3);
@@ -159,8 +160,10 @@ class DialectsTest {
                 model ( pose [ 4 0 0 0 ] laser () )
                 """);
 
-        Scenario scenario = ScenarioReader.read(file, warning -> warnings.add(
-                warning.toString().replace(dir + "/", "").replaceFirst("; known.*", "")));
+        Scenario scenario = ScenarioReader.read(
+                file,
+                warning ->
+                        warnings.add(warning.toString().replace(dir + "/", "").replaceFirst("; known.*", "")));
 
         assertThat(scenario.world().robots()).extracting(RobotSpec::name).containsExactly("a", "b");
         assertThat(scenario.world().obstacles()).hasSize(1);

@@ -159,8 +159,7 @@ class EntityParserTest {
             text.append("define m" + i + " model ( m" + (i - 1) + " () )\n");
         }
 
-        assertThat(worlds.problem(text + "m19999 ()"))
-                .isEqualTo("t.world:101:21: entities are nested deeper than 100");
+        assertThat(worlds.problem(text + "m19999 ()")).isEqualTo("t.world:101:21: entities are nested deeper than 100");
     }
 
     @Test

@@ -20,14 +20,82 @@ class ReaderFuzzTest {
     private static final Path SHIPPED = Path.of("..", "demo", "worlds");
 
     private static final String[] WORDS = {
-        "(", ")", "[", "]", "(", ")", "model", "position", "ranger", "laser", "blobfinder", "sensor", "block", "window",
-        "gripper", "define", "include", "pose", "size", "origin", "bitmap", "boundary", "color", "color_rgba", "points",
-        "point[0]", "point[1]", "point[2]", "spose[0]", "scount", "sview", "samples", "range", "range_max", "fov", "noise",
-        "velocity", "velocity_bounds", "localization", "odom_error", "drive", "mass", "obstacle_return", "ranger_return",
-        "laser_return", "interval_sim", "unit_length", "name", "image", "colors", "\"cave.png\"", "\"pioneer.inc\"",
-        "\"t.world\"", "\"odom\"", "\"cm\"", "\"red\"", "\"\"", "0", "1", "-1", "2", "0.5", "1e308", "-1e-308", "1e9",
-        "999999999999", "[ 1 1 ]", "[ 0 0 0 ]", "[ 1 1 1 1 ]", "[ 0 5 15 ]", "[ -1 1 -1 1 -1 1 -90 90 ]", "pioneer2dx",
-        "wall", "unknown", "#", "\n"
+        "(",
+        ")",
+        "[",
+        "]",
+        "(",
+        ")",
+        "model",
+        "position",
+        "ranger",
+        "laser",
+        "blobfinder",
+        "sensor",
+        "block",
+        "window",
+        "gripper",
+        "define",
+        "include",
+        "pose",
+        "size",
+        "origin",
+        "bitmap",
+        "boundary",
+        "color",
+        "color_rgba",
+        "points",
+        "point[0]",
+        "point[1]",
+        "point[2]",
+        "spose[0]",
+        "scount",
+        "sview",
+        "samples",
+        "range",
+        "range_max",
+        "fov",
+        "noise",
+        "velocity",
+        "velocity_bounds",
+        "localization",
+        "odom_error",
+        "drive",
+        "mass",
+        "obstacle_return",
+        "ranger_return",
+        "laser_return",
+        "interval_sim",
+        "unit_length",
+        "name",
+        "image",
+        "colors",
+        "\"cave.png\"",
+        "\"pioneer.inc\"",
+        "\"t.world\"",
+        "\"odom\"",
+        "\"cm\"",
+        "\"red\"",
+        "\"\"",
+        "0",
+        "1",
+        "-1",
+        "2",
+        "0.5",
+        "1e308",
+        "-1e-308",
+        "1e9",
+        "999999999999",
+        "[ 1 1 ]",
+        "[ 0 0 0 ]",
+        "[ 1 1 1 1 ]",
+        "[ 0 5 15 ]",
+        "[ -1 1 -1 1 -1 1 -90 90 ]",
+        "pioneer2dx",
+        "wall",
+        "unknown",
+        "#",
+        "\n"
     };
 
     @TempDir
@@ -49,16 +117,17 @@ class ReaderFuzzTest {
     private boolean survives(Path file, String what) {
         boolean lenient = reads(file, true, what);
         boolean strict = reads(file, false, what);
-        assertThat(strict && !lenient).as("read strictly but not leniently: " + what).isFalse();
+        assertThat(strict && !lenient)
+                .as("read strictly but not leniently: " + what)
+                .isFalse();
         return strict;
     }
 
     private boolean reads(Path file, boolean lenient, String what) {
         try {
             if (lenient) {
-                ScenarioReader.read(file, warning -> assertThat(warning.toString())
-                        .as(what)
-                        .matches("(?s)\\S+:\\d+:\\d+: .+"));
+                ScenarioReader.read(
+                        file, warning -> assertThat(warning.toString()).as(what).matches("(?s)\\S+:\\d+:\\d+: .+"));
             } else {
                 ScenarioReader.read(file);
             }
@@ -149,7 +218,8 @@ class ReaderFuzzTest {
         for (int round = 0; round < 1000; round++) {
             var text = new StringBuilder();
             entity(text, random, 0);
-            survivors += survives(worlds.write("t.world", text.toString()), "seed " + SEED + ", round " + round) ? 1 : 0;
+            survivors +=
+                    survives(worlds.write("t.world", text.toString()), "seed " + SEED + ", round " + round) ? 1 : 0;
         }
 
         assertThat(survivors).as("files that could be read").isBetween(10, 990);
@@ -158,12 +228,30 @@ class ReaderFuzzTest {
     /** An entity with properties that are mostly of the right kind. */
     private static void entity(StringBuilder text, Random random, int depth) {
         String[] types = {"model", "position", "ranger", "laser", "blobfinder", "sensor", "gripper"};
-        text.append(types[depth == 0 ? random.nextInt(2) : random.nextInt(types.length)]).append(" ( ");
+        text.append(types[depth == 0 ? random.nextInt(2) : random.nextInt(types.length)])
+                .append(" ( ");
         String[] properties = {
-            "pose [ 1 1 0 0 ]", "size [ 1 1 ]", "size [ 1e308 1 ]", "origin [ 1 0 0 90 ]", "boundary 1", "bitmap \"cave.png\"",
-            "color \"blue\"", "mass 1e-300", "obstacle_return 0", "ranger_return 0.5", "range_max 4", "range [ 0 4 ]",
-            "samples 20", "fov 30", "noise [ 0 0 1 ]", "scount 1 spose[0] [ 0 0 0 ]", "velocity [ 1 0 0 1 ]",
-            "velocity_bounds [ -1 1 0 0 0 0 -9 9 ]", "localization \"odom\"", "size [ 16 16 ]", "pose [ 1e6 0 0 0 ]"
+            "pose [ 1 1 0 0 ]",
+            "size [ 1 1 ]",
+            "size [ 1e308 1 ]",
+            "origin [ 1 0 0 90 ]",
+            "boundary 1",
+            "bitmap \"cave.png\"",
+            "color \"blue\"",
+            "mass 1e-300",
+            "obstacle_return 0",
+            "ranger_return 0.5",
+            "range_max 4",
+            "range [ 0 4 ]",
+            "samples 20",
+            "fov 30",
+            "noise [ 0 0 1 ]",
+            "scount 1 spose[0] [ 0 0 0 ]",
+            "velocity [ 1 0 0 1 ]",
+            "velocity_bounds [ -1 1 0 0 0 0 -9 9 ]",
+            "localization \"odom\"",
+            "size [ 16 16 ]",
+            "pose [ 1e6 0 0 0 ]"
         };
         for (int i = random.nextInt(4); i > 0; i--) {
             text.append(properties[random.nextInt(properties.length)]).append(' ');
