@@ -38,19 +38,23 @@ public record WorldSettings(
     }
 
     public WorldSettings withSeed(long seed) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
+        return new WorldSettings(
+                seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, sensingThreads);
     }
 
     public WorldSettings withSensingThreads(int sensingThreads) {
