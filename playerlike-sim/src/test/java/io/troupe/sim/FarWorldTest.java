@@ -41,12 +41,14 @@ class FarWorldTest {
     @Test
     void worldBeyond150Metres_isWarnedOf_once_namingWhatIsFarthest() {
         assertThat(warnings(Specs.world(List.of(), wall("far", 160, 0, 1, 1), wall("farther", 0, -200, 1, 1))))
-                .containsExactly("test.world: obstacle 'farther' reaches 201 m from the origin along x or y: beyond 150 m"
-                        + " collisions get coarse, expected a world centred on the origin");
+                .containsExactly(
+                        "test.world: obstacle 'farther' reaches 201 m from the origin along x or y: beyond 150 m"
+                                + " collisions get coarse, expected a world centred on the origin");
     }
 
     @Test
     void worldWithin150Metres_isNot() {
-        assertThat(warnings(Specs.world(List.of(), wall("near", 149, -149, 1, 1)))).isEmpty();
+        assertThat(warnings(Specs.world(List.of(), wall("near", 149, -149, 1, 1))))
+                .isEmpty();
     }
 }

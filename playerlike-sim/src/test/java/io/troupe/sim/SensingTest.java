@@ -48,7 +48,9 @@ class SensingTest {
                 for (int round = 1; round <= 50; round++) {
                     sensing.run();
                     for (int i = 0; i < robots; i++) {
-                        assertThat(visits.get(i)).as("robot %d of %d", i, robots).isEqualTo(round);
+                        assertThat(visits.get(i))
+                                .as("robot %d of %d", i, robots)
+                                .isEqualTo(round);
                     }
                 }
                 assertThat(threads[0]).isSameAs(Thread.currentThread());
