@@ -2,7 +2,6 @@ package io.troupe.player.wire;
 
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.Iterator;
@@ -23,7 +22,6 @@ import org.jspecify.annotations.Nullable;
 final class Outbox {
     static final int MAX_DATA = 1024;
     static final int MAX_REPLY_BYTES = 64 * 1024;
-    private static final int MAX_RULES = 256;
     private static final int MAX_BATCH_BYTES = 64 * 1024;
 
     /** @param data null for everything that no rule speaks of */
@@ -35,7 +33,7 @@ final class Outbox {
     private final Condition changed = lock.newCondition();
     private final Deque<Entry> sending = new ArrayDeque<>();
     private final Deque<Entry> held = new ArrayDeque<>();
-    private final List<ReplaceRule> rules = new ArrayList<>();
+    private final ReplaceRules rules = new ReplaceRules();
     private final Set<DeviceAddress> subscribed = new HashSet<>();
     private Delivery mode = Delivery.PUSH;
     private boolean asked;
@@ -74,7 +72,7 @@ final class Outbox {
     private void add(DataMessage message) {
         Content content = DataMessages.encode(message.data());
         var kind = new Kind(message.from(), content.subtype());
-        int treatment = treatment(kind);
+        int treatment = rules.treatment(kind.from(), MessageType.DATA, kind.subtype());
         if (treatment == ReplaceRule.IGNORE) {
             return;
         }
@@ -90,15 +88,6 @@ final class Outbox {
                         message.from(), MessageType.DATA, content.subtype(), message.timeSeconds(), content.payload())
                 .bytes();
         held.add(new Entry(bytes, kind));
-    }
-
-    private int treatment(Kind kind) {
-        for (int i = rules.size() - 1; i >= 0; i--) { // the newest counts
-            if (rules.get(i).matches(kind.from(), MessageType.DATA.code(), kind.subtype())) {
-                return rules.get(i).replace();
-            }
-        }
-        return ReplaceRule.ACCEPT;
     }
 
     private void removeNewest(Kind kind) {
@@ -170,17 +159,10 @@ final class Outbox {
         });
     }
 
-    /** Adds a rule; one that speaks of the same messages goes. */
     void add(ReplaceRule rule) {
         under(() -> {
-            rules.removeIf(each -> each.interfaceCode() == rule.interfaceCode()
-                    && each.index() == rule.index()
-                    && each.type() == rule.type()
-                    && each.subtype() == rule.subtype());
-            if (rules.size() == MAX_RULES) {
-                rules.removeFirst();
-            }
-            return rules.add(rule);
+            rules.add(rule);
+            return true;
         });
     }
 

@@ -13,6 +13,9 @@ final class ScriptedRanger implements PlayerServer, PlayerConnection {
     /** What the client has answered, from the first. */
     final List<Long> answers = new ArrayList<>();
 
+    /** Runs while a client is being subscribed. */
+    Runnable whileSubscribing = () -> {};
+
     private final Map<DeviceRequest, DeviceReply> replies;
     private @Nullable DataSink sink;
     private long tick;
@@ -51,6 +54,7 @@ final class ScriptedRanger implements PlayerServer, PlayerConnection {
         if (!device.equals(ADDRESS)) {
             throw new IllegalArgumentException("there is no " + device);
         }
+        whileSubscribing.run();
     }
 
     @Override
