@@ -37,7 +37,7 @@ final class ClientLine implements PlayerConnection {
     private final PendingCommands pending = new PendingCommands();
     private final DeviceDesk desk;
     private boolean begun;
-    private boolean neverAnswers;
+    private boolean answers = true;
     private long publishedTick = NO_TICK;
     private long answeredTick = NO_TICK;
     private @Nullable String closed;
@@ -69,7 +69,7 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean isFreeRunning() {
-        return neverAnswers && isSubscribed();
+        return !isWaitedFor() && isSubscribed();
     }
 
     /** Whether it has subscribed to what it wants and waits for its first data, or has done so. */
@@ -77,8 +77,12 @@ final class ClientLine implements PlayerConnection {
         return begun && isSubscribed();
     }
 
+    private boolean isWaitedFor() {
+        return answers && simulation.isLockStep();
+    }
+
     boolean hasAnswered(long tick) {
-        return neverAnswers || answeredTick >= tick || !expectsData();
+        return !isWaitedFor() || answeredTick >= tick || !expectsData();
     }
 
     void tickBegins(long tick) {
@@ -171,7 +175,7 @@ final class ClientLine implements PlayerConnection {
     }
 
     private void later(Offer offer, PendingCommands.Kind kind, Runnable action) {
-        boolean late = !neverAnswers && publishedTick != NO_TICK && answeredTick >= publishedTick;
+        boolean late = isWaitedFor() && publishedTick != NO_TICK && answeredTick >= publishedTick;
         pending.add(offer, kind, action, late);
     }
 
@@ -191,11 +195,11 @@ final class ClientLine implements PlayerConnection {
     }
 
     @Override
-    public void neverAnswers() {
+    public void answers(boolean whether) {
         simulation.under(() -> {
             checkOpen();
-            begun = true;
-            neverAnswers = true;
+            begun |= !whether;
+            answers = whether;
             return true;
         });
     }

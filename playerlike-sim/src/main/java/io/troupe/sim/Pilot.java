@@ -145,7 +145,9 @@ final class Pilot {
 
     /** A goal is reached some time; a speed would hold for ever. */
     private boolean isLate(long nowMicros) {
-        return isWatched() && !(steering instanceof Drive.GoTo) && nowMicros - toldAtMicros >= settings.watchdogMicros();
+        return isWatched()
+                && !(steering instanceof Drive.GoTo)
+                && nowMicros - toldAtMicros >= settings.watchdogMicros();
     }
 
     /** Turns what holds into the speeds of the next interval, given where odometry says that the robot is. */
@@ -161,8 +163,7 @@ final class Pilot {
 
     private void clamp(double wantedForwardMps, double wantedTurnRadps) {
         DriveSpec.Bounds bounds = spec.velocityBounds();
-        forwardMps =
-                clamp(wantedForwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps());
+        forwardMps = clamp(wantedForwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps());
         turnRadps = clamp(wantedTurnRadps, bounds.leastTurn(), bounds.mostTurn(), settings.maxTurnRadps());
     }
 

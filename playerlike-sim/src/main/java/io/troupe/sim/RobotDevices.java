@@ -46,7 +46,9 @@ record RobotDevices(
                                         .computeIfAbsent(blobfinder, Blobfinder::new)
                                         .twin(),
                         rangers,
-                        rangers.stream().map(ranger -> new double[ranger.size()]).toList()));
+                        rangers.stream()
+                                .map(ranger -> new double[ranger.size()])
+                                .toList()));
             } catch (IllegalArgumentException e) {
                 throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
             }

@@ -32,6 +32,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Simulation implements AutoCloseable {
     static final String CLOSED = "the simulated world has been closed";
+    private static final System.Logger LOG = System.getLogger(Simulation.class.getName());
     private static final Duration ANSWER_LIMIT = Duration.ofSeconds(10);
 
     private final World world;
@@ -45,6 +46,8 @@ public final class Simulation implements AutoCloseable {
     private @Nullable Runnable whileWaiting;
     private final Set<Offer> switchedOff = new HashSet<>();
     private int connected;
+    private boolean lockStep = true;
+    private boolean disconnectsSilent;
     private boolean closed;
 
     private Simulation(World world) {
@@ -103,6 +106,24 @@ public final class Simulation implements AutoCloseable {
         answerLimit = limit;
     }
 
+    /**
+     * Whether ticks wait for the clients' answers, as they do unless this says otherwise. If not, the world goes on like Stage's: at the pace of time, whoever
+     * is slow misses something, and a run cannot be repeated but from a recording.
+     */
+    public void lockStep(boolean waits) {
+        under(() -> lockStep = waits);
+    }
+
+    /** Under the lock. */
+    boolean isLockStep() {
+        return lockStep;
+    }
+
+    /** Whether a client that does not answer in time is disconnected, with a warning in the log, instead of ending the tick; for worlds that strangers connect to. */
+    public void disconnectSilentClients(boolean disconnects) {
+        under(() -> disconnectsSilent = disconnects);
+    }
+
     /** Whether any client has subscribed to anything. */
     public boolean hasSubscribers() {
         return under(() -> lines.stream().anyMatch(ClientLine::isSubscribed));
@@ -111,7 +132,7 @@ public final class Simulation implements AutoCloseable {
     /**
      * Waits while time is paused; then publishes, waits for the answers, and advances the world by one interval.
      *
-     * @throws UnansweredTickException if a client does not answer in time; the world stands where it stood
+     * @throws UnansweredTickException if a client does not answer in time and is not to be disconnected; the world stands where it stood
      * @throws IllegalStateException if this simulation is closed, or the caller is interrupted while it waits
      */
     public Snapshot tick() {
@@ -278,20 +299,31 @@ public final class Simulation implements AutoCloseable {
             if (whileWaiting != null) {
                 whileWaiting.run();
             }
+            List<ClientLine> silent;
             synchronized (lock) {
-                var silent = audience.stream()
+                silent = audience.stream()
                         .filter(line -> !line.hasAnswered(tick))
                         .toList();
                 if (silent.isEmpty()) {
                     return;
                 }
                 long leftMillis = (deadline - wall.nanos()) / 1_000_000;
-                if (leftMillis <= 0) {
+                if (leftMillis > 0) {
+                    await(whileWaiting == null ? leftMillis : 1);
+                    continue;
+                }
+                if (!disconnectsSilent) {
                     throw new UnansweredTickException(tick, answerLimit, silent);
                 }
-                await(whileWaiting == null ? leftMillis : 1);
             }
+            silent.forEach(line -> disconnect(line, tick));
         }
+    }
+
+    private void disconnect(ClientLine line, long tick) {
+        String reason = "tick " + tick + " was not answered within " + answerLimit;
+        LOG.log(System.Logger.Level.WARNING, line + " is disconnected: " + reason);
+        line.lose(reason);
     }
 
     private void await(long millis) {

@@ -36,7 +36,6 @@ public final class World implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
     private static final Shape NO_SHAPE = new Shape(List.of());
 
-
     private final WorldSpec spec;
     private final WorldSettings settings;
     private final long intervalMicros;
@@ -363,7 +362,8 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec, physicsStartMicros));
+        return new Snapshot(
+                tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec, physicsStartMicros));
     }
 
     private RobotReading read(int robot) {

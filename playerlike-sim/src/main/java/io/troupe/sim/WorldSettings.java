@@ -43,27 +43,75 @@ public record WorldSettings(
     }
 
     public WorldSettings withSeed(long seed) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads);
     }
 
     public WorldSettings withWatchdogMicros(long watchdogMicros) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads);
     }
 
     public WorldSettings withSensingThreads(int sensingThreads) {
-        return new WorldSettings(seed, jitterM, jitterRad, physicsStepMicros, maxForwardMps, maxTurnRadps, watchdogMicros, sensingThreads);
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads);
     }
 
     /** All values that change what happens, in their order. */

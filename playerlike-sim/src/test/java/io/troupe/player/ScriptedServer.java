@@ -165,7 +165,7 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
     }
 
     @Override
-    public void neverAnswers() {}
+    public void answers(boolean whether) {}
 
     @Override
     public void delivery(Delivery mode) {}

@@ -52,7 +52,7 @@ class FreeRunningTest {
 
     private static WireClient push() {
         var client = new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.LASER, 0);
-        client.line.neverAnswers();
+        client.line.answers(false);
         return client;
     }
 
@@ -104,7 +104,7 @@ class FreeRunningTest {
                         PORT, (self, frame) -> self.tell(Interfaces.POSITION2D, 0, new DeviceCommand.Car(0.3, 0)))
                 .subscribe(Interfaces.POSITION2D, 0);
         push.line.answered(-1);
-        push.line.neverAnswers();
+        push.line.answers(false);
         assertThat(simulation.tick().robots().getFirst().odometry().forwardMps())
                 .isEqualTo(0.3);
     }

@@ -31,7 +31,6 @@ final class Conversation {
     private final Map<Place, DeviceAddress> devices = new LinkedHashMap<>();
 
     private boolean pull;
-    private boolean neverAnswers;
 
     /**
      * @param host and robot: what stands in every address that the client sees
@@ -180,18 +179,11 @@ final class Conversation {
 
     private void deliver(Header header, Delivery mode) {
         pull = mode == Delivery.PULL;
-        if (!pull && outbox.hasSubscribed()) {
-            neverAnswers();
+        if (outbox.hasSubscribed()) {
+            line.answers(pull);
         }
         outbox.mode(mode);
         outbox.reply(reply(header, new PlayerReply.Ack()));
-    }
-
-    private void neverAnswers() {
-        if (!neverAnswers) {
-            neverAnswers = true;
-            line.neverAnswers();
-        }
     }
 
     private void access(Header header, int mode, @Nullable DeviceAddress device) {
@@ -209,9 +201,7 @@ final class Conversation {
         outbox.cork();
         try {
             outbox.subscribed(outside(device), reply);
-            if (!pull) {
-                neverAnswers();
-            }
+            line.answers(pull);
             line.subscribe(device);
         } finally {
             outbox.uncork();

@@ -48,10 +48,10 @@ public interface PlayerConnection extends AutoCloseable {
     void answered(long tick);
 
     /**
-     * This client cannot say when it has answered, as a push client behind a socket: from now on no tick waits for it, and a world that has such a client
-     * keeps pace with real time. For good.
+     * Whether this client says when it has answered; it does unless it is told otherwise. One that does not, as a push client behind a socket, is waited for by
+     * no tick, and a world that has such a client keeps pace with real time.
      */
-    void neverAnswers();
+    void answers(boolean whether);
 
     /** Over a socket: when the server sends data; a client that asks for them ({@link Delivery#PULL}) answers by asking. In this JVM nothing changes. */
     void delivery(Delivery mode);

@@ -164,7 +164,7 @@ final class RemoteLine implements PlayerConnection {
     }
 
     @Override
-    public void neverAnswers() {
+    public void answers(boolean whether) {
         // the server sees the mode of delivery
     }
 

@@ -90,7 +90,9 @@ final class RobotBody {
         double towardsY = aimY + sin * centreX + cos * centreY - body.m_sweep.c.y;
         velocity.set((float) (towardsX / stepS), (float) (towardsY / stepS));
         float angularVelocity = (float) (wrap(aimHeadingRad - body.m_sweep.a) / stepS);
-        if (mayGlide && !placed && glides(velocity.x * physicsStepS, velocity.y * physicsStepS, angularVelocity * physicsStepS)) {
+        if (mayGlide
+                && !placed
+                && glides(velocity.x * physicsStepS, velocity.y * physicsStepS, angularVelocity * physicsStepS)) {
             return;
         }
         placed = false;

@@ -78,7 +78,7 @@ final class ScriptedRanger implements PlayerServer, PlayerConnection {
     }
 
     @Override
-    public void neverAnswers() {
+    public void answers(boolean whether) {
         throw new AssertionError("it asks for its data");
     }
 

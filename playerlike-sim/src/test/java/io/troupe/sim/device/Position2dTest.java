@@ -34,8 +34,12 @@ class Position2dTest {
         for (double heading : new double[] {0, 1, -2.5}) {
             var odometry = new Position2d(new Pose(3, 4, heading), Pose.ORIGIN, ERROR);
             for (int i = 1; i <= 100; i++) {
-                report(odometry, new Pose(
-                        3 + 0.05 * i * StrictMath.cos(heading), 4 + 0.05 * i * StrictMath.sin(heading), heading));
+                report(
+                        odometry,
+                        new Pose(
+                                3 + 0.05 * i * StrictMath.cos(heading),
+                                4 + 0.05 * i * StrictMath.sin(heading),
+                                heading));
             }
             Pose end = new Pose(3 + 5 * StrictMath.cos(heading), 4 + 5 * StrictMath.sin(heading), heading);
             assertPose(report(odometry, end), 5 * 1.01, 0, 0);

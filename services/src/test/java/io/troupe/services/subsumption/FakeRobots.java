@@ -176,7 +176,7 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         }
 
         @Override
-        public void neverAnswers() {}
+        public void answers(boolean whether) {}
 
         @Override
         public void delivery(Delivery mode) {}

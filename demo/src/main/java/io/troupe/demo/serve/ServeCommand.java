@@ -1,0 +1,193 @@
+package io.troupe.demo.serve;
+
+import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.sim.Pace;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe serve}: simulates a world and offers its robots to Player clients over TCP, until it is interrupted. */
+@Command(
+        name = "serve",
+        description = "Simulates a world and offers its robots to Player clients over TCP, until Ctrl-C.",
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+public final class ServeCommand implements Callable<Integer> {
+    static final int PLAYER_PORT = 6665;
+
+    private static final long CLOSING_SECONDS = 10;
+    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path world;
+
+    @Option(names = "--crowd", paramLabel = "N", description = "instead of a file: N robots in halls of 16 m")
+    private @Nullable Integer crowd;
+
+    @Option(
+            names = "--port",
+            paramLabel = "PORT",
+            description = "the port of devices for which the file names none; 0 = any that is free")
+    private int port = PLAYER_PORT;
+
+    @Option(
+            names = "--bind",
+            paramLabel = "ADDRESS",
+            description =
+                    "the address to listen on; the protocol knows no authentication, so think before you choose another")
+    private String bind = "127.0.0.1";
+
+    @ArgGroup
+    private @Nullable Speed speed;
+
+    /** One of these. */
+    static final class Speed {
+        @Option(names = "--realtime", description = "simulated time passes like ours (the default)")
+        private boolean realtime;
+
+        @Option(names = "--speed", paramLabel = "N", description = "N times as fast")
+        private double factor = 1;
+
+        @Option(
+                names = "--lock-step",
+                description =
+                        "as fast as the clients answer: every tick waits for them; only clients in pull mode can answer, with others time passes like ours")
+        private boolean lockStep;
+    }
+
+    @Option(names = "--seconds", paramLabel = "N", description = "end after so much simulated time; 0 = never")
+    private double seconds;
+
+    @Option(names = "--seed", paramLabel = "N", description = "of everything random in the world")
+    private long seed = 1;
+
+    @Option(names = "--lenient", description = "warn of what is unknown in the world file, and go on")
+    private boolean lenient;
+
+    @Option(names = "--record", paramLabel = "FILE", description = "write down what happens, for an exact replay")
+    private @Nullable Path record;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        Scenario scenario = scenario();
+        var serving = Serving.open(scenario, WorldSettings.DEFAULT.withSeed(seed), address(), port, lockStep());
+        var ended = new CountDownLatch(1);
+        var hook = new Thread(() -> finish(serving, ended), "finish");
+        Runtime.getRuntime().addShutdownHook(hook);
+        PrintWriter terminal = spec.commandLine().getOut();
+        try (serving;
+                var line = TerminalLine.open()) {
+            if (record != null) {
+                serving.record(record);
+            }
+            terminal.println(serving.greeting());
+            terminal.flush();
+            serving.run(pace(), endMicros(), line);
+        } finally {
+            ended.countDown();
+            forget(hook);
+        }
+        terminal.println(serving.farewell());
+        terminal.flush();
+        return 0;
+    }
+
+    private Scenario scenario() {
+        if (crowd != null) {
+            if (world != null) {
+                throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");
+            }
+            if (crowd < 1 || crowd > CrowdWorld.MOST_ROBOTS) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "--crowd is " + crowd + ", expected a number from 1 to " + CrowdWorld.MOST_ROBOTS);
+            }
+            return CrowdWorld.scenario(crowd);
+        }
+        Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world;
+        return lenient
+                ? ScenarioReader.read(
+                        file, warning -> spec.commandLine().getErr().println("troupe: warning: " + warning))
+                : ScenarioReader.read(file);
+    }
+
+    private InetAddress address() {
+        if (port < 0 || port > 65_535) {
+            throw new ParameterException(
+                    spec.commandLine(), "--port is " + port + ", expected a number from 0 to 65535");
+        }
+        try {
+            return InetAddress.getByName(bind);
+        } catch (UnknownHostException e) {
+            throw new ParameterException(
+                    spec.commandLine(), "--bind is " + bind + ", expected an address of this machine");
+        }
+    }
+
+    private boolean lockStep() {
+        return speed != null && speed.lockStep;
+    }
+
+    private Pace pace() {
+        if (lockStep()) {
+            return new Pace.OfAnswers();
+        }
+        double factor = speed == null ? 1 : speed.factor;
+        if (!(factor > 0 && factor <= 1e6)) {
+            throw new ParameterException(
+                    spec.commandLine(), "--speed is " + factor + ", expected a number above 0 and up to 1000000");
+        }
+        return new Pace.RealTime(factor);
+    }
+
+    private long endMicros() {
+        if (!(seconds >= 0 && seconds <= 1e9)) {
+            throw new ParameterException(
+                    spec.commandLine(), "--seconds is " + seconds + ", expected a number from 0 to 1000000000");
+        }
+        return seconds == 0 ? Long.MAX_VALUE : StrictMath.round(seconds * 1e6);
+    }
+
+    private static void forget(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shuttingDown) {
+            // it runs already, and that is what it is for
+        }
+    }
+
+    /** On Ctrl-C the machine ends when this returns: after clients were told and the recording was written. */
+    private static void finish(Serving serving, CountDownLatch ended) {
+        serving.stop();
+        try {
+            ended.await(CLOSING_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

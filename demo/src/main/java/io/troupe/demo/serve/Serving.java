@@ -1,0 +1,148 @@
+package io.troupe.demo.serve;
+
+import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.player.PlayerPorts;
+import io.troupe.player.wire.TcpServer;
+import io.troupe.sim.Pace;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.SimulationRunner;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.DeviceBinding;
+import io.troupe.sim.scenario.Scenario;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.stream.Collectors;
+
+/**
+ * A world and the sockets on which it is served.
+ *
+ * <p><b>Threads.</b> {@link #run} blocks its caller; {@link #stop} ends it from any thread.
+ */
+final class Serving implements AutoCloseable {
+    private static final long MICROS_PER_SECOND = 1_000_000;
+
+    private final Scenario scenario;
+    private final Simulation simulation;
+    /** By the port in the scenario. */
+    private final Map<Integer, TcpServer> servers = new TreeMap<>();
+
+    private final InetAddress bind;
+    private final CountDownLatch stopped = new CountDownLatch(1);
+
+    private Serving(Scenario scenario, Simulation simulation, InetAddress bind) {
+        this.scenario = scenario;
+        this.simulation = simulation;
+        this.bind = bind;
+    }
+
+    /**
+     * Creates the world and listens.
+     *
+     * @param port of the devices that the scenario offers on Player's usual one
+     */
+    static Serving open(Scenario given, WorldSettings settings, InetAddress bind, int port, boolean lockStep) {
+        Scenario scenario = withPort(given, port == 0 ? ServeCommand.PLAYER_PORT : port);
+        var serving = new Serving(scenario, Simulation.open(scenario, settings), bind);
+        serving.simulation.lockStep(lockStep);
+        serving.simulation.disconnectSilentClients(true);
+        try {
+            for (var binding : scenario.devices()) {
+                boolean any = port == 0 && binding.port() == ServeCommand.PLAYER_PORT;
+                serving.servers.computeIfAbsent(
+                        binding.port(),
+                        number -> TcpServer.open(PlayerPorts.find(number).orElseThrow(), any ? 0 : number, bind));
+            }
+        } catch (RuntimeException e) {
+            serving.close();
+            throw e;
+        }
+        return serving;
+    }
+
+    private static Scenario withPort(Scenario scenario, int port) {
+        return new Scenario(
+                scenario.world(),
+                scenario.devices().stream()
+                        .map(each -> each.port() == ServeCommand.PLAYER_PORT ? moved(each, port) : each)
+                        .toList());
+    }
+
+    private static DeviceBinding moved(DeviceBinding binding, int port) {
+        return new DeviceBinding(
+                port, binding.interfaceName(), binding.index(), binding.model(), binding.ranger(), binding.where());
+    }
+
+    /** The ports it listens on, in the order of those in the scenario. */
+    List<Integer> ports() {
+        return servers.values().stream().map(TcpServer::port).toList();
+    }
+
+    void record(Path file) throws IOException {
+        simulation.record(Files.newBufferedWriter(file));
+    }
+
+    /** What is offered where; one line for each port. */
+    String greeting() {
+        return servers.entrySet().stream()
+                .map(server ->
+                        bind.getHostAddress() + ":" + server.getValue().port() + " offers " + devices(server.getKey()))
+                .collect(Collectors.joining(
+                        "\n", "world " + scenario.world().name() + " is served; Ctrl-C ends it\n", ""));
+    }
+
+    private String devices(int port) {
+        List<DeviceBinding> offered =
+                scenario.devices().stream().filter(each -> each.port() == port).toList();
+        String first = offered.stream()
+                .limit(12)
+                .map(each -> each.interfaceName() + ":" + each.index())
+                .collect(Collectors.joining(" "));
+        return offered.size() > 12 ? first + " .. (" + offered.size() + " devices)" : first;
+    }
+
+    /** Lets time pass while there are clients, until it is stopped or so much time has passed. */
+    void run(Pace pace, long endMicros, TerminalLine line) throws InterruptedException {
+        try (var runner = SimulationRunner.start(simulation, 1, snapshot -> report(snapshot, endMicros, line), pace)) {
+            stopped.await();
+            line.close();
+            if (runner.droppedMicros() > 0) {
+                System.getLogger(Serving.class.getName())
+                        .log(
+                                System.Logger.Level.INFO,
+                                "{0} s of simulated time could not be caught up with",
+                                runner.droppedMicros() / MICROS_PER_SECOND);
+            }
+        }
+    }
+
+    private void report(Snapshot snapshot, long endMicros, TerminalLine line) {
+        if (snapshot.timeMicros() % MICROS_PER_SECOND == 0) {
+            line.show(String.format(Locale.ROOT, "%d s simulated", snapshot.timeMicros() / MICROS_PER_SECOND));
+        }
+        if (snapshot.timeMicros() >= endMicros) {
+            stop();
+        }
+    }
+
+    void stop() {
+        stopped.countDown();
+    }
+
+    String farewell() {
+        return String.format(Locale.ROOT, "%.1f simulated seconds", simulation.timeMicros() / 1e6);
+    }
+
+    @Override
+    public void close() {
+        servers.values().forEach(TcpServer::close);
+        simulation.close();
+    }
+}
