@@ -110,6 +110,43 @@ class FreeRunningTest {
     }
 
     @Test
+    void clientThatAnswersAgain_isWaitedFor() {
+        WireClient client = push();
+        simulation.tick();
+        client.line.answers(true);
+        client.line.answered(0);
+        simulation.answerLimit(Duration.ofMillis(1));
+        assertThatThrownBy(simulation::tick).isInstanceOf(UnansweredTickException.class);
+        client.line.answers(false);
+        simulation.tick();
+        assertThat(client.frames).hasSize(3);
+    }
+
+    @Test
+    void silentClient_isDisconnectedIfThatIsWanted_andTheOthersGoOn() {
+        WireClient silent = new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.SONAR, 1);
+        WireClient good = new WireClient(PORT, WireClient.ANSWER).subscribe(Interfaces.SONAR, 0);
+        simulation.answerLimit(Duration.ofMillis(1));
+        simulation.disconnectSilentClients(true);
+        for (int i = 0; i < 5; i++) {
+            simulation.tick();
+        }
+        assertThat(good.frames).hasSize(5);
+        assertThat(silent.frames).hasSize(1);
+        assertThatThrownBy(() -> silent.line.devices()).hasMessageContaining("tick 0 was not answered within PT0.001S");
+    }
+
+    @Test
+    void worldOutOfLockStep_waitsForNobody_andKeepsPace() {
+        var silent = new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.SONAR, 1);
+        simulation.lockStep(false);
+        tick(new Pace.OfAnswers());
+        tick(new Pace.OfAnswers());
+        assertThat(silent.frames).hasSize(2);
+        assertThat(sleptMillis).containsExactly(100L, 100L);
+    }
+
+    @Test
     void timeThatStoodStill_isNotLate() {
         push();
         tick(new Pace.OfAnswers());

@@ -1,0 +1,140 @@
+package io.troupe.demo.serve;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.player.PlayerClient;
+import io.troupe.player.structures.PlayerConstants;
+import io.troupe.sim.Pace;
+import io.troupe.sim.Replay;
+import io.troupe.sim.SnapshotHash;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.InetAddress;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
+
+@Tag("threads")
+@Timeout(60)
+class ServeCommandTest {
+    private static final Path WORLDS = Path.of("worlds");
+
+    @TempDir
+    private Path directory;
+
+    private final StringWriter out = new StringWriter();
+
+    private int serve(String... arguments) {
+        return new CommandLine(new ServeCommand())
+                .setOut(new PrintWriter(out))
+                .setErr(new PrintWriter(out))
+                .setExecutionExceptionHandler((thrown, line, parsed) -> {
+                    out.write(thrown.getMessage());
+                    return 1;
+                })
+                .execute(arguments);
+    }
+
+    /** A client of {@code localhost} would find the world without a socket; one of {@code 127.0.0.2} must use it. */
+    private static PlayerClient client(Serving serving) {
+        return new PlayerClient("127.0.0.2", serving.ports().getFirst());
+    }
+
+    @Test
+    void push_client_drivesAndTheRecordingReplays() throws Exception {
+        Scenario scenario = ScenarioReader.read(WORLDS.resolve("paper-arena.cfg"));
+        Path file = directory.resolve("session.txt");
+        var failure = new AtomicReference<@Nullable Throwable>();
+        try (var serving =
+                Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, false)) {
+            serving.record(file);
+            Thread driver = Thread.ofPlatform().start(() -> {
+                try {
+                    drive(serving);
+                } catch (Throwable thrown) {
+                    failure.set(thrown);
+                } finally {
+                    serving.stop();
+                }
+            });
+            serving.run(new Pace.RealTime(50), Long.MAX_VALUE, TerminalLine.hidden());
+            driver.join();
+        }
+        assertThat(failure.get()).isNull();
+
+        try (var reader = Files.newBufferedReader(file)) {
+            Replay replay = Replay.read(reader);
+            var hash = new SnapshotHash();
+            replay.play(scenario.world(), hash::update);
+            assertThat(replay.ticks()).isGreaterThanOrEqualTo(20);
+        }
+        assertThat(Files.readString(file)).contains(" velocity 0 0.3 0.0");
+    }
+
+    private static void drive(Serving serving) {
+        var robot = client(serving);
+        var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+        robot.runThreaded(-1, -1);
+        for (int cycle = 0; cycle < 20; cycle++) {
+            while (!wheels.isDataReady())
+                ;
+            wheels.setSpeed(0.3, 0);
+        }
+        assertThat(wheels.getX()).isPositive();
+        robot.close();
+    }
+
+    @Test
+    void lockStep_pullClientsAreWaitedFor_andTimeEndsTheServer() throws Exception {
+        Scenario scenario = ScenarioReader.read(WORLDS.resolve("track.cfg"));
+        var seen = new AtomicReference<Double>();
+        try (var serving = Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true)) {
+            Thread driver = Thread.ofPlatform().start(() -> {
+                var robot = client(serving);
+                robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
+                var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+                for (int cycle = 0; cycle < 100; cycle++) {
+                    robot.readAll();
+                }
+                seen.set(wheels.getTimestamp());
+                robot.close();
+                serving.stop();
+            });
+            serving.run(new Pace.OfAnswers(), Long.MAX_VALUE, TerminalLine.hidden());
+            driver.join();
+        }
+        assertThat(seen.get()).isEqualTo(9.9); // one frame for each readAll, the first at time 0
+    }
+
+    @Test
+    void wrongNumbers_areRefusedInOneLine() {
+        assertThat(serve("--speed", "0")).isEqualTo(2);
+        assertThat(out.toString()).contains("--speed is 0.0, expected a number above 0");
+        assertThat(serve("--crowd", "0")).isEqualTo(2);
+        assertThat(out.toString()).contains("--crowd is 0, expected a number from 1 to 20000");
+        assertThat(serve("--port", "70000")).isEqualTo(2);
+        assertThat(out.toString()).contains("--port is 70000, expected a number from 0 to 65535");
+        assertThat(serve("--bind", "no such host!")).isEqualTo(2);
+        assertThat(out.toString()).contains("--bind is no such host!, expected an address of this machine");
+        assertThat(serve("--realtime", "--speed", "2")).isEqualTo(2);
+    }
+
+    @Test
+    void portInUse_isSaid() throws Exception {
+        try (var taken = new java.net.ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            assertThat(serve("--world", WORLDS.resolve("track.cfg").toString(), "--port", "" + taken.getLocalPort()))
+                    .isEqualTo(1);
+            assertThat(out.toString()).contains("cannot listen on", "" + taken.getLocalPort());
+        }
+    }
+}
