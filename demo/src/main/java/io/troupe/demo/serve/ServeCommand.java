@@ -94,8 +94,10 @@ public final class ServeCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
-        Scenario scenario = scenario();
-        var serving = Serving.open(scenario, WorldSettings.DEFAULT.withSeed(seed), address(), port, lockStep());
+        Pace pace = pace();
+        long endMicros = endMicros();
+        InetAddress address = address();
+        var serving = Serving.open(scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep());
         var ended = new CountDownLatch(1);
         var hook = new Thread(() -> finish(serving, ended), "finish");
         Runtime.getRuntime().addShutdownHook(hook);
@@ -107,7 +109,7 @@ public final class ServeCommand implements Callable<Integer> {
             }
             terminal.println(serving.greeting());
             terminal.flush();
-            serving.run(pace(), endMicros(), line);
+            serving.run(pace, endMicros, line);
         } finally {
             ended.countDown();
             forget(hook);
