@@ -17,7 +17,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** The samples of the documentation occur in a source that the build compiles, and tests run. */
 class SamplesTest {
     @ParameterizedTest
-    @ValueSource(strings = {"README.md", "docs/guide/01-actors.md", "docs/guide/03-proving-a-wiring.md"})
+    @ValueSource(
+            strings = {
+                "README.md",
+                "docs/guide/01-actors.md",
+                "docs/guide/03-proving-a-wiring.md",
+                "docs/guide/04-bring-your-player-program.md"
+            })
     void samples_occurInCompiledSources(String page) throws IOException {
         var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));
         assertThat(samples).extracting(Samples.Sample::language).contains("java");

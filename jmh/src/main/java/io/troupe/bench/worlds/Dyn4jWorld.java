@@ -40,8 +40,8 @@ final class Dyn4jWorld extends RayWorld {
         }
     }
 
-    Dyn4jWorld(WorldSpec spec, boolean driving) {
-        super(spec, driving);
+    Dyn4jWorld(WorldSpec spec, boolean driving, boolean sparse) {
+        super(spec, driving, sparse);
         world.setGravity(PhysicsWorld.ZERO_GRAVITY);
         var settings = world.getSettings();
         settings.setAtRestDetectionEnabled(false);

@@ -27,8 +27,8 @@ final class Jbox2dWorld extends RayWorld implements RayCastCallback {
     private float nearest;
     private int hitColour = NO_COLOUR;
 
-    Jbox2dWorld(WorldSpec spec, boolean driving) {
-        super(spec, driving);
+    Jbox2dWorld(WorldSpec spec, boolean driving, boolean sparse) {
+        super(spec, driving, sparse);
         world.setAllowSleep(false);
         for (ObstacleSpec each : spec.obstacles()) {
             var body = body(BodyType.STATIC, each.pose().x(), each.pose().y(), 0, each.colour());

@@ -8,12 +8,13 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A physics engine with robots on top: what somebody writes who has the engine and no simulator.
  *
- * <p>Nothing is allocated here for a step or a ray, sines are taken once for a robot and interval, and a camera casts only the columns in which a coloured object can
- * be, as ours does; what the engine does for itself is its own.
+ * <p>Nothing is allocated here for a step or a ray, and sines are taken once for a robot and interval; what the engine does for itself is its own. A camera casts all its columns, or, to be
+ * sparse, only those in which a coloured object can be, as ours does.
  */
 abstract class RayWorld implements BenchWorld {
     static final int VELOCITY_ITERATIONS = 8;
@@ -27,7 +28,7 @@ abstract class RayWorld implements BenchWorld {
     private final Wander wander;
     private final Fan sonars;
     private final Fan columns;
-    private final ColouredColumns coloured;
+    private final @Nullable ColouredColumns coloured; // null: every column is cast
 
     /** Rays in a robot's frame. */
     private record Fan(double[] x, double[] y, double[] dirX, double[] dirY) {
@@ -40,7 +41,7 @@ abstract class RayWorld implements BenchWorld {
         }
     }
 
-    RayWorld(WorldSpec spec, boolean driving) {
+    RayWorld(WorldSpec spec, boolean driving, boolean sparse) {
         this.driving = driving;
         robotCount = spec.robots().size();
         readings = new Readings(robotCount);
@@ -48,7 +49,7 @@ abstract class RayWorld implements BenchWorld {
         RobotSpec first = spec.robots().getFirst();
         SonarSpec sonar = Objects.requireNonNull(first.sonar());
         BlobfinderSpec camera = Objects.requireNonNull(first.blobfinder());
-        coloured = new ColouredColumns(spec, camera);
+        coloured = sparse ? new ColouredColumns(spec, camera) : null;
         sonars = Fan.of(sonar.mounts());
         columns = Fan.of(IntStream.range(0, camera.widthPx())
                 .mapToObj(i -> camera.fovRad() / 2 - (i + 0.5) * camera.fovRad() / camera.widthPx())
@@ -112,10 +113,12 @@ abstract class RayWorld implements BenchWorld {
         readings.clearRuns(robot);
         int runColour = NO_COLOUR;
         int runFirst = 0;
-        coloured.seek(x, y, cos, sin);
+        if (coloured != null) {
+            coloured.seek(x, y, cos, sin);
+        }
         for (int k = 0; k < TiledScene.COLUMNS; k++) {
             int colour = NO_COLOUR;
-            if (coloured.isPossible(k)) {
+            if (coloured == null || coloured.isPossible(k)) {
                 cast(robot, x, y, cos, sin, columns, k, TiledScene.CAMERA_RANGE_M);
                 colour = hitColour();
             }

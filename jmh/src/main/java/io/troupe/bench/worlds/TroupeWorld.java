@@ -13,12 +13,12 @@ final class TroupeWorld implements BenchWorld {
     private final boolean driving;
     private final int robotCount;
 
-    TroupeWorld(WorldSpec spec, boolean driving) {
+    TroupeWorld(WorldSpec spec, boolean driving, int sensingThreads) {
         this.driving = driving;
         robotCount = spec.robots().size();
         readings = new Readings(robotCount);
         wander = new Wander(robotCount);
-        world = World.create(spec, WorldSettings.DEFAULT);
+        world = World.create(spec, WorldSettings.DEFAULT.withSensingThreads(sensingThreads));
         take(world.view());
     }
 

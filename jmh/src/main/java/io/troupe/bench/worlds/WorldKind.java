@@ -7,9 +7,15 @@ import java.util.function.BiFunction;
 
 /** The contenders. */
 enum WorldKind {
-    TROUPE("troupe", TroupeWorld::new),
-    JBOX2D("jbox2d", Jbox2dWorld::new),
-    DYN4J("dyn4j", Dyn4jWorld::new);
+    TROUPE("troupe", (spec, driving) -> new TroupeWorld(spec, driving, 1)),
+    /** Reading its devices with two threads. */
+    TROUPE_2("troupe-2", (spec, driving) -> new TroupeWorld(spec, driving, 2)),
+    JBOX2D("jbox2d", (spec, driving) -> new Jbox2dWorld(spec, driving, false)),
+    DYN4J("dyn4j", (spec, driving) -> new Dyn4jWorld(spec, driving, false)),
+    /** With our way to leave out rays that can meet nothing coloured. */
+    JBOX2D_SPARSE("jbox2d-sparse", (spec, driving) -> new Jbox2dWorld(spec, driving, true)),
+    /** See {@link #JBOX2D_SPARSE}. */
+    DYN4J_SPARSE("dyn4j-sparse", (spec, driving) -> new Dyn4jWorld(spec, driving, true));
 
     private final String label;
     private final BiFunction<WorldSpec, Boolean, BenchWorld> maker;
@@ -24,7 +30,7 @@ enum WorldKind {
     }
 
     boolean isOurs() {
-        return this == TROUPE;
+        return this == TROUPE || this == TROUPE_2;
     }
 
     /** A world whose robots wander, or one whose robots stand still. */
