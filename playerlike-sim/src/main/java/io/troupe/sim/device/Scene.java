@@ -23,7 +23,7 @@ import java.util.Map;
 public final class Scene {
     private static final double RIM_M = 1;
 
-    private final List<Outline> walls = new ArrayList<>(); // those that block bodies
+    private final NearestWalls walls;
     private final Outline[] robots;
     private final double[] x; // of the robots
     private final double[] y;
@@ -59,6 +59,7 @@ public final class Scene {
         Map<Integer, List<Integer>> fixedByColour = new LinkedHashMap<>();
         Map<Integer, List<Integer>> movingByColour = new LinkedHashMap<>();
         colours = new int[firstRobot + robotCount + cargoCount];
+        List<Outline> blocking = new ArrayList<>();
         var fixed = new Segments();
         for (int i = 0; i < firstRobot; i++) {
             ObstacleSpec obstacle = obstacles.get(i);
@@ -67,9 +68,10 @@ public final class Scene {
             circles.set(i, outline.centreX(), outline.centreY(), outline);
             paint(i, obstacle.colour(), obstacle.visible(), fixedByColour);
             if (obstacle.blocksBodies()) {
-                walls.add(outline);
+                blocking.add(outline);
             }
         }
+        walls = new NearestWalls(blocking);
         int cargo = firstRobot + robotCount;
         for (int i = 0; i < robotCount; i++) {
             addRobot(i, spec.robots().get(i), cargo, movingByColour);
@@ -178,11 +180,7 @@ public final class Scene {
 
     /** From the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is none. */
     public double wallGapM(int robot) {
-        double gap = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < walls.size(); i++) {
-            gap = robots[robot].gapM(walls.get(i), gap);
-        }
-        return gap;
+        return walls.gapM(robots[robot]);
     }
 
     /**
