@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
@@ -22,7 +23,7 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class})
+        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, DrawCommand.class})
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;

@@ -1,0 +1,50 @@
+package io.troupe.demo.draw;
+
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe draw}: reads a world and draws it, to see what is in it before anything moves. */
+@Command(
+        name = "draw",
+        description = "Draws a world file as SVG, with the first readings of its sonars and lasers.",
+        mixinStandardHelpOptions = true)
+public final class DrawCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "WORLD", description = "a .world or .cfg file")
+    private Path world;
+
+    @Option(names = "--out", paramLabel = "FILE", description = "the picture; world.svg unless given")
+    private Path out = Path.of("world.svg");
+
+    @Option(names = "--lenient", description = "warn of what is unknown in the world file, and go on")
+    private boolean lenient;
+
+    @Override
+    public Integer call() throws IOException {
+        PrintWriter err = spec.commandLine().getErr();
+        var scenario = lenient
+                ? ScenarioReader.read(world, warning -> err.println("troupe: warning: " + warning))
+                : ScenarioReader.read(world);
+        try (var simulated = World.create(scenario.world(), WorldSettings.DEFAULT)) {
+            Files.writeString(out, new WorldDrawing(scenario.world(), simulated.latest()).svg());
+        }
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.println(scenario.world().robots().size() + " robots, "
+                + scenario.world().obstacles().size() + " other things; wrote " + out);
+        terminal.flush();
+        return 0;
+    }
+}
