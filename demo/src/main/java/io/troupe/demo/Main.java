@@ -1,10 +1,12 @@
 package io.troupe.demo;
 
 import io.troupe.demo.draw.DrawCommand;
+import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
+import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -23,7 +25,8 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, DrawCommand.class})
+        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
@@ -50,6 +53,7 @@ public final class Main {
                     }
                     if (thrown instanceof IOException
                             || thrown instanceof UncheckedIOException
+                            || thrown instanceof RecordingException
                             || thrown instanceof PlayerException) {
                         err.println("troupe: " + thrown);
                         err.flush();

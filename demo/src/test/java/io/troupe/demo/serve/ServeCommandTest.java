@@ -35,7 +35,11 @@ class ServeCommandTest {
     private final StringWriter out = new StringWriter();
 
     private int serve(String... arguments) {
-        return new CommandLine(new ServeCommand())
+        return execute(new ServeCommand(), arguments);
+    }
+
+    private int execute(Object command, String... arguments) {
+        return new CommandLine(command)
                 .setOut(new PrintWriter(out))
                 .setErr(new PrintWriter(out))
                 .setExecutionExceptionHandler((thrown, line, parsed) -> {
@@ -79,6 +83,21 @@ class ServeCommandTest {
             assertThat(replay.ticks()).isGreaterThanOrEqualTo(20);
         }
         assertThat(Files.readString(file)).contains(" velocity 0 0.3 0.0");
+
+        assertThat(replay(
+                        file.toString(),
+                        "--world",
+                        WORLDS.resolve("paper-arena.cfg").toString()))
+                .isZero();
+        assertThat(out.toString()).contains("the same bit for bit", "robot1: ", " contacts");
+        assertThat(replay(
+                        file.toString(), "--world", WORLDS.resolve("office.cfg").toString()))
+                .isEqualTo(1);
+        assertThat(out.toString()).contains("made in another world");
+    }
+
+    private int replay(String... arguments) {
+        return execute(new ReplayCommand(), arguments);
     }
 
     private static void drive(Serving serving) {

@@ -1,0 +1,113 @@
+package io.troupe.demo.serve;
+
+import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.sim.Replay;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.WorldSpec;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe replay}: does once more, bit for bit, what {@code troupe serve --record} has written down. */
+@Command(
+        name = "replay",
+        description =
+                "Replays what serve --record has written, checks that it is the same, and says where the robots went.",
+        mixinStandardHelpOptions = true)
+public final class ReplayCommand implements Callable<Integer> {
+    private static final int TICKS_PER_REPORT = 50;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "RECORDING", description = "the file that serve --record has written")
+    private Path recording;
+
+    @Mixin
+    private WorldOptions worlds;
+
+    @Override
+    public Integer call() throws IOException {
+        WorldSpec world = worlds.scenario().world();
+        Replay replay = read();
+        var travelled = new Travelled(world.robots().size());
+        long checksum;
+        try (var line = TerminalLine.open()) {
+            checksum = replay.play(world, snapshot -> {
+                travelled.add(snapshot);
+                if (snapshot.tick() % TICKS_PER_REPORT == 0) {
+                    line.show(snapshot.tick() + " of " + replay.ticks() + " ticks");
+                }
+            });
+        }
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.printf(
+                Locale.ROOT,
+                "%d ticks of world %s, the same bit for bit; checksum %08x%n",
+                replay.ticks(),
+                world.name(),
+                checksum);
+        List<RobotSpec> robots = world.robots();
+        for (int i = 0; i < robots.size(); i++) {
+            terminal.printf(
+                    Locale.ROOT,
+                    "%s: %.1f m, %d contacts%n",
+                    robots.get(i).name(),
+                    travelled.distanceM[i],
+                    travelled.contacts[i]);
+        }
+        terminal.flush();
+        return 0;
+    }
+
+    private Replay read() throws IOException {
+        try (var reader = Files.newBufferedReader(recording)) {
+            return Replay.read(reader);
+        } catch (CharacterCodingException e) {
+            throw new IOException(recording + " is not a recording: it is not text", e);
+        }
+    }
+
+    /** How far each robot has driven, and what it has touched. */
+    private static final class Travelled {
+        private final double[] distanceM;
+        private final int[] contacts;
+        private final double[] x;
+        private final double[] y;
+
+        Travelled(int robots) {
+            distanceM = new double[robots];
+            contacts = new int[robots];
+            x = new double[robots];
+            y = new double[robots];
+        }
+
+        void add(Snapshot snapshot) {
+            for (int i = 0; i < x.length; i++) {
+                var pose = snapshot.robots().get(i).pose();
+                if (snapshot.tick() > 0) {
+                    distanceM[i] += StrictMath.hypot(pose.x() - x[i], pose.y() - y[i]);
+                }
+                x[i] = pose.x();
+                y[i] = pose.y();
+            }
+            for (var contact : snapshot.contacts()) {
+                contacts[contact.robot()]++;
+                if (contact.otherRobot() >= 0) {
+                    contacts[contact.otherRobot()]++;
+                }
+            }
+        }
+    }
+}

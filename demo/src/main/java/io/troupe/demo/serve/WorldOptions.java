@@ -1,0 +1,57 @@
+package io.troupe.demo.serve;
+
+import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Which world a command works with. */
+final class WorldOptions {
+    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path world;
+
+    @Option(names = "--crowd", paramLabel = "N", description = "instead of a file: N robots in halls of 16 m")
+    private @Nullable Integer crowd;
+
+    @Option(names = "--lenient", description = "warn of what is unknown in the world file, and go on")
+    private boolean lenient;
+
+    /** Reads it. */
+    Scenario scenario() {
+        if (crowd == null) {
+            return read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
+        }
+        if (world != null) {
+            throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");
+        }
+        if (crowd < 1 || crowd > CrowdWorld.MOST_ROBOTS) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--crowd is " + crowd + ", expected a number from 1 to " + CrowdWorld.MOST_ROBOTS);
+        }
+        return CrowdWorld.scenario(crowd);
+    }
+
+    private Scenario read(Path file) {
+        return lenient
+                ? ScenarioReader.read(
+                        file, warning -> spec.commandLine().getErr().println("troupe: warning: " + warning))
+                : ScenarioReader.read(file);
+    }
+}
