@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import io.troupe.sim.scenario.BlobfinderSpec;
 import io.troupe.sim.scenario.CargoSpec;
+import io.troupe.sim.scenario.DriveSpec;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
@@ -118,6 +119,29 @@ public final class Specs {
                 robot.blocksBodies(),
                 robot.drive(),
                 cargo,
+                robot.where());
+    }
+
+    /** The same robot, driving like this. */
+    public static RobotSpec driving(RobotSpec robot, DriveSpec drive) {
+        return new RobotSpec(
+                robot.name(),
+                robot.pose(),
+                robot.shape(),
+                robot.colour(),
+                robot.lengthM(),
+                robot.widthM(),
+                robot.massKg(),
+                robot.origin(),
+                robot.startOdometry(),
+                robot.sonar(),
+                robot.blobfinder(),
+                robot.rangers(),
+                robot.blocksRangers(),
+                robot.visible(),
+                robot.blocksBodies(),
+                drive,
+                robot.cargo(),
                 robot.where());
     }
 
