@@ -26,13 +26,15 @@ class GlidingTest {
         private final int robots;
         private final Pose middle;
         private final double sideM;
+        private final double scale; // of the robots
         private int touches;
 
         Twins(long seed) {
             random = new Random(seed);
             robots = 1 + random.nextInt(12);
-            sideM = 4 + random.nextInt(20);
-            double farM = random.nextInt(3) == 0 ? 900 : 0;
+            scale = random.nextInt(6) == 0 ? 30 : 1;
+            sideM = scale * (4 + random.nextInt(20));
+            double farM = random.nextInt(3) == 0 ? 300 : 0;
             middle = new Pose(farM, -farM / 2, 0);
             gliding = new Physics(robots, STEP_MICROS, 0, true);
             plain = new Physics(robots, STEP_MICROS, 0, false);
@@ -68,7 +70,9 @@ class GlidingTest {
             int count = 1 + random.nextInt(3);
             for (int i = 0; i < count; i++) {
                 Shape box = Specs.box(
-                        0.1 + 0.5 * random.nextDouble(), 0.1 + 0.4 * random.nextDouble(), random.nextDouble() - 0.5);
+                        scale * (0.1 + 0.5 * random.nextDouble()),
+                        scale * (0.1 + 0.4 * random.nextDouble()),
+                        scale * (random.nextDouble() - 0.5));
                 polygons.addAll(box.polygons());
             }
             return new Shape(polygons);
@@ -85,7 +89,7 @@ class GlidingTest {
             for (int i = 0; i < robots; i++) {
                 int robot = i;
                 if (random.nextInt(8) == 0) {
-                    double fastest = random.nextInt(20) == 0 ? 60 : 1; // half a metre in a step is too far for gliding
+                    double fastest = random.nextInt(20) == 0 ? 30 : 1; // half a metre in a step is too far for gliding
                     double forwardMps = random.nextInt(5) == 0 ? 0 : fastest * (2 * random.nextDouble() - 1);
                     double turnRadps = random.nextInt(3) == 0 ? 0 : 2 * fastest * (2 * random.nextDouble() - 1);
                     both(physics -> physics.drive(robot, forwardMps, turnRadps));
@@ -112,7 +116,7 @@ class GlidingTest {
             }
         }
 
-        /** Where the robots are, by bits, and which are held back. */
+        /** Where the robots are, by bits, which are held back, and how often a box of the tree was left. */
         private List<Long> numbers(Physics physics) {
             var numbers = new ArrayList<Long>();
             for (int robot = 0; robot < robots; robot++) {
@@ -122,6 +126,7 @@ class GlidingTest {
                 numbers.add(Double.doubleToRawLongBits(physics.bodyHeadingRad(robot)));
                 numbers.add(physics.stalled(robot) ? 1L : 0);
             }
+            numbers.add(physics.tree().reinsertCount()); // else contacts are found later than by jbox2d
             return numbers;
         }
 
@@ -141,7 +146,7 @@ class GlidingTest {
         int touches = 0;
         long plainMoves = 0;
         long glidingMoves = 0;
-        for (long seed = 1; seed <= 60; seed++) {
+        for (long seed = 1; seed <= 80; seed++) {
             var twins = new Twins(seed);
             twins.run(seed);
             touches += twins.touches;
