@@ -101,7 +101,9 @@ final class Orders {
         return room.refusal(robot, pose, other -> at.robots().get(other).pose());
     }
 
+    /** What anybody says from now on holds after the reset. */
     void reset() {
+        pilots.forEach(Pilot::forgetUntaken);
         resetWanted.set(true);
     }
 

@@ -64,6 +64,14 @@ final class Pilot {
         newestPlace.set(pose);
     }
 
+    /** Forgets what waits for the next interval. */
+    void forgetUntaken() {
+        newestDrive.set(null);
+        newestPower.set(null);
+        newestOdometry.set(null);
+        newestPlace.set(null);
+    }
+
     @Nullable
     Pose takeTeleport() {
         return take(newestPlace);

@@ -220,7 +220,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Puts everything back to its start when the next {@link #advance} begins: poses, odometry, motors, random streams; what robots were told before is
-     * forgotten. Ticks and time go on. What follows is what followed at the beginning, bit for bit, if the commands are the same.
+     * forgotten. Ticks and time go on. A controller sees the start before it is asked. What follows is what followed at the beginning, bit for bit, if the commands are the same.
      */
     public void reset() {
         orders.reset();
@@ -279,6 +279,7 @@ public final class World implements AutoCloseable {
                 if (wanted) {
                     publish();
                 }
+                beginAgainIfWanted();
                 controller.control(view);
                 advanceUnpublished();
                 Recording log = orders.recording();
@@ -308,7 +309,7 @@ public final class World implements AutoCloseable {
     }
 
     private void advanceUnpublished() {
-        latch();
+        orders.latch(tick, tick * intervalMicros, physics, devices);
         physics.forgetTouches();
         for (int i = 0; i < stepsPerInterval; i++) {
             physics.step();
@@ -327,7 +328,7 @@ public final class World implements AutoCloseable {
         }
     }
 
-    private void latch() {
+    private void beginAgainIfWanted() {
         long nowMicros = tick * intervalMicros;
         if (orders.takeReset(nowMicros)) {
             physics = newPhysics();
@@ -335,7 +336,6 @@ public final class World implements AutoCloseable {
             devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
             sense(); // as at the start: each reading moves the random streams on
         }
-        orders.latch(tick, nowMicros, physics, devices);
     }
 
     /** Reads all devices. */

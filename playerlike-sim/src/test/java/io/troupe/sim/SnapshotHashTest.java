@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RangeNoise;
+import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldSpec;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -125,5 +126,49 @@ class SnapshotHashTest {
         }
         assertThat(contacts).as("something must have been hit").isPositive();
         return readings;
+    }
+
+    @Test
+    void reset_withAController_repeatsWhatFollowedTheStart_bitForBit() {
+        World world = World.create(Arena.spec(6), Arena.seed(5));
+        List<Object> fromStart = controlled(world);
+        world.reset();
+
+        assertThat(controlled(world).equals(fromStart)).isTrue();
+    }
+
+    /** By what the robots measure, from the first interval on. */
+    private static List<Object> controlled(World world) {
+        var readings = new ArrayList<Object>();
+        for (int tick = 0; tick < 100; tick++) {
+            readings.add(world.advance(1, view -> {
+                        for (int robot = 0; robot < view.robotCount(); robot++) {
+                            view.command(robot, view.rangeM(robot, 3) / 10, view.rangeM(robot, 0) / 10);
+                        }
+                    })
+                    .robots());
+        }
+        return readings;
+    }
+
+    @Test
+    void reset_forgetsWhatWasSaidBefore_andKeepsWhatIsSaidAfter() {
+        World world =
+                World.create(Specs.world(List.of(Specs.robot("a", Pose.ORIGIN), far("b")), List.of()), Arena.seed(1));
+        Pose start = world.latest().robots().getFirst().pose();
+        world.command(0, 0.5, 0);
+        world.setOdometry(0, new Pose(7, 7, 0));
+        world.teleport(0, new Pose(5, 5, 0));
+        world.reset();
+        world.command(1, 0.5, 0);
+        Snapshot after = world.advance();
+
+        assertThat(after.robots().get(0).pose()).isEqualTo(start);
+        assertThat(after.robots().get(0).odometry().pose().x()).isZero();
+        assertThat(after.robots().get(1).odometry().forwardMps()).isEqualTo(0.5);
+    }
+
+    private static RobotSpec far(String name) {
+        return Specs.robot(name, new Pose(20, 0, 0));
     }
 }

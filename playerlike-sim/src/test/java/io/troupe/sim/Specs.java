@@ -1,6 +1,8 @@
 package io.troupe.sim;
 
 import io.troupe.sim.scenario.BlobfinderSpec;
+import io.troupe.sim.scenario.CargoSpec;
+import io.troupe.sim.scenario.DriveSpec;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
@@ -95,6 +97,52 @@ public final class Specs {
                 true,
                 true,
                 at(7));
+    }
+
+    /** The same robot with these things on it. */
+    public static RobotSpec carrying(RobotSpec robot, boolean visible, List<CargoSpec> cargo) {
+        return new RobotSpec(
+                robot.name(),
+                robot.pose(),
+                robot.shape(),
+                robot.colour(),
+                robot.lengthM(),
+                robot.widthM(),
+                robot.massKg(),
+                robot.origin(),
+                robot.startOdometry(),
+                robot.sonar(),
+                robot.blobfinder(),
+                robot.rangers(),
+                robot.blocksRangers(),
+                visible,
+                robot.blocksBodies(),
+                robot.drive(),
+                cargo,
+                robot.where());
+    }
+
+    /** The same robot, driving like this. */
+    public static RobotSpec driving(RobotSpec robot, DriveSpec drive) {
+        return new RobotSpec(
+                robot.name(),
+                robot.pose(),
+                robot.shape(),
+                robot.colour(),
+                robot.lengthM(),
+                robot.widthM(),
+                robot.massKg(),
+                robot.origin(),
+                robot.startOdometry(),
+                robot.sonar(),
+                robot.blobfinder(),
+                robot.rangers(),
+                robot.blocksRangers(),
+                robot.visible(),
+                robot.blocksBodies(),
+                drive,
+                robot.cargo(),
+                robot.where());
     }
 
     /** Sonars in the robot's centre that look into these directions. */

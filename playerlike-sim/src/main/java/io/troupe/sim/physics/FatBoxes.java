@@ -8,13 +8,16 @@ import org.jbox2d.common.Settings;
 
 /** The boxes in which the tree keeps a robot's polygons: while these stay inside, jbox2d has nothing to look for. */
 final class FatBoxes {
-    /** The skin, and more than single precision and a table of sines can be wrong by. */
+    /** The skin, and more than single precision can be wrong by. */
     private static final double MARGIN_M = Settings.polygonRadius + 1e-3;
+    /** More than the table of sines can be wrong by, for each metre from the centre of rotation. */
+    private static final double SINE_MARGIN = 2 * Settings.SINCOS_LUT_PRECISION;
 
     private final RepairedTree tree;
     private final int[] proxies;
     private final double[][] x; // of the vertices, by polygon, in the robot's frame
     private final double[][] y;
+    private final double[] marginM; // by polygon
 
     /** @param proxies by polygon */
     FatBoxes(RepairedTree tree, int[] proxies, Shape shape) {
@@ -23,9 +26,15 @@ final class FatBoxes {
         List<List<Point>> polygons = shape.polygons();
         x = new double[polygons.size()][];
         y = new double[polygons.size()][];
+        marginM = new double[polygons.size()];
         for (int i = 0; i < x.length; i++) {
             x[i] = polygons.get(i).stream().mapToDouble(Point::x).toArray();
             y[i] = polygons.get(i).stream().mapToDouble(Point::y).toArray();
+            double radiusM = polygons.get(i).stream()
+                    .mapToDouble(vertex -> StrictMath.hypot(vertex.x(), vertex.y()))
+                    .max()
+                    .orElse(0);
+            marginM[i] = MARGIN_M + SINE_MARGIN * radiusM;
         }
     }
 
@@ -33,10 +42,10 @@ final class FatBoxes {
     boolean hold(double robotX, double robotY, double cos, double sin) {
         for (int i = 0; i < proxies.length; i++) {
             AABB box = tree.getFatAABB(proxies[i]);
-            double minX = box.lowerBound.x + MARGIN_M - robotX;
-            double minY = box.lowerBound.y + MARGIN_M - robotY;
-            double maxX = box.upperBound.x - MARGIN_M - robotX;
-            double maxY = box.upperBound.y - MARGIN_M - robotY;
+            double minX = box.lowerBound.x + marginM[i] - robotX;
+            double minY = box.lowerBound.y + marginM[i] - robotY;
+            double maxX = box.upperBound.x - marginM[i] - robotX;
+            double maxY = box.upperBound.y - marginM[i] - robotY;
             for (int k = 0; k < x[i].length; k++) {
                 double dx = cos * x[i][k] - sin * y[i][k];
                 double dy = sin * x[i][k] + cos * y[i][k];

@@ -48,6 +48,7 @@ public final class Physics {
     private final int robotCount;
     private final int stepMicros;
     private final boolean continuous;
+    private final boolean mayGlide;
     private int obstacleCount;
     private long timeMicros;
 
@@ -58,9 +59,15 @@ public final class Physics {
      *     touches are then looked for within the step as well; 0 if it is not
      */
     public Physics(int robotCount, int stepMicros, double sweepM) {
+        this(robotCount, stepMicros, sweepM, true);
+    }
+
+    /** @param mayGlide whether robots that nothing is near may make their steps without jbox2d: that changes nothing but the time it takes */
+    Physics(int robotCount, int stepMicros, double sweepM, boolean mayGlide) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
         continuous = sweepM > 0;
+        this.mayGlide = mayGlide && !continuous;
         touches = new TouchLedger(robotCount);
         tree = new RepairedTree(sweepM);
         world = new World(
@@ -175,7 +182,7 @@ public final class Physics {
     /** Advances by one step. */
     public void step() {
         for (int i = 0; i < robots.size(); i++) {
-            robots.get(i).aim(timeMicros > 0 && !continuous);
+            robots.get(i).aim(mayGlide && timeMicros > 0);
         }
         world.step(stepMicros / 1e6f, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
         timeMicros += stepMicros;
