@@ -102,20 +102,22 @@ public final class ServeCommand implements Callable<Integer> {
         var hook = new Thread(() -> finish(serving, ended), "finish");
         Runtime.getRuntime().addShutdownHook(hook);
         PrintWriter terminal = spec.commandLine().getOut();
-        try (serving;
-                var line = TerminalLine.open()) {
-            if (record != null) {
-                serving.record(record);
+        try {
+            try (serving;
+                    var line = TerminalLine.open()) {
+                if (record != null) {
+                    serving.record(record);
+                }
+                terminal.println(serving.greeting());
+                terminal.flush();
+                serving.run(pace, endMicros, line);
             }
-            terminal.println(serving.greeting());
+            terminal.println(serving.farewell());
             terminal.flush();
-            serving.run(pace, endMicros, line);
         } finally {
-            ended.countDown();
+            ended.countDown(); // on Ctrl-C nothing is sure to happen after this
             forget(hook);
         }
-        terminal.println(serving.farewell());
-        terminal.flush();
         return 0;
     }
 
