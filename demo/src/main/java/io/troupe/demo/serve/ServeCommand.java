@@ -80,6 +80,12 @@ public final class ServeCommand implements Callable<Integer> {
         private boolean lockStep;
     }
 
+    @Option(
+            names = "--clients",
+            paramLabel = "N",
+            description = "time begins when so many clients have subscribed and wait for data")
+    private int clients = 1;
+
     @Option(names = "--seconds", paramLabel = "N", description = "end after so much simulated time; 0 = never")
     private double seconds;
 
@@ -96,6 +102,10 @@ public final class ServeCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         Pace pace = pace();
         long endMicros = endMicros();
+        if (clients < 1) {
+            throw new ParameterException(
+                    spec.commandLine(), "--clients is " + clients + ", expected a number of at least 1");
+        }
         InetAddress address = address();
         var serving = Serving.open(scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep());
         var ended = new CountDownLatch(1);
@@ -110,7 +120,7 @@ public final class ServeCommand implements Callable<Integer> {
                 }
                 terminal.println(serving.greeting());
                 terminal.flush();
-                serving.run(pace, endMicros, line);
+                serving.run(pace, clients, endMicros, line);
             }
             terminal.println(serving.farewell());
             terminal.flush();
