@@ -86,7 +86,8 @@ public final class Main {
         }
         if (thrown instanceof FileSystemException file && file.getReason() == null) {
             String kind = file.getClass().getSimpleName().replace("Exception", "");
-            return file.getFile() + ": " + kind.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+            return file.getFile() + ": "
+                    + kind.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
         }
         String message = thrown.getMessage();
         return message == null ? thrown.toString() : message;
