@@ -11,8 +11,10 @@ import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
+import java.nio.file.FileSystemException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -55,7 +57,7 @@ public final class Main {
                             || thrown instanceof UncheckedIOException
                             || thrown instanceof RecordingException
                             || thrown instanceof PlayerException) {
-                        err.println("troupe: " + thrown);
+                        err.println("troupe: " + failure(thrown));
                         err.flush();
                         return FAILED;
                     }
@@ -80,6 +82,20 @@ public final class Main {
                 "troupe: " + problem + " (see " + commandLine.getCommandSpec().qualifiedName() + " --help)");
         err.flush();
         return USAGE;
+    }
+
+    /** What went wrong without the names of classes, except where a file's name is all that the message says. */
+    private static String failure(Exception thrown) {
+        if (thrown instanceof UncheckedIOException && thrown.getCause() instanceof FileSystemException cause) {
+            return failure(cause);
+        }
+        if (thrown instanceof FileSystemException file && file.getReason() == null) {
+            String kind = file.getClass().getSimpleName().replace("Exception", "");
+            return file.getFile() + ": "
+                    + kind.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+        }
+        String message = thrown.getMessage();
+        return message == null ? thrown.toString() : message;
     }
 
     private static String oneLine(ParameterException wrong) {

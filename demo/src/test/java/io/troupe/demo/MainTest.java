@@ -55,6 +55,14 @@ class MainTest {
     }
 
     @Test
+    void fileThatCannotBeWritten_isOneLineWithoutNamesOfClasses() {
+        Path file = directory.resolve("missing/session.txt");
+        assertThat(troupe("serve", "--world", WORLD, "--port", "0", "--record", file.toString()))
+                .isEqualTo(Main.FAILED);
+        assertThat(err.toString().lines()).containsExactly("troupe: " + file + ": no such file");
+    }
+
+    @Test
     void netFileThatIsNone_isOneLine() throws IOException {
         Path file = Files.writeString(directory.resolve("bad.pnml"), "<pnml>");
         assertComplaint(

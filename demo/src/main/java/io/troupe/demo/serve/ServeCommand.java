@@ -80,6 +80,12 @@ public final class ServeCommand implements Callable<Integer> {
         private boolean lockStep;
     }
 
+    @Option(
+            names = "--clients",
+            paramLabel = "N",
+            description = "time begins when so many clients have subscribed and wait for data")
+    private int clients = 1;
+
     @Option(names = "--seconds", paramLabel = "N", description = "end after so much simulated time; 0 = never")
     private double seconds;
 
@@ -96,26 +102,32 @@ public final class ServeCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         Pace pace = pace();
         long endMicros = endMicros();
+        if (clients < 1) {
+            throw new ParameterException(
+                    spec.commandLine(), "--clients is " + clients + ", expected a number of at least 1");
+        }
         InetAddress address = address();
         var serving = Serving.open(scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep());
         var ended = new CountDownLatch(1);
         var hook = new Thread(() -> finish(serving, ended), "finish");
         Runtime.getRuntime().addShutdownHook(hook);
         PrintWriter terminal = spec.commandLine().getOut();
-        try (serving;
-                var line = TerminalLine.open()) {
-            if (record != null) {
-                serving.record(record);
+        try {
+            try (serving;
+                    var line = TerminalLine.open()) {
+                if (record != null) {
+                    serving.record(record);
+                }
+                terminal.println(serving.greeting());
+                terminal.flush();
+                serving.run(pace, clients, endMicros, line);
             }
-            terminal.println(serving.greeting());
+            terminal.println(serving.farewell());
             terminal.flush();
-            serving.run(pace, endMicros, line);
         } finally {
-            ended.countDown();
+            ended.countDown(); // on Ctrl-C nothing is sure to happen after this
             forget(hook);
         }
-        terminal.println(serving.farewell());
-        terminal.flush();
         return 0;
     }
 

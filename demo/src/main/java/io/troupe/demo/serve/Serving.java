@@ -108,9 +108,14 @@ final class Serving implements AutoCloseable {
         return offered.size() > 12 ? first + " .. (" + offered.size() + " devices)" : first;
     }
 
-    /** Lets time pass while there are clients, until it is stopped or so much time has passed. */
-    void run(Pace pace, long endMicros, TerminalLine line) throws InterruptedException {
-        try (var runner = SimulationRunner.start(simulation, 1, snapshot -> report(snapshot, endMicros, line), pace)) {
+    /**
+     * Lets time pass while there are clients, until it is stopped or so much time has passed.
+     *
+     * @param clients how many there must be before it begins
+     */
+    void run(Pace pace, int clients, long endMicros, TerminalLine line) throws InterruptedException {
+        try (var runner =
+                SimulationRunner.start(simulation, clients, snapshot -> report(snapshot, endMicros, line), pace)) {
             stopped.await();
             line.close();
             if (runner.droppedMicros() > 0) {

@@ -16,6 +16,9 @@ import java.io.StringWriter;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
@@ -71,7 +74,7 @@ class ServeCommandTest {
                     serving.stop();
                 }
             });
-            serving.run(new Pace.RealTime(50), Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.RealTime(50), 1, Long.MAX_VALUE, TerminalLine.hidden());
             driver.join();
         }
         assertThat(failure.get()).isNull();
@@ -129,10 +132,42 @@ class ServeCommandTest {
                 robot.close();
                 serving.stop();
             });
-            serving.run(new Pace.OfAnswers(), Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden());
             driver.join();
         }
         assertThat(seen.get()).isEqualTo(9.9); // one frame for each readAll, the first at time 0
+    }
+
+    @Test
+    void clients_timeBeginsWhenAllHaveBegun() throws Exception {
+        Scenario scenario = ScenarioReader.read(WORLDS.resolve("paper-arena.cfg"));
+        var seen = new ConcurrentLinkedQueue<Double>();
+        try (var serving = Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true)) {
+            var reading = new AtomicInteger(2);
+            for (int robot = 0; robot < 2; robot++) {
+                int index = robot;
+                Thread.ofPlatform().start(() -> {
+                    try {
+                        readOnce(serving, index, seen);
+                    } finally {
+                        if (reading.decrementAndGet() == 0) {
+                            serving.stop();
+                        }
+                    }
+                });
+            }
+            serving.run(new Pace.OfAnswers(), 2, Long.MAX_VALUE, TerminalLine.hidden());
+        }
+        assertThat(seen).containsExactly(0.0, 0.0);
+    }
+
+    private static void readOnce(Serving serving, int robotIndex, Queue<Double> seenSeconds) {
+        var robot = client(serving);
+        robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
+        var wheels = robot.requestInterfacePosition2D(robotIndex, PlayerConstants.PLAYER_OPEN_MODE);
+        robot.readAll();
+        seenSeconds.add(wheels.getTimestamp());
+        robot.close();
     }
 
     @Test
@@ -141,6 +176,8 @@ class ServeCommandTest {
         assertThat(out.toString()).contains("--speed is 0.0, expected a number above 0");
         assertThat(serve("--crowd", "0")).isEqualTo(2);
         assertThat(out.toString()).contains("--crowd is 0, expected a number from 1 to 20000");
+        assertThat(serve("--clients", "0")).isEqualTo(2);
+        assertThat(out.toString()).contains("--clients is 0, expected a number of at least 1");
         assertThat(serve("--port", "70000")).isEqualTo(2);
         assertThat(out.toString()).contains("--port is 70000, expected a number from 0 to 65535");
         assertThat(serve("--bind", "no such host!")).isEqualTo(2);
