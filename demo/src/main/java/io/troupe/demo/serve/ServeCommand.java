@@ -3,9 +3,6 @@ package io.troupe.demo.serve;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.CrowdWorld;
-import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;
@@ -17,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -33,21 +30,12 @@ public final class ServeCommand implements Callable<Integer> {
     static final int PLAYER_PORT = 6665;
 
     private static final long CLOSING_SECONDS = 10;
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec
     private CommandSpec spec;
 
-    @Option(
-            names = "--world",
-            paramLabel = "FILE",
-            description = "a .world or .cfg file; the paper's arena unless given",
-            showDefaultValue = Visibility.NEVER)
-    private @Nullable Path world;
-
-    @Option(names = "--crowd", paramLabel = "N", description = "instead of a file: N robots in halls of 16 m")
-    private @Nullable Integer crowd;
+    @Mixin
+    private WorldOptions worlds;
 
     @Option(
             names = "--port",
@@ -92,9 +80,6 @@ public final class ServeCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "of everything random in the world")
     private long seed = 1;
 
-    @Option(names = "--lenient", description = "warn of what is unknown in the world file, and go on")
-    private boolean lenient;
-
     @Option(names = "--record", paramLabel = "FILE", description = "write down what happens, for an exact replay")
     private @Nullable Path record;
 
@@ -107,7 +92,7 @@ public final class ServeCommand implements Callable<Integer> {
                     spec.commandLine(), "--clients is " + clients + ", expected a number of at least 1");
         }
         InetAddress address = address();
-        var serving = Serving.open(scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep());
+        var serving = Serving.open(worlds.scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep());
         var ended = new CountDownLatch(1);
         var hook = new Thread(() -> finish(serving, ended), "finish");
         Runtime.getRuntime().addShutdownHook(hook);
@@ -129,25 +114,6 @@ public final class ServeCommand implements Callable<Integer> {
             forget(hook);
         }
         return 0;
-    }
-
-    private Scenario scenario() {
-        if (crowd != null) {
-            if (world != null) {
-                throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");
-            }
-            if (crowd < 1 || crowd > CrowdWorld.MOST_ROBOTS) {
-                throw new ParameterException(
-                        spec.commandLine(),
-                        "--crowd is " + crowd + ", expected a number from 1 to " + CrowdWorld.MOST_ROBOTS);
-            }
-            return CrowdWorld.scenario(crowd);
-        }
-        Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world;
-        return lenient
-                ? ScenarioReader.read(
-                        file, warning -> spec.commandLine().getErr().println("troupe: warning: " + warning))
-                : ScenarioReader.read(file);
     }
 
     private InetAddress address() {
