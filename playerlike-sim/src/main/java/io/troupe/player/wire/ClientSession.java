@@ -70,8 +70,8 @@ final class ClientSession implements DataSink {
         try {
             end(job.run());
         } catch (SocketException e) {
-            end("the client has left: "
-                    + e.getMessage()); // how a push client ends whose last data are still on their way
+            // how a push client ends whose last data are still on their way
+            end("the client has left: " + e.getMessage());
         } catch (IOException | WireException | LineClosedException | InterruptedException e) {
             close(String.valueOf(e.getMessage()));
         } catch (RuntimeException e) {
