@@ -6,11 +6,8 @@ import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
 import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
@@ -34,7 +31,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class World implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
-    private static final Shape NO_SHAPE = new Shape(List.of());
 
     private final WorldSpec spec;
     private final WorldSettings settings;
@@ -84,49 +80,13 @@ public final class World implements AutoCloseable {
         scene = new Scene(spec);
         orders = new Orders(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
-        physics = newPhysics();
+        physics = Bodies.atStart(spec, settings, startPoses);
         devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
         sensing = new Sensing(spec.name(), threads, robotCount, this::senseRange);
         sense();
         latest = snapshot();
-    }
-
-    /** With everything at its start. */
-    private Physics newPhysics() {
-        var begun = new Physics(spec.robots().size(), settings.physicsStepMicros(), sweepM());
-        for (ObstacleSpec obstacle : spec.obstacles()) {
-            begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
-        }
-        for (int i = 0; i < spec.robots().size(); i++) {
-            RobotSpec robot = spec.robots().get(i);
-            begun.addRobot(startPoses.get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
-        }
-        return begun;
-    }
-
-    /** How far a point of a robot may travel in one step; 0 if that is less than half of every robot's smallest extent. */
-    private double sweepM() {
-        double stepS = settings.physicsStepMicros() / 1e6;
-        double sweepM = 0;
-        boolean fast = false;
-        for (RobotSpec robot : spec.robots()) {
-            List<Point> points = robot.collisionShape().polygons().stream()
-                    .flatMap(List::stream)
-                    .toList();
-            var x = points.stream().mapToDouble(Point::x).summaryStatistics();
-            var y = points.stream().mapToDouble(Point::y).summaryStatistics();
-            double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
-            double radiusM = points.stream()
-                    .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
-                    .max()
-                    .orElseThrow();
-            double travelM = (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS;
-            sweepM = Math.max(sweepM, travelM);
-            fast |= travelM >= smallestM / 2;
-        }
-        return fast ? sweepM : 0;
     }
 
     public WorldSpec spec() {
@@ -331,7 +291,7 @@ public final class World implements AutoCloseable {
     private void beginAgainIfWanted() {
         long nowMicros = tick * intervalMicros;
         if (orders.takeReset(nowMicros)) {
-            physics = newPhysics();
+            physics = Bodies.atStart(spec, settings, startPoses);
             physicsStartMicros = nowMicros;
             devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
             sense(); // as at the start: each reading moves the random streams on

@@ -20,11 +20,11 @@ import java.util.function.IntFunction;
  * <p><b>Source.</b> The classes {@code Simulation}, {@code ServiceLoop}, {@code RobotServices} and {@code Arbitrator}; ADR 0003 says when an actor
  * space has answered a reading.
  */
-public final class TroupeWiring {
+final class TroupeWiring {
     private TroupeWiring() {}
 
     /** As it is: a service fulfils a promise, and does not wait until the arbitrator has time for it. */
-    public static Wiring withPromises(int robots) {
+    static Wiring withPromises(int robots) {
         var wiring = Wiring.of(robots + " robots, colours by promise")
                 .component(world(robots, true))
                 .components("service", robots, service("promise.fulfil"))
@@ -37,7 +37,7 @@ public final class TroupeWiring {
     }
 
     /** As it must not be: a service calls the arbitrator and waits until it has taken the colour. */
-    public static Wiring withDirectCalls(int robots) {
+    static Wiring withDirectCalls(int robots) {
         return Wiring.of(robots + " robots, colours by a call that is waited for")
                 .component(world(robots, false))
                 .components("service", robots, service("arbitrator.colour"))
