@@ -1,0 +1,17 @@
+package io.troupe.services.broker;
+
+/** Nobody offers what is needed. The message names the service, who needs it, what is registered, and what is similar. */
+public final class MissingServiceException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Need need;
+
+    public MissingServiceException(Need need, String message) {
+        super(message);
+        this.need = need;
+    }
+
+    public Need need() {
+        return need;
+    }
+}

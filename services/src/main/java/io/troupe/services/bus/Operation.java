@@ -1,0 +1,15 @@
+package io.troupe.services.bus;
+
+/**
+ * A name under which questions of one type are answered by answers of another.
+ *
+ * <p><b>Units and shapes.</b> Both are records of values that can leave a process; anything else is refused here, by the name of the component.
+ */
+public record Operation<Q extends Record, A extends Record>(
+        String name, Class<Q> question, Class<A> answer, Kind kind) {
+    /** Service-specific data, or the managing of services (paper, section 2.2.3). */
+    public enum Kind {
+        DATA,
+        CONTROL
+    }
+}
