@@ -64,6 +64,12 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     }
 
     private Message replyTo(Message question, @Nullable A value, @Nullable Throwable error) {
+        if (error == null && value == null) {
+            return failed(
+                    question,
+                    new NullPointerException("the answer is null, expected a "
+                            + operation.answer().getName()));
+        }
         if (error == null) {
             try {
                 return node.answer(port.address(), question, operation.answer().cast(node.detached(value)));

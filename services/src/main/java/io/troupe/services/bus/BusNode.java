@@ -108,7 +108,7 @@ final class BusNode implements Bus {
         switch (message.purpose()) {
             case Purpose.Publication publication -> {
                 deliver(message);
-                transport.broadcast(message);
+                broadcast(message);
             }
             case Purpose.Question question -> send(question.to(), message);
             case Purpose.Answer answer -> send(answer.to(), message);
@@ -119,12 +119,27 @@ final class BusNode implements Bus {
     private void send(Address to, Message message) {
         if (to.node().equals(name)) {
             deliver(message);
-        } else if (transport.reaches(to.node())) {
-            transport.send(to.node(), message);
+        } else if (!transport.reaches(to.node())) {
+            cannotSend(message, "there is no way from node " + name + " to node " + to.node());
         } else {
-            String why = "there is no way from node " + name + " to node " + to.node();
-            undeliverable(message, why);
-            questions.refuse(message.sequence(), why);
+            try {
+                transport.send(to.node(), message);
+            } catch (RuntimeException failure) {
+                cannotSend(message, "the way from node " + name + " to node " + to.node() + " failed: " + failure);
+            }
+        }
+    }
+
+    private void cannotSend(Message message, String why) {
+        undeliverable(message, why);
+        questions.refuse(message.sequence(), why); // if it is one
+    }
+
+    private void broadcast(Message publication) {
+        try {
+            transport.broadcast(publication);
+        } catch (RuntimeException failure) {
+            undeliverable(publication, "the way from node " + name + " to the others failed: " + failure);
         }
     }
 

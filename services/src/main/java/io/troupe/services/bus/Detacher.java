@@ -102,7 +102,8 @@ final class Detacher {
             return false;
         }
         if (plain.isRecord()) {
-            return Arrays.stream(plain.getRecordComponents()).anyMatch(each -> hasContainers(each.getGenericType(), seen));
+            return Arrays.stream(plain.getRecordComponents())
+                    .anyMatch(each -> hasContainers(each.getGenericType(), seen));
         }
         return plain.isSealed()
                 && Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> hasContainers(each, seen));

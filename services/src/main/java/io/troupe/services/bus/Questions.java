@@ -34,7 +34,10 @@ final class Questions {
         long number = message.sequence();
         node.counters.asked.increment();
         pending.put(number, waiting);
-        String closed = asker.whyClosed(); // asked after the question is in the table, so that either it or close() sees the other
+        String closed =
+                asker
+                        .whyClosed(); // asked after the question is in the table, so that either it or close() sees the
+                                      // other
         if (closed != null) {
             refuse(number, "the asker has left: " + closed);
         } else {

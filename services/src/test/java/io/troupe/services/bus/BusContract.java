@@ -28,8 +28,7 @@ abstract class BusContract {
 
     static final Topic<Count> COUNTS = new Topic<>("counts", Count.class);
     static final Topic<Ranges> RANGES = new Topic<>("ranges", Ranges.class);
-    static final Operation<Count, Text> SPELL =
-            new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
+    static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
     static final Operation<Count, Text> START =
             new Operation<>("start", Count.class, Text.class, Operation.Kind.CONTROL);
     static final Duration SECOND = Duration.ofSeconds(1);
@@ -153,8 +152,9 @@ abstract class BusContract {
         assertThat(theOnlyLoss()).isInstanceOfSatisfying(Loss.Discarded.class, lost -> {
             assertThat(lost.subscriber()).isEqualTo(new Address(far().node(), "a"));
             assertThat(lost.count()).isEqualTo(2);
-            assertThat(lost).hasToString(far().node()
-                    + "/a does not hear 2 values of counts that waited: it does not subscribe any more");
+            assertThat(lost)
+                    .hasToString(far().node()
+                            + "/a does not hear 2 values of counts that waited: it does not subscribe any more");
         });
     }
 
@@ -189,12 +189,16 @@ abstract class BusContract {
             arrive();
         });
         assertThat(heard).containsExactly(3, 4, 5, 6);
-        assertThat(take(losses)).hasSize(2).allSatisfy(loss -> assertThat(loss)
-                .isInstanceOfSatisfying(
-                        Loss.Dropped.class,
-                        dropped -> assertThat(dropped.subscriber()).isEqualTo(slow.address())));
+        assertThat(take(losses))
+                .hasSize(2)
+                .allSatisfy(loss -> assertThat(loss)
+                        .isInstanceOfSatisfying(
+                                Loss.Dropped.class,
+                                dropped -> assertThat(dropped.subscriber()).isEqualTo(slow.address())));
         var metrics = farMetrics();
-        assertThat(metrics.queued()).isEqualTo(metrics.delivered() + metrics.dropped()).isEqualTo(6);
+        assertThat(metrics.queued())
+                .isEqualTo(metrics.delivered() + metrics.dropped())
+                .isEqualTo(6);
         assertThat(metrics.dropped()).isEqualTo(2);
     }
 
@@ -245,8 +249,8 @@ abstract class BusContract {
         var to = new Address(far().node(), "wall-folower");
         var asker = near().attach("asker");
         assertThat(refusalOf(asker.ask(to, SPELL, new Count(7), SECOND)))
-                .isEqualTo(asker.address() + " asked " + to
-                        + " for spell: nobody is there; did you mean wall-follower?");
+                .isEqualTo(
+                        asker.address() + " asked " + to + " for spell: nobody is there; did you mean wall-follower?");
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
     }
 
@@ -265,8 +269,8 @@ abstract class BusContract {
     void question_toANodeThatIsNotThere_isRejectedAtOnce_andNamesBoth() {
         var asker = near().attach("asker");
         assertThat(refusalOf(asker.ask(new Address("moon", "base"), SPELL, new Count(7), SECOND)))
-                .isEqualTo(asker.address() + " asked moon/base for spell: there is no way from node "
-                        + near().node() + " to node moon");
+                .isEqualTo(asker.address() + " asked moon/base for spell: there is no way from node " + near().node()
+                        + " to node moon");
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
     }
 
@@ -320,7 +324,17 @@ abstract class BusContract {
         assertThat(test.error(asker.ask(answerer.address(), START, new Count(7), SECOND)))
                 .isInstanceOf(RemoteFailure.class)
                 .hasMessageContaining("returned null, expected a promise");
-        assertThat(take(failures)).hasSize(2);
+        var empty = far().attach("empty");
+        empty.answer(SPELL, count -> BusContract.promiseOfNothing());
+        assertThat(test.error(asker.ask(empty.address(), SPELL, new Count(7), SECOND)))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageEndingWith("the answer is null, expected a " + Text.class.getName());
+        assertThat(take(failures)).hasSize(3);
+    }
+
+    @SuppressWarnings("NullAway") // what a careless answerer does
+    private static Promise<Text> promiseOfNothing() {
+        return Promise.of(null);
     }
 
     @SuppressWarnings("NullAway") // what a careless answerer does
@@ -435,7 +449,9 @@ abstract class BusContract {
         });
         assertThat(refusalOf(answers.removeLast()))
                 .endsWith("for spell: is too busy: 4 questions for spell wait there");
-        assertThat(answers).hasSize(CAPACITY).allSatisfy(each -> assertThat(each.isDone()).isTrue());
+        assertThat(answers)
+                .hasSize(CAPACITY)
+                .allSatisfy(each -> assertThat(each.isDone()).isTrue());
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
     }
 
@@ -446,8 +462,9 @@ abstract class BusContract {
         var answer = near().attach("asker").ask(answerer.address(), SPELL, new Count(1), SECOND);
         answer.cancel();
         test.crank();
-        assertThat(theOnlyLoss()).isInstanceOfSatisfying(Loss.Late.class, late -> assertThat(late.why())
-                .isEqualTo("the asker has cancelled"));
+        assertThat(theOnlyLoss())
+                .isInstanceOfSatisfying(
+                        Loss.Late.class, late -> assertThat(late.why()).isEqualTo("the asker has cancelled"));
     }
 
     // ---- actors
@@ -574,7 +591,8 @@ abstract class BusContract {
         port.subscribe(COUNTS, (count, from) -> {});
         assertThatThrownBy(() -> port.publish(new Topic<>("counts", Text.class), new Text("1")))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("topic counts is of " + Count.class.getName() + " and of " + Text.class.getName());
+                .hasMessageContaining(
+                        "topic counts is of " + Count.class.getName() + " and of " + Text.class.getName());
     }
 
     @Test
@@ -592,7 +610,9 @@ abstract class BusContract {
     void messages_ofOneNode_areNumberedUpward() {
         var publisher = near().attach("publisher");
         IntStream.range(0, 3).forEach(i -> publisher.publish(COUNTS, new Count(i)));
-        assertThat(take(passed).stream().filter(each -> each.from().equals(publisher.address())).distinct())
+        assertThat(take(passed).stream()
+                        .filter(each -> each.from().equals(publisher.address()))
+                        .distinct())
                 .extracting(Message::sequence)
                 .containsExactly(1L, 2L, 3L);
         test.crank();

@@ -27,6 +27,7 @@ final class BusModel {
         final int id;
         final String asker;
         final long deadlineSeconds;
+
         @Nullable
         String outcome;
 

@@ -73,7 +73,8 @@ final class BusProgram implements AutoCloseable {
     /** Attached if it is not. */
     private String somePort() {
         int number = random.nextInt(PORTS);
-        ports.computeIfAbsent(nameOf(number), name -> nodes.get(number % nodes.size()).attach(name));
+        ports.computeIfAbsent(
+                nameOf(number), name -> nodes.get(number % nodes.size()).attach(name));
         return nameOf(number);
     }
 
@@ -196,7 +197,8 @@ final class BusProgram implements AutoCloseable {
         return switch (error) {
             case null -> "null";
             case RemoteFailure failure -> "failed";
-            case BusException timeOut when String.valueOf(timeOut.getMessage()).contains("no answer within") -> "timed out";
+            case BusException timeOut
+            when String.valueOf(timeOut.getMessage()).contains("no answer within") -> "timed out";
             default -> "refused";
         };
     }
@@ -221,9 +223,11 @@ final class BusProgram implements AutoCloseable {
         }
         counts.put("delivered", delivered);
         counts.put("told as dropped", count(Loss.Dropped.class));
-        counts.put("told as discarded", losses.stream()
-                .mapToLong(loss -> loss instanceof Loss.Discarded discarded ? discarded.count() : 0)
-                .sum());
+        counts.put(
+                "told as discarded",
+                losses.stream()
+                        .mapToLong(loss -> loss instanceof Loss.Discarded discarded ? discarded.count() : 0)
+                        .sum());
         counts.put("told as late", count(Loss.Late.class));
         counts.put("questions unaccounted for", pending);
         return counts;
@@ -234,8 +238,7 @@ final class BusProgram implements AutoCloseable {
     }
 
     Map<String, Long> countedByTheModel() {
-        long delivered =
-                model.heard().values().stream().mapToLong(List::size).sum();
+        long delivered = model.heard().values().stream().mapToLong(List::size).sum();
         return Map.of(
                 "queued", model.queued,
                 "dropped", model.dropped,

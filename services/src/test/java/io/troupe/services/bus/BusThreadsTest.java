@@ -39,14 +39,13 @@ class BusThreadsTest {
     }
 
     private InProcessBus open(int capacity) {
-        return InProcessBus.open(
-                "robots", new BusSettings(space("outsiders"), capacity, loss -> {
-                    switch (loss) {
-                        case Loss.Dropped one -> dropped.incrementAndGet();
-                        case Loss.Late one -> late.increment();
-                        default -> others.add(loss);
-                    }
-                }));
+        return InProcessBus.open("robots", new BusSettings(space("outsiders"), capacity, loss -> {
+            switch (loss) {
+                case Loss.Dropped one -> dropped.incrementAndGet();
+                case Loss.Late one -> late.increment();
+                default -> others.add(loss);
+            }
+        }));
     }
 
     @AfterEach
@@ -152,7 +151,8 @@ class BusThreadsTest {
                 var asker = bus.attach("asker" + number);
                 for (int i = 0; i < questions; i++) {
                     try {
-                        Text text = asker.ask(to, BusContract.SPELL, new Count(i), LONG).get(LONG);
+                        Text text = asker.ask(to, BusContract.SPELL, new Count(i), LONG)
+                                .get(LONG);
                         answered.incrementAndGet();
                         if (!text.value().equals("" + i)) {
                             wrong.add(text + " for " + i);

@@ -75,15 +75,14 @@ class InProcessBusTest {
     @Test
     void question_isRejectedAtOnce_whenTheSpaceOfItsAskerIsClosed() {
         var unheard = new ArrayList<Throwable>();
-        var askers = ActorSpace.create(SpaceSettings.named("askers")
-                .withHandCrank()
-                .withOnError((where, error) -> unheard.add(error)));
+        var askers = ActorSpace.create(
+                SpaceSettings.named("askers").withHandCrank().withOnError((where, error) -> unheard.add(error)));
         var answerer = bus.attach("answerer");
         answerer.answer(BusContract.SPELL, count -> new Deferred<>());
         var asker = bus.attach("asker");
         var answers = new ArrayList<Promise<Text>>();
-        askers.execute(() ->
-                answers.add(asker.ask(answerer.address(), BusContract.SPELL, new Count(1), BusContract.SECOND)));
+        askers.execute(
+                () -> answers.add(asker.ask(answerer.address(), BusContract.SPELL, new Count(1), BusContract.SECOND)));
         askers.crank();
         test.crank();
         askers.close();

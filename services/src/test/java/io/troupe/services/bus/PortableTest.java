@@ -134,7 +134,8 @@ class PortableTest {
         assertThat(copy).isEqualTo(value);
         inner.clear();
         assertThat(copy).isEqualTo(new Shape.Many(List.of(new Shape.Many(List.of(new Shape.Circle(1))))));
-        assertThatThrownBy(() -> ((Shape.Many) copy.shapes().getFirst()).shapes().clear())
+        assertThatThrownBy(
+                        () -> ((Shape.Many) copy.shapes().getFirst()).shapes().clear())
                 .isInstanceOf(UnsupportedOperationException.class);
     }
 
@@ -161,7 +162,8 @@ class PortableTest {
         assertThatThrownBy(() -> detacher.detached(new Texts(Arrays.asList("a", null))))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("a list has null at 1, expected values");
-        assertThat(detacher.detached(new Texts(Collections.emptyList())).texts()).isEmpty();
+        assertThat(detacher.detached(new Texts(Collections.emptyList())).texts())
+                .isEmpty();
     }
 
     @Test
