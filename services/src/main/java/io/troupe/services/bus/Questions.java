@@ -62,9 +62,9 @@ final class Questions {
     void settle(Message reply, long question) {
         Pending<?> asked = pending.remove(question);
         if (asked == null) {
-            node.late(reply, "nobody waits for it any more");
+            node.telling.late(reply, "nobody waits for it any more");
         } else if (!asked.settle(reply, node.counters)) {
-            node.late(reply, "the asker has cancelled");
+            node.telling.late(reply, "the asker has cancelled");
         }
     }
 
