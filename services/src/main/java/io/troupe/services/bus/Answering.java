@@ -59,7 +59,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
         if (first) {
             node.route(reply);
         } else {
-            node.late(reply, port.address() + " had left before: " + whyEnded());
+            node.telling.late(reply, port.address() + " had left before: " + whyEnded());
         }
     }
 
@@ -81,7 +81,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     }
 
     private Message failed(Message question, Throwable error) {
-        node.answererFailed(question, error);
+        node.telling.answererFailed(question, error);
         String message = error.getMessage();
         return node.refusal(
                 port.address(),

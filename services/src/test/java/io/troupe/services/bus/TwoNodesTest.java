@@ -2,44 +2,21 @@ package io.troupe.services.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.promise.Promise;
 import org.junit.jupiter.api.Test;
 
-/** The contract between two nodes that exchange bytes. */
-class TwoNodesContractTest extends BusContract {
-    private final BytePipe pipe = new BytePipe(test.space());
-    private final BusNode near = pipe.open("near", settings());
-    private final BusNode far = pipe.open("far", settings());
-
-    @Override
-    Bus near() {
-        return near;
-    }
-
-    @Override
-    Bus far() {
-        return far;
-    }
-
-    @Override
-    BusMetrics nearMetrics() {
-        return near.metrics();
-    }
-
-    @Override
-    BusMetrics farMetrics() {
-        return far.metrics();
-    }
-
-    @Override
-    void arrive() {
-        pipe.carryAll();
+/** What there is to say only of nodes that exchange bytes. */
+class TwoNodesTest extends BusContract {
+    TwoNodesTest() {
+        super(Wiring.TWO_NODES);
     }
 
     @Test
     void messages_goAsBytes() {
-        near.attach("a").publish(COUNTS, new Count(1));
+        near().attach("a").publish(COUNTS, new Count(1));
+        assertThat(bytesCarried()).isZero();
         test.crank();
-        assertThat(pipe.bytesCarried()).isPositive();
+        assertThat(bytesCarried()).isPositive();
     }
 
     @Test
@@ -74,8 +51,8 @@ class TwoNodesContractTest extends BusContract {
 
     @Test
     void messages_areTheSame_onBothSidesOfTheBytes() {
-        far.attach("a").answer(SPELL, count -> io.troupe.actor.promise.Promise.of(new Text("x")));
-        test.get(near.attach("b").ask(new Address("far", "a"), SPELL, new Count(1), SECOND));
+        far().attach("a").answer(SPELL, count -> Promise.of(new Text("x")));
+        test.get(near().attach("b").ask(new Address("far", "a"), SPELL, new Count(1), SECOND));
         var seen = take(passed);
         assertThat(seen).hasSize(4);
         assertThat(seen.get(1)).isEqualTo(seen.get(0)).isNotSameAs(seen.get(0));
