@@ -95,8 +95,7 @@ class BrokerThreadsTest {
                             providers, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("0", diary))
                     .get(PATIENCE)
                     .provider();
-            var parrot = services.connect(
-                            Parrot.class, PARROT, ConnectionSettings.DEFAULT.withAnswerLimit(PATIENCE))
+            var parrot = services.connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withAnswerLimit(PATIENCE))
                     .actor();
             var load = threads.submit(() -> {
                 List<Promise<String>> answers = new ArrayList<>();
@@ -123,7 +122,8 @@ class BrokerThreadsTest {
             assertThat(diary).hasSize(calls);
             assertThat(diary.stream().map(each -> each.substring(each.lastIndexOf(' ') + 1)))
                     .doesNotHaveDuplicates();
-            assertThat(events.stream().filter(BrokerEvent.Replaced.class::isInstance)).hasSize(replacements);
+            assertThat(events.stream().filter(BrokerEvent.Replaced.class::isInstance))
+                    .hasSize(replacements);
             assertThat(events)
                     .noneMatch(event -> event instanceof BrokerEvent.Late || event instanceof BrokerEvent.UserFailed);
             assertThat(broker.shutDown().get(PATIENCE)).isEmpty();

@@ -93,10 +93,12 @@ class BrokerGuideTest {
             assertThat(shown).containsExactly("use robot/left", "camera starts", "use robot/right", "camera stops");
 
             shown.clear();
-            broker.require(Need.ofService("robot 2", "camrea")).exceptionally(error -> {
-                show(error.getMessage());
-                throw new IllegalStateException("the application ends", error);
-            }).handle((camera, error) -> null);
+            broker.require(Need.ofService("robot 2", "camrea"))
+                    .exceptionally(error -> {
+                        show(error.getMessage());
+                        throw new IllegalStateException("the application ends", error);
+                    })
+                    .handle((camera, error) -> null);
             test.crank();
             assertThat(shown)
                     .containsExactly("\"robot 2\" needs the service \"camrea\", which nobody offers; "
@@ -224,8 +226,11 @@ class BrokerGuideTest {
             var services = new ActorServices(broker, "ship", space, event -> {});
             services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 
-            var patient = ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(20)).withoutAnswerLimit();
-            var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient).actor();
+            var patient = ConnectionSettings.DEFAULT
+                    .withWaitLimit(Duration.ofSeconds(20))
+                    .withoutAnswerLimit();
+            var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient)
+                    .actor();
             greeter.greet("Ada").then(text -> show(text));
             test.crank();
 
