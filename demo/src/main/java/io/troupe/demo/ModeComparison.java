@@ -99,8 +99,10 @@ record ModeComparison(Map<Mode, RunResult> results) {
         }
         StateChange change = states.get(index);
         Integer seenBy = change.seenBy();
-        String cause =
-                seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + Colours.name(change.state().colour());
+        String cause = seenBy == null
+                ? "start"
+                : "robot " + (seenBy + 1) + " sees "
+                        + Colours.name(change.state().colour());
         boolean marked = firstDifference(mode).orElse(-1) == index;
         return String.format(
                 Locale.ROOT,
@@ -134,7 +136,9 @@ record ModeComparison(Map<Mode, RunResult> results) {
             return "the same states at the same times and the same trajectories as in promise mode, since a switch takes place between the same two readings; "
                     + messages + ".";
         }
-        String text = messages + "; " + waiting(mode) + (mode == Mode.SYNC ? ", as each waits for the cycles of the others" : "") + ". The robots are elsewhere from "
+        String text = messages + "; " + waiting(mode)
+                + (mode == Mode.SYNC ? ", as each waits for the cycles of the others" : "")
+                + ". The robots are elsewhere from "
                 + seconds(sample(mode, 0, apart.getAsInt()).timeMicros()) + " on";
         var difference = firstDifference(mode);
         return difference.isEmpty()
@@ -159,11 +163,8 @@ record ModeComparison(Map<Mode, RunResult> results) {
                 .takeWhile(sample -> sample.timeMicros() < micros)
                 .count();
         return IntStream.range(0, result(mode).robots().size())
-                .mapToObj(robot -> String.format(
-                        Locale.ROOT,
-                        "robot %d by %.2f m",
-                        robot + 1,
-                        metresApart(mode, robot, tick)))
+                .mapToObj(robot ->
+                        String.format(Locale.ROOT, "robot %d by %.2f m", robot + 1, metresApart(mode, robot, tick)))
                 .collect(Collectors.joining(", ", "they are apart from those of promise mode: ", ""));
     }
 

@@ -51,13 +51,10 @@ final class ModesSvg {
 
     private void row(Mode mode, double top) {
         var result = comparison.result(mode);
-        append(
-                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>%n",
-                LEFT_PX - 10, top + BAR_PX / 2 + 5, mode);
+        append("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>%n", LEFT_PX - 10, top + BAR_PX / 2 + 5, mode);
         for (int i = 0; i < result.states().size(); i++) {
-            long end = i + 1 < result.states().size()
-                    ? result.states().get(i + 1).timeMicros()
-                    : result.endMicros();
+            long end =
+                    i + 1 < result.states().size() ? result.states().get(i + 1).timeMicros() : result.endMicros();
             bar(result.states().get(i), end, top);
         }
         append(
@@ -107,8 +104,11 @@ final class ModesSvg {
         for (int i = 0; i * step <= endSeconds * (1 + 1e-9); i++) {
             append(
                     "<line x1=\"%1$.2f\" x2=\"%1$.2f\" y1=\"%2$.1f\" y2=\"%3$.1f\" stroke=\"black\"/><text x=\"%1$.2f\" y=\"%4$.1f\" text-anchor=\"middle\" font-size=\"12\">%5$s s</text>%n",
-                    x(i * step), y, y + 5, y + 19, Json.seconds(StrictMath.round(i * step * 1e6))
-                            .replaceFirst("\\.0$", ""));
+                    x(i * step),
+                    y,
+                    y + 5,
+                    y + 19,
+                    Json.seconds(StrictMath.round(i * step * 1e6)).replaceFirst("\\.0$", ""));
         }
     }
 
@@ -122,7 +122,10 @@ final class ModesSvg {
     private void legend(State state, double y) {
         var services = new StringBuilder();
         for (int robot = 0; robot < state.services().size(); robot++) {
-            services.append(robot == 0 ? "" : ", ").append("robot ").append(robot + 1).append(' ');
+            services.append(robot == 0 ? "" : ", ")
+                    .append("robot ")
+                    .append(robot + 1)
+                    .append(' ');
             services.append(state.services().get(robot));
         }
         append(

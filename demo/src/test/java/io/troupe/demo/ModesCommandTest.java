@@ -47,7 +47,8 @@ class ModesCommandTest {
         long states = 0;
         for (String mode : new String[] {"sync", "callback", "promise"}) {
             try (var lines = Files.lines(directory.resolve("run-" + mode + ".jsonl"))) {
-                states += lines.filter(line -> line.contains("\"type\":\"state\"")).count();
+                states += lines.filter(line -> line.contains("\"type\":\"state\""))
+                        .count();
             }
         }
         assertThat(bars).isEqualTo(states);
