@@ -27,7 +27,13 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        subcommands = {
+            RunCommand.class,
+            ModesCommand.class,
+            VerifyCommand.class,
+            ServeCommand.class,
+            ReplayCommand.class,
+            DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
