@@ -3,9 +3,11 @@ package io.troupe.demo;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
+import io.troupe.demo.table.TableCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
+import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
@@ -27,8 +29,7 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
-        })
+        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class, TableCommand.class})
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
@@ -50,7 +51,9 @@ public final class Main {
                 .setErr(err)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException || thrown instanceof PnmlException) {
+                    if (thrown instanceof WorldFileException
+                            || thrown instanceof PnmlException
+                            || thrown instanceof SubsumptionTableException) {
                         return complain(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof IOException
