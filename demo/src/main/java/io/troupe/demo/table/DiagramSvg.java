@@ -137,7 +137,14 @@ final class DiagramSvg {
         int count = diagram.nodes().size();
         boolean twoSided = count >= TWO_SIDED;
         int rows = twoSided ? (count + 1) / 2 : count;
-        double side = ARROW_PX + boxWidth + 40; // the first state's beginning needs room
+        double arrow = Math.max(
+                ARROW_PX,
+                60
+                        + diagram.nodes().stream()
+                                .mapToDouble(node -> SvgText.width(node.enters()))
+                                .max()
+                                .orElse(0));
+        double side = arrow + boxWidth + 40; // the first state's beginning needs room
         double barX = MARGIN_PX + (twoSided ? side : 0);
         double height = rows * (boxHeight + GAP_PX) - GAP_PX;
         SvgText svg = begin(barX + BAR_PX + side + MARGIN_PX, height + 3 * MARGIN_PX);
@@ -154,14 +161,14 @@ final class DiagramSvg {
             double edgeX = left ? barX : barX + BAR_PX;
             double rowY = MARGIN_PX + boxHeight / 2 + (twoSided ? index % rows : index) * (boxHeight + GAP_PX);
             Node node = diagram.nodes().get(index);
-            svg.arrow(path(new Point(edgeX, rowY), new Point(edgeX + sign * ARROW_PX, rowY)));
-            svg.label(node.enters(), node.colour(), edgeX + sign * (ARROW_PX / 2 - 4), rowY);
-            double outer = edgeX + sign * (ARROW_PX + boxWidth);
+            svg.arrow(path(new Point(edgeX, rowY), new Point(edgeX + sign * arrow, rowY)));
+            svg.label(node.enters(), node.colour(), edgeX + sign * (arrow / 2 - 4), rowY);
+            double outer = edgeX + sign * (arrow + boxWidth);
             if (index == 0) {
                 svg.dot(outer + sign * 32, rowY);
                 svg.arrow(path(new Point(outer + sign * 32, rowY), new Point(outer, rowY)));
             }
-            box(svg, node, new Point(edgeX + sign * (ARROW_PX + boxWidth / 2), rowY));
+            box(svg, node, new Point(edgeX + sign * (arrow + boxWidth / 2), rowY));
         }
         return svg.end();
     }
