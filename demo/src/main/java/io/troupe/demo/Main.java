@@ -29,7 +29,14 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class, TableCommand.class})
+        subcommands = {
+            RunCommand.class,
+            VerifyCommand.class,
+            ServeCommand.class,
+            ReplayCommand.class,
+            DrawCommand.class,
+            TableCommand.class
+        })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;

@@ -20,7 +20,8 @@ class ChallengesTest {
     @Test
     void everyChallenge_namesTests() throws IOException {
         var rows = rows();
-        assertThat(rows).extracting(row -> row.substring(2, row.indexOf(']') + 1))
+        assertThat(rows)
+                .extracting(row -> row.substring(2, row.indexOf(']') + 1))
                 .containsExactly("[i]", "[ii]", "[iii]", "[iv]", "[v]", "[vi]");
         assertThat(rows).allMatch(row -> !TestMethods.namedIn(row).isEmpty());
     }

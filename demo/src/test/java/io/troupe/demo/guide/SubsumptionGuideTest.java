@@ -51,7 +51,9 @@ class SubsumptionGuideTest {
         Service avoid = new Service("avoid", false, Avoid.DEFAULT::behaviour);
         return SubsumptionTable.forRobots(robots)
                 .ignoring(Colours.BLACK, "walls")
-                .when(Colours.BLUE, Assignment.everyRobot(Service.SPACE_WANDERER).robots(3, 5, Service.WALL_FOLLOWER))
+                .when(
+                        Colours.BLUE,
+                        Assignment.everyRobot(Service.SPACE_WANDERER).robots(3, 5, Service.WALL_FOLLOWER))
                 .when(Colours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
                 .priority(Colours.RED, 1)
                 .hold(2)
@@ -59,11 +61,10 @@ class SubsumptionGuideTest {
     }
 
     static SubsumptionTable read(Path file) {
-        var catalogue = ServiceCatalogue.standard()
-                .with(new ServiceCatalogue.Kind("spin", true, true, arguments -> {
-                    double rate = arguments.number("rate", 0.5);
-                    return () -> senses -> Optional.of(new Velocity(0, rate));
-                }));
+        var catalogue = ServiceCatalogue.standard().with(new ServiceCatalogue.Kind("spin", true, true, arguments -> {
+            double rate = arguments.number("rate", 0.5);
+            return () -> senses -> Optional.of(new Velocity(0, rate));
+        }));
         return SubsumptionTableReader.read(file, catalogue);
     }
 

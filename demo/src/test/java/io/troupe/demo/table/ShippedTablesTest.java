@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.services.subsumption.SubsumptionTableWriter;
-import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
@@ -102,16 +102,13 @@ class ShippedTablesTest {
 
     @Test
     void goalsOfATable_areReached_roundAnInnerWall() throws Exception {
-        SubsumptionTable table = SubsumptionTableReader.parse(
-                """
+        SubsumptionTable table = SubsumptionTableReader.parse("""
                 robots 2
                 allow final
                 service there = goToGoal(-1.4, 2.1; within 0.1)
                 service round = goToGoal(3.3, -1; -0.2, -4; within 0.1)
                 state blue : avoid > round, avoid > there
-                """,
-                "goals",
-                ServiceCatalogue.standard());
+                """, "goals", ServiceCatalogue.standard());
         Diary diary = run(table, 90);
         var poses = diary.end().robots();
         assertThat(distance(poses.get(0).pose(), 0.0, -3.0)).isLessThan(0.2);
@@ -126,7 +123,8 @@ class ShippedTablesTest {
     @Test
     void everyTable_isReadAgainAsItIsWritten() throws Exception {
         try (var files = Files.list(TABLES)) {
-            List<Path> tables = files.filter(file -> file.toString().endsWith(".table")).toList();
+            List<Path> tables =
+                    files.filter(file -> file.toString().endsWith(".table")).toList();
             assertThat(tables).hasSizeGreaterThanOrEqualTo(2);
             for (Path file : tables) {
                 SubsumptionTable table = SubsumptionTableReader.read(file);

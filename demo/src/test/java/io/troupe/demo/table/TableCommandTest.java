@@ -29,9 +29,8 @@ class TableCommandTest {
         var out = new StringWriter();
         var all = new java.util.ArrayList<>(List.of(arguments));
         all.addAll(List.of("--out", directory.resolve("made").toString()));
-        int status = new CommandLine(new TableCommand())
-                .setOut(new PrintWriter(out))
-                .execute(all.toArray(String[]::new));
+        int status =
+                new CommandLine(new TableCommand()).setOut(new PrintWriter(out)).execute(all.toArray(String[]::new));
         assertThat(status).isZero();
         return out.toString();
     }
@@ -67,7 +66,8 @@ class TableCommandTest {
         assertThat(file("states.svg")).contains(">robot 1: wallFollower</text>", "fill=\"#0000ff\"", ">green</text>");
         assertThat(file("states.dot")).contains("s1 -> s2 [label=\"red\"", "s3 -> s1 [label=\"blue\"", "start -> s1");
         for (String name : List.of("states.svg", "rules.svg")) {
-            assertThat(xml(file(name)).getElementsByTagName("title").getLength()).isEqualTo(1);
+            assertThat(xml(file(name)).getElementsByTagName("title").getLength())
+                    .isEqualTo(1);
         }
     }
 
@@ -81,35 +81,46 @@ class TableCommandTest {
     @Test
     void rulesOfThePaper_haveThePrioritiesOfTable4() {
         var diagram = Diagram.ofRules(SubsumptionTable.ofThePaper());
-        assertThat(diagram.nodes()).extracting(Diagram.Node::lines).containsExactly(
-                List.of("robot 1: WF > SW", "robot 2: SW > WF"),
-                List.of("robot 1: SW > WF", "robot 2: WF > SW"),
-                List.of("robot 1: SW > WF", "robot 2: SW > WF"));
+        assertThat(diagram.nodes())
+                .extracting(Diagram.Node::lines)
+                .containsExactly(
+                        List.of("robot 1: WF > SW", "robot 2: SW > WF"),
+                        List.of("robot 1: SW > WF", "robot 2: WF > SW"),
+                        List.of("robot 1: SW > WF", "robot 2: SW > WF"));
         assertThat(diagram.nodes()).extracting(Diagram.Node::enters).containsExactly("A & B", "A & C", "A & D");
-        assertThat(diagram.notes()).containsExactly(
-                "A: robot.colour ≠ black & robot.colour ≠ orange & robot.colour ≠ state.colour",
-                "B: robot 1.colour = blue or robot 2.colour = blue",
-                "C: robot 1.colour = red or robot 2.colour = red",
-                "D: robot 1.colour = green or robot 2.colour = green",
-                "WF wallFollower, SW spaceWanderer");
+        assertThat(diagram.notes())
+                .containsExactly(
+                        "A: robot.colour ≠ black & robot.colour ≠ orange & robot.colour ≠ state.colour",
+                        "B: robot 1.colour = blue or robot 2.colour = blue",
+                        "C: robot 1.colour = red or robot 2.colour = red",
+                        "D: robot 1.colour = green or robot 2.colour = green",
+                        "WF wallFollower, SW spaceWanderer");
     }
 
     @Test
     void layersHoldAndPriority_areInTheRules() throws Exception {
         assertThat(table(Path.of("tables", "four-services.table").toString()))
                 .contains("a state lasts 2 s or more", "state  colour  priority  robot 1", "dodge > west");
-        assertThat(file("rules.svg")).contains(
-                "robot 2: dodge &gt; east &gt; {WF, SW, west}",
-                "state 3, priority 1",
-                "has a higher priority than state.colour)");
+        assertThat(file("rules.svg"))
+                .contains(
+                        "robot 2: dodge &gt; east &gt; {WF, SW, west}",
+                        "state 3, priority 1",
+                        "has a higher priority than state.colour)");
     }
 
     @Test
     void manyStates_haveOneArrowEach_fromABar_andManyRobotsAreGrouped() throws Exception {
-        Path file = Files.writeString(directory.resolve("many.table"), "robots 50\nallow final\nstate red : * = wallFollower, 1..2 = spaceWanderer, 9 = spaceWanderer\n"
-                + "state blue : * = wallFollower\n"
-                + String.join("", IntStream.range(0, 18).mapToObj("state #0000%02X : * = spaceWanderer\n"::formatted).toList()));
-        assertThat(table(file.toString())).contains("1      red      robots 1..2, 9: spaceWanderer; robots 3..8, 10..50: wallFollower");
+        Path file = Files.writeString(
+                directory.resolve("many.table"),
+                "robots 50\nallow final\nstate red : * = wallFollower, 1..2 = spaceWanderer, 9 = spaceWanderer\n"
+                        + "state blue : * = wallFollower\n"
+                        + String.join(
+                                "",
+                                IntStream.range(0, 18)
+                                        .mapToObj("state #0000%02X : * = spaceWanderer\n"::formatted)
+                                        .toList()));
+        assertThat(table(file.toString()))
+                .contains("1      red      robots 1..2, 9: spaceWanderer; robots 3..8, 10..50: wallFollower");
         String svg = file("states.svg");
         assertThat(arrows(svg)).isEqualTo(1 + 20);
         assertThat(svg).contains(">any other state in</text>", ">state 2, never ends</text>", "stroke-dasharray");
@@ -119,7 +130,8 @@ class TableCommandTest {
 
     @Test
     void statesThatNeverEnd_haveNoArrowsAway() {
-        var table = SubsumptionTable.forRobots(1).allowFinal()
+        var table = SubsumptionTable.forRobots(1)
+                .allowFinal()
                 .when(Colours.BLUE, Service.SPACE_WANDERER)
                 .when(Colours.RED, Service.WALL_FOLLOWER)
                 .build();
@@ -129,9 +141,12 @@ class TableCommandTest {
     @Test
     void names_areEscaped() throws Exception {
         var odd = new Service("a<\"b\\&c", true, () -> senses -> Optional.empty());
-        var table = SubsumptionTable.forRobots(1).when(Colours.BLUE, Assignment.everyRobot(odd)).build();
+        var table = SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, Assignment.everyRobot(odd))
+                .build();
         String svg = DiagramSvg.draw(Diagram.ofStates(table));
-        assertThat(xml(svg).getElementsByTagName("text").item(1).getTextContent()).isEqualTo("robot 1: a<\"b\\&c");
+        assertThat(xml(svg).getElementsByTagName("text").item(1).getTextContent())
+                .isEqualTo("robot 1: a<\"b\\&c");
         assertThat(DiagramDot.write(Diagram.ofStates(table))).contains("robot 1: a<\\\"b\\\\&amp;c");
     }
 }

@@ -55,7 +55,8 @@ class AvoidTest {
         assertThat(freed).isEqualTo(new Step(Optional.of(new Velocity(0.2, 0)), new Memory.Onward(8)));
         assertThat(AVOID.step(freed.memory(), senses(7.9, ring())).velocity()).isPresent();
         assertThat(AVOID.step(freed.memory(), senses(8, ring()))).isEqualTo(new Step(Optional.empty(), Avoid.START));
-        assertThat(AVOID.step(freed.memory(), senses(7.5, ring(3, 0.3))).memory()).isEqualTo(new Memory.Turning(false));
+        assertThat(AVOID.step(freed.memory(), senses(7.5, ring(3, 0.3))).memory())
+                .isEqualTo(new Memory.Turning(false));
     }
 
     @Test
@@ -68,16 +69,20 @@ class AvoidTest {
             Behaviour both = Behaviour.layers(List.of(avoid.behaviour(), goal.behaviour()));
             int held = 0;
             for (int cycle = 0; cycle < 300; cycle++) {
-                SonarRing sonar = ring(random.nextInt(8), random.nextDouble(0.1, 2), random.nextInt(8), random.nextDouble(5));
+                SonarRing sonar =
+                        ring(random.nextInt(8), random.nextDouble(0.1, 2), random.nextInt(8), random.nextDouble(5));
                 var pose = new RobotPose(random.nextDouble(-3, 3), random.nextDouble(-3, 3), random.nextDouble(-9, 9));
-                Velocity velocity = both.step(new Senses(cycle * 0.1, sonar, pose)).orElse(Velocity.STOP);
+                Velocity velocity =
+                        both.step(new Senses(cycle * 0.1, sonar, pose)).orElse(Velocity.STOP);
                 boolean near = false;
                 for (int ahead = 1; ahead <= 6; ahead++) {
                     near |= sonar.rangeM(ahead) < nearM;
                 }
                 if (near) {
                     held++;
-                    assertThat(velocity.forwardMps()).as("seed %d, cycle %d", seed, cycle).isLessThanOrEqualTo(0);
+                    assertThat(velocity.forwardMps())
+                            .as("seed %d, cycle %d", seed, cycle)
+                            .isLessThanOrEqualTo(0);
                 }
             }
             assertThat(held).as("seed %d: cycles with something near", seed).isPositive();

@@ -29,8 +29,39 @@ class SubsumptionTableFuzzTest {
             state #123456 priority -1 : 1..7 = spaceWanderer
             """;
     private static final List<String> PIECES = List.of(
-            "#", "..", "*", ">", ",", ";", "(", ")", "=", ":", "-", "7", "0", "1e400", "99999999999", "\n", "\r", " ", "\t", "\0",
-            "é", "\uD83D", "\uD83E\uDD16", "#FFFFFF", "state red : ", "priority", "colours", "no", "final", "ms", "spaceWanderer", "goToGoal", "robots 3");
+            "#",
+            "..",
+            "*",
+            ">",
+            ",",
+            ";",
+            "(",
+            ")",
+            "=",
+            ":",
+            "-",
+            "7",
+            "0",
+            "1e400",
+            "99999999999",
+            "\n",
+            "\r",
+            " ",
+            "\t",
+            "\0",
+            "é",
+            "\uD83D",
+            "\uD83E\uDD16",
+            "#FFFFFF",
+            "state red : ",
+            "priority",
+            "colours",
+            "no",
+            "final",
+            "ms",
+            "spaceWanderer",
+            "goToGoal",
+            "robots 3");
 
     @Test
     void goodFile_isRead() {
@@ -45,10 +76,15 @@ class SubsumptionTableFuzzTest {
             try {
                 SubsumptionTable table = parse(text);
                 tables++;
-                assertThat(parse(SubsumptionTableWriter.write(table))).as("seed %d", seed).isEqualTo(table);
+                assertThat(parse(SubsumptionTableWriter.write(table)))
+                        .as("seed %d", seed)
+                        .isEqualTo(table);
             } catch (SubsumptionTableException wrong) {
-                assertThat(wrong).as("seed %d", seed).hasMessageStartingWith("fuzz:" + wrong.line() + ":" + wrong.column() + ": ");
-                assertThat(wrong.line()).as("seed %d: line", seed).isBetween(1, (int) Math.max(1, text.lines().count()));
+                assertThat(wrong)
+                        .as("seed %d", seed)
+                        .hasMessageStartingWith("fuzz:" + wrong.line() + ":" + wrong.column() + ": ");
+                assertThat(wrong.line()).as("seed %d: line", seed).isBetween(1, (int)
+                        Math.max(1, text.lines().count()));
                 assertThat(wrong.column()).as("seed %d: column", seed).isPositive();
             } catch (RuntimeException other) {
                 fail("seed " + seed + ":\n" + text, other);
