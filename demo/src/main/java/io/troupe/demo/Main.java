@@ -3,9 +3,11 @@ package io.troupe.demo;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
+import io.troupe.demo.table.TableCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
+import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
@@ -30,6 +32,7 @@ import picocli.CommandLine.ParameterException;
         subcommands = {
             RunCommand.class,
             ModesCommand.class,
+            TableCommand.class,
             VerifyCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
@@ -57,7 +60,9 @@ public final class Main {
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException || thrown instanceof PnmlException) {
+                    if (thrown instanceof WorldFileException
+                            || thrown instanceof PnmlException
+                            || thrown instanceof SubsumptionTableException) {
                         return complain(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof IOException

@@ -206,4 +206,19 @@ class MainTest {
                 troupe("run", "--world", directory.resolve("paper-arena.cfg").toString()),
                 "robot 'robot1' is not position2d:0 on port 6665");
     }
+
+    @Test
+    void table_thatIsWrong_isToldWithItsPlace() throws IOException {
+        Path file = Files.writeString(directory.resolve("bad.table"), "robots 1\nstate red : spaceWandrer\n");
+        assertComplaint(
+                troupe("table", file.toString(), "--out", directory.toString()),
+                file + ":2:13: there is no service called 'spaceWandrer'",
+                "did you mean 'spaceWanderer'?");
+        assertThat(directory.resolve("states.svg")).doesNotExist();
+    }
+
+    @Test
+    void table_thatIsNotThere_isAComplaint() {
+        assertComplaint(troupe("table", directory.resolve("none").toString()), "no such file");
+    }
 }

@@ -3,6 +3,8 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.services.behaviour.ColourFinder.Sighting;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 class SubsumptionTableTest {
@@ -54,5 +56,131 @@ class SubsumptionTableTest {
         assertThatThrownBy(() -> builder.when(Colours.RED, WF, SW)).hasMessage("red leads to state 1 already");
         assertThatThrownBy(() -> SubsumptionTable.forRobots(0)).hasMessageContaining("expected 1 or more");
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1).build()).hasMessageContaining("no state");
+    }
+
+    @Test
+    void reservedColours_leadToNoState() {
+        assertThat(paper.ignored())
+                .containsEntry(Colours.BLACK, "walls and robot 2")
+                .containsEntry(Colours.ORANGE, "robot 1");
+        var builder = SubsumptionTable.forRobots(1).when(Colours.BLACK, SW).ignoring(Colours.BLACK, "walls");
+        assertThatThrownBy(builder::build)
+                .hasMessage("black leads to state 1, but the table ignores it (walls), expected one or the other");
+        assertThatThrownBy(() -> builder.ignoring(Colours.BLACK, "again")).hasMessage("black is ignored already");
+        assertThatThrownBy(() -> builder.ignoring(Colours.RED, "robot #1")).hasMessageContaining("without '#'");
+        assertThatThrownBy(() -> builder.ignoring(-1, "")).hasMessageContaining("expected 0x000000 to 0xFFFFFF");
+    }
+
+    @Test
+    void whatIsDeclared_mustBeUsed() {
+        assertThatThrownBy(() -> one().colour("sky", 0xFE).build())
+                .hasMessageStartingWith("the colour sky is declared and leads to no state");
+        assertThat(one().colour("sky", 0xFE).ignoring(0xFE, "").build().colourName(0xFE))
+                .isEqualTo("sky");
+        assertThatThrownBy(() -> one().service(WF).build())
+                .hasMessageStartingWith("the service wallFollower is declared and in charge of no robot");
+        assertThat(one().service(SW).build().services()).containsExactly(SW);
+        assertThatThrownBy(() -> one().priority(0xFE, 2).build())
+                .hasMessageStartingWith("#0000FE has priority 2 and leads to no");
+    }
+
+    @Test
+    void names_belongToOneColour() {
+        assertThatThrownBy(() -> one().colour("a", 1).colour("a", 2)).hasMessage("the colour a is declared already");
+        assertThatThrownBy(() -> one().colour("a", 1).colour("b", 1))
+                .hasMessage("the colour #000001 is called a already, and not b");
+        assertThatThrownBy(() -> one().colour("two words", 1)).hasMessageContaining("expected a word");
+        var table = one().colour("red", 0xFE0000).ignoring(0xFE0000, "").build();
+        assertThat(table.colourName(0xFE0000)).isEqualTo("red");
+        assertThat(table.colourName(Colours.RED)).isEqualTo("#FF0000");
+    }
+
+    @Test
+    void twoServicesOfOneName_areRefused_unlessTheyAreEqual() {
+        var backward = Service.wallFollower(io.troupe.services.behaviour.WallFollower.CornerStyle.BACKWARD);
+        var builder = SubsumptionTable.forRobots(3).when(Colours.RED, WF, SW, backward);
+        assertThatThrownBy(builder::build).hasMessageStartingWith("two different services are called wallFollower");
+        var again = Service.wallFollower(io.troupe.services.behaviour.WallFollower.CornerStyle.FORWARD);
+        assertThat(SubsumptionTable.forRobots(3)
+                        .when(Colours.RED, WF, SW, again)
+                        .build()
+                        .services())
+                .containsExactly(WF, SW);
+    }
+
+    @Test
+    void layers_areOneServiceWhereverTheyAreMade_andEachOfThemCanDrive() {
+        Service avoid = SubsumptionTableReader.service("avoid = avoid", ServiceCatalogue.standard());
+        var table = SubsumptionTable.forRobots(2)
+                .when(Colours.RED, avoid.over(SW), avoid.over(SW))
+                .build();
+        assertThat(table.services()).containsExactly(avoid.over(SW));
+        assertThatThrownBy(() -> SubsumptionTable.forRobots(1)
+                        .when(Colours.RED, SW.over(avoid))
+                        .build())
+                .hasMessageContaining("never come to avoid, because spaceWanderer always drives");
+        assertThatThrownBy(() -> SubsumptionTable.forRobots(1)
+                        .when(Colours.RED, avoid.over(avoid).over(SW))
+                        .build())
+                .hasMessageContaining("name avoid twice");
+    }
+
+    @Test
+    void statesThatNeverBegin_areRefused() {
+        var builder = SubsumptionTable.forRobots(1)
+                .allowFinal()
+                .when(Colours.BLUE, WF)
+                .when(Colours.RED, SW);
+        assertThatThrownBy(builder::build)
+                .hasMessageStartingWith("state 2 (red) never begins, because no robot in state 1 (blue)");
+        assertThat(SubsumptionTable.forRobots(1)
+                        .allowFinal()
+                        .when(Colours.BLUE, WF)
+                        .build()
+                        .first()
+                        .canEnd())
+                .isFalse();
+    }
+
+    @Test
+    void assignments_giveEachRobotOneService() {
+        assertThat(Assignment.everyRobot(SW).robot(2, WF).services(3)).containsExactly(SW, WF, SW);
+        assertThatThrownBy(() -> Assignment.none().robot(1, SW).services(2))
+                .hasMessageStartingWith("robot 2 has no service");
+        assertThatThrownBy(() -> Assignment.none().robots(1, 3, SW).robot(2, WF))
+                .hasMessageStartingWith("robot 2 is given spaceWanderer and wallFollower without an order");
+        assertThatThrownBy(() -> Assignment.everyRobot(SW).others(WF)).hasMessageContaining("without an order");
+        assertThatThrownBy(() -> Assignment.everyRobot(SW).robot(3, WF).services(2))
+                .hasMessageContaining("expected numbers up to 2");
+        assertThatThrownBy(() -> Assignment.none().robot(0, SW)).hasMessageContaining("expected numbers from 1");
+    }
+
+    @Test
+    void heldState_endsEarlyForAColourOfHigherPriorityOnly() {
+        var table = SubsumptionTable.forRobots(1)
+                .hold(2)
+                .when(Colours.BLUE, SW)
+                .when(Colours.RED, SW)
+                .when(Colours.GREEN, SW)
+                .priority(Colours.GREEN, 1)
+                .build();
+        State blue = table.first();
+        assertThat(table.next(blue, Colours.RED, 1.9)).isEmpty();
+        assertThat(table.next(blue, Colours.RED, 2)).map(State::colour).hasValue(Colours.RED);
+        assertThat(table.next(blue, Colours.GREEN, 0)).map(State::colour).hasValue(Colours.GREEN);
+        assertThat(table.next(table.state(Colours.GREEN).orElseThrow(), Colours.RED, 1))
+                .isEmpty();
+        var both = List.of(
+                new Sighting(Colours.RED, 500, 0),
+                new Sighting(Colours.GREEN, 20, 0),
+                new Sighting(Colours.BLACK, 900, 0));
+        assertThat(table.ruleIn(blue).pick(both, 5)).hasValue(Colours.GREEN);
+        assertThat(table.ruleIn(blue).pick(both.subList(0, 1), 1)).isEmpty();
+        assertThatThrownBy(() -> SubsumptionTable.forRobots(1).hold(Double.NaN))
+                .hasMessageContaining("expected 0 or more");
+    }
+
+    private static SubsumptionTable.Builder one() {
+        return SubsumptionTable.forRobots(1).when(Colours.BLUE, SW);
     }
 }

@@ -1,0 +1,106 @@
+package io.troupe.demo.guide;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.services.behaviour.Avoid;
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.RobotPose;
+import io.troupe.services.behaviour.Senses;
+import io.troupe.services.behaviour.SonarRing;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.subsumption.Assignment;
+import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The samples of the guide to subsumption, run. */
+class SubsumptionGuideTest {
+    private static final String FIFTY = """
+            robots 50
+            ignore black : walls                                    # the reason is for people
+            colour lilac #C8A2C8                                    # a name of your own; it must be used
+            service patrol = goToGoal(1.5, -2; 3, 0; again) colours # "colours": its robots look for colours meanwhile
+            hold 2 s
+            state blue : * = spaceWanderer, 3..5 = wallFollower     # all of them; robots 3 to 5
+            state lilac priority 1 : * = avoid > patrol
+            """;
+
+    static Service spin() {
+        return new Service("spin", true, () -> {
+            double[] began = {Double.NaN};
+            return senses -> {
+                if (Double.isNaN(began[0])) {
+                    began[0] = senses.timeSeconds();
+                }
+                boolean enough = senses.timeSeconds() - began[0] > 5;
+                return enough ? Optional.empty() : Optional.of(new Velocity(0, 0.5));
+            };
+        });
+    }
+
+    static SubsumptionTable crowd(int robots) {
+        Service avoid = new Service("avoid", false, Avoid.DEFAULT::behaviour);
+        return SubsumptionTable.forRobots(robots)
+                .ignoring(Colours.BLACK, "walls")
+                .when(
+                        Colours.BLUE,
+                        Assignment.everyRobot(Service.SPACE_WANDERER).robots(3, 5, Service.WALL_FOLLOWER))
+                .when(Colours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
+                .priority(Colours.RED, 1)
+                .hold(2)
+                .build();
+    }
+
+    static SubsumptionTable read(Path file) {
+        var catalogue = ServiceCatalogue.standard().with(new ServiceCatalogue.Kind("spin", true, true, arguments -> {
+            double rate = arguments.number("rate", 0.5);
+            return () -> senses -> Optional.of(new Velocity(0, rate));
+        }));
+        return SubsumptionTableReader.read(file, catalogue);
+    }
+
+    private static Senses senses(double seconds) {
+        var ranges = new float[16];
+        Arrays.fill(ranges, 5);
+        return new Senses(seconds, SonarRing.of(ranges), new RobotPose(0, 0, 0));
+    }
+
+    @Test
+    void spin_hasNothingToSayAfterFiveSeconds_andTheWandererBelowDrives() {
+        Service layers = crowd(6).state(Colours.RED).orElseThrow().services().getFirst();
+        assertThat(layers).hasToString("avoid > spin > spaceWanderer");
+        Behaviour law = layers.behaviour().get();
+        assertThat(law.step(senses(10))).hasValue(new Velocity(0, 0.5));
+        assertThat(law.step(senses(15))).hasValue(new Velocity(0, 0.5));
+        assertThat(law.step(senses(15.1)).orElseThrow().forwardMps()).isEqualTo(0.5);
+    }
+
+    @Test
+    void kindOfOnesOwn_isReadFromAFile(@TempDir Path directory) throws Exception {
+        Path file = Files.writeString(
+                directory.resolve("own.table"), "robots 1\nservice slow = spin(rate 0.25)\nstate red : slow\n");
+        Behaviour law = read(file).first().services().getFirst().behaviour().get();
+        assertThat(law.step(senses(0))).hasValue(new Velocity(0, 0.25));
+    }
+
+    @Test
+    void fileOfTheGuide_isRead_andItsMistakeIsTold() {
+        var catalogue = ServiceCatalogue.standard();
+        var table = SubsumptionTableReader.parse(FIFTY, "my.table", catalogue);
+        assertThat(table.robots()).isEqualTo(50);
+        assertThat(table.colourName(0xC8A2C8)).isEqualTo("lilac");
+        String wrong = FIFTY.replace("* = spaceWanderer, 3..5 = wallFollower", "spaceWandrer");
+        assertThatThrownBy(() -> SubsumptionTableReader.parse(wrong, "my.table", catalogue))
+                .hasMessage(
+                        "my.table:6:14: there is no service called 'spaceWandrer', expected one of: patrol, wallFollower, spaceWanderer, goToGoal, avoid (did you mean 'spaceWanderer'?)");
+    }
+}
