@@ -254,7 +254,14 @@ public class RobotServices extends Actor {
         RobotLinks robotLinks = links;
         RobotLink link = robotLinks.connect(robot);
         var loop = new ServiceLoop(
-                space(), robot, service, link, reference, finder, settings.observer(), robotLinks.takeReconnected(robot));
+                space(),
+                robot,
+                service,
+                link,
+                reference,
+                finder,
+                settings.observer(),
+                robotLinks.takeReconnected(robot));
         inCharge.put(robot, loop);
         byReference.put(reference, loop);
         return loop.ended().whenComplete((stopped, error) -> {
