@@ -1,5 +1,6 @@
 package io.troupe.services.bus;
 
+import io.troupe.services.text.Suggestions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -39,7 +40,7 @@ final class Directory {
 
     /** For somebody who has asked for a name that is not there. */
     String hint(String name) {
-        return Similar.hint(name, ports.keySet());
+        return Suggestions.hint(name, ports.keySet());
     }
 
     private String whoIsThere() {

@@ -3,11 +3,14 @@ package io.troupe.services.text;
 import java.util.Collection;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Finds the known name that somebody probably meant. */
 public final class Suggestions {
     /** Nobody means a longer name, and the comparison takes the product of both lengths. */
     private static final int LONGEST = 100;
+
+    private static final int FEW = 8;
 
     private Suggestions() {}
 
@@ -33,6 +36,18 @@ public final class Suggestions {
             }
         }
         return Optional.ofNullable(best);
+    }
+
+    /** The end of an error message: the name that was probably meant, or else the first few there are. */
+    public static String hint(String written, Collection<String> known) {
+        if (known.isEmpty()) {
+            return "there is none";
+        }
+        return nearest(written, known)
+                .map(name -> "did you mean " + name + "?")
+                .orElseGet(() -> "there are "
+                        + known.stream().sorted().limit(FEW).collect(Collectors.joining(", "))
+                        + (known.size() > FEW ? ", .." : ""));
     }
 
     /** The optimal string alignment distance; three rows of its table are enough. */
