@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> A switch: the wanderer that has seen a colour has ended itself; all other services are told to stop; when all of them have stopped,
  * the services of the next state begin. That all happens between two readings, so every robot always has exactly one service.
  * If two robots see colours at once, the first promise to be fulfilled counts (the robot with the lower index).
- * <p><b>Errors.</b> What rejects a service's promise rejects {@link #ended}.
+ * <p><b>Errors.</b> What rejects a service's promise rejects {@link #ended}. If this actor is stopped, its services stop at their next reading.
  * <p><b>Source.</b> Paper, section 3.6, Figure 20.
  */
 public class Arbitrator extends Actor {
@@ -55,6 +55,11 @@ public class Arbitrator extends Actor {
     /** Rejected when a service fails; never fulfilled. */
     public Promise<@Nullable Void> ended() {
         return present.failed();
+    }
+
+    @Override
+    protected void stopped() {
+        present.abandon();
     }
 
     private void begin(int robot) {

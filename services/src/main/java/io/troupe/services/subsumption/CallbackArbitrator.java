@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> A colour finder sends whatever its robot sees, at every reading, and its service drives on. The first colour to arrive that leads to another state ends
  * the present one: all services are told to stop, and when they have stopped, which is a promise here and a busy loop in the paper, those of the next
  * state begin. That happens between two readings, as in promise mode; what arrives meanwhile from services of the state before is counted and ignored.
- * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is stopped, the services that report to it stop as well.
+ * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is stopped, its services stop at their next reading.
  * <p><b>Source.</b> Paper, section 3.5, Figure 17.
  */
 public class CallbackArbitrator extends Actor {
@@ -39,6 +39,11 @@ public class CallbackArbitrator extends Actor {
     /** Rejected when a service fails; never fulfilled. */
     public Promise<@Nullable Void> ended() {
         return present.failed();
+    }
+
+    @Override
+    protected void stopped() {
+        present.abandon();
     }
 
     private void begin(int robot) {

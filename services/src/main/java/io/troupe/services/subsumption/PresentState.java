@@ -66,6 +66,11 @@ final class PresentState {
         return Promise.all(stops);
     }
 
+    /** Nobody arbitrates any more: the services stop at their next reading. */
+    void abandon() {
+        references.values().forEach(reference -> reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP));
+    }
+
     void fail(Throwable error) {
         failed.reject(error);
     }

@@ -140,13 +140,15 @@ class ArbitratorTest {
     }
 
     @Test
-    void arbitratorThatIsStopped_leavesTheServicesInCharge() {
+    void arbitratorThatIsStopped_leavesNoRobotDriving() {
         tick();
         test.space().stop(arbitrator);
         test.crank();
-        tick();
-        assertInCharge(WF, SW);
-        assertThat(robots.lastCommand(1).vx()).isPositive();
+        robots.tick(100);
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(1)).isEmpty();
+        assertThat(robots.lastCommand(0).vx()).isZero();
+        assertThat(robots.lastCommand(1).vx()).isZero();
     }
 
     @Test
