@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 public final class TestMethods {
     private static final Pattern REFERENCE = Pattern.compile("`(\\w+Test)\\.(\\w+)`");
     private static final Pattern TEST_METHOD =
-            Pattern.compile("@(?:Test|Property|ParameterizedTest)\\b[^;{}]*?\\bvoid (\\w+)\\(");
+            Pattern.compile("@(?:Test|Property|ParameterizedTest)\\b(?:(?!\\bvoid\\b)[\\s\\S])*?\\bvoid (\\w+)\\(");
     /** Quoted text between the annotation and the method may hold anything. */
     private static final Pattern STRING = Pattern.compile("\"(?:[^\"\\\\\\n]|\\\\.)*\"");
 

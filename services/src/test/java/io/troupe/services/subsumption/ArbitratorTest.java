@@ -187,8 +187,8 @@ class ArbitratorTest {
                 true,
                 () -> senses -> Optional.of(new Velocity(0, senses.sonar().frontM())));
         var table = SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, WF)
                 .when(Colours.RED, spin)
+                .when(Colours.BLUE, WF)
                 .allowFinal()
                 .build();
         assertThat(table.service("spin")).hasValue(spin);
@@ -202,7 +202,7 @@ class ArbitratorTest {
                     spin,
                     new AtomicReference<>(1),
                     new AtomicReference<>(1),
-                    table.ruleIn(table.states().get(1)));
+                    table.ruleIn(table.first()));
             other.crank();
             others.range(0, 3, 1.5);
             others.tick(100);
