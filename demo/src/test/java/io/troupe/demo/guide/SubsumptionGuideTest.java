@@ -9,16 +9,25 @@ import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Optional;
+import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -66,6 +75,54 @@ class SubsumptionGuideTest {
             return () -> senses -> Optional.of(new Velocity(0, rate));
         }));
         return SubsumptionTableReader.read(file, catalogue);
+    }
+
+    /** Moves a world so many ticks, with the robots of a table in it. */
+    private static void drive(
+            Simulation simulation,
+            SubsumptionTable table,
+            ServiceObserver observer,
+            Arbitrator.StateListener listener,
+            int ticks)
+            throws InterruptedException {
+        var clock = simulation.clock();
+        var settings = new SubsumptionRun.Settings(Mode.CALLBACK, "localhost", 6665, table, clock, observer, listener);
+        try (var run = SubsumptionRun.start(settings.withReconnection(true))) {
+            // move the world, and ask run.check() whether all is well
+            for (int i = 0; i < ticks; i++) {
+                simulation.tick();
+                run.check();
+            }
+        }
+    }
+
+    @Test
+    void programOfOnesOwn_drivesTheRobotsOfAWorld() throws Exception {
+        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
+        var cycles = new LongAdder();
+        var observer = new ServiceObserver() {
+            @Override
+            public void began(int robot, Service service) {}
+
+            @Override
+            public void cycled(int robot, Service service) {
+                cycles.increment();
+            }
+
+            @Override
+            public void ended(int robot, Service service) {}
+        };
+        var states = new ArrayList<Integer>();
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(1))) {
+            drive(
+                    simulation,
+                    SubsumptionTable.ofThePaper(),
+                    observer,
+                    (state, seenBy) -> states.add(state.number()),
+                    20);
+        }
+        assertThat(states).startsWith(1);
+        assertThat(cycles.sum()).isGreaterThanOrEqualTo(2 * 19);
     }
 
     private static Senses senses(double seconds) {
