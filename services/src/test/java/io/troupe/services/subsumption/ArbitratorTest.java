@@ -198,11 +198,7 @@ class ArbitratorTest {
                     RobotServices.class,
                     () -> new RobotServices(RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT + 1)));
             var seen = services.serve(
-                    0,
-                    spin,
-                    new AtomicReference<>(1),
-                    new AtomicReference<>(1),
-                    table.ruleIn(table.first()));
+                    0, spin, new AtomicReference<>(1), new AtomicReference<>(1), table.ruleIn(table.first()));
             other.crank();
             others.range(0, 3, 1.5);
             others.tick(100);
