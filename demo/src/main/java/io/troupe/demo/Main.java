@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
@@ -27,7 +28,7 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        subcommands = {RunCommand.class, CrowdCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
