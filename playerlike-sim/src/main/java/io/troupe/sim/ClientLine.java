@@ -60,7 +60,14 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean isSubscribed() {
-        return closed == null && subscribed.stream().anyMatch(Offer::publishes);
+        if (closed == null) {
+            for (Offer offer : inFrameOrder) {
+                if (offer.publishes()) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Whether the next frame has anything for it: not if all its sensors are switched off. */
@@ -140,7 +147,7 @@ final class ClientLine implements PlayerConnection {
     public List<DeviceAddress> devices() {
         return simulation.under(() -> {
             checkOpen();
-            return server.offers().stream().map(Offer::address).toList();
+            return server.addresses();
         });
     }
 

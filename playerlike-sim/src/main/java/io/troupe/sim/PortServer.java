@@ -39,7 +39,7 @@ final class PortServer implements PlayerServer {
 
     private final Simulation simulation;
     private final int port;
-    private final List<Offer> offers;
+    private final List<DeviceAddress> addresses;
     private final Map<DeviceAddress, Offer> byAddress = new HashMap<>();
 
     PortServer(Simulation simulation, int port, List<DeviceBinding> bindings) {
@@ -50,10 +50,11 @@ final class PortServer implements PlayerServer {
         for (int robot = 0; robot < specs.size(); robot++) {
             robots.putIfAbsent(specs.get(robot).name(), robot);
         }
-        this.offers = bindings.stream()
+        List<Offer> offers = bindings.stream()
                 .map(binding -> offer(binding, robots.getOrDefault(binding.model(), -1)))
                 .sorted(FRAME_ORDER)
                 .toList();
+        this.addresses = offers.stream().map(Offer::address).toList();
         offers.forEach(offer -> byAddress.putIfAbsent(offer.address, offer));
     }
 
@@ -89,8 +90,8 @@ final class PortServer implements PlayerServer {
     }
 
     /** All devices, in the order in which clients get their messages. */
-    List<Offer> offers() {
-        return offers;
+    List<DeviceAddress> addresses() {
+        return addresses;
     }
 
     /** The device of an address, or null. */

@@ -22,8 +22,8 @@ import picocli.CommandLine.Spec;
         description = "Measures crowds of robots on one actor space: simulated world, Player connections, arbitrator and services, in lock step.",
         footer = {
             "",
-            "World is the processor time of the thread that moves the world, services that of the actor space's thread; all is wall-clock time,",
-            "with the compiler, the collector and the wake-ups of the two threads. For one core run: taskset -c 0 ./troupe crowd"
+            "Processor time is that of all threads, the compiler's and the collector's included; world is that of the thread that moves the world, services that of",
+            "the actor space's thread. The two take turns, so one core is all they need; to have no more than one: taskset -c 0 ./troupe crowd"
         },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)

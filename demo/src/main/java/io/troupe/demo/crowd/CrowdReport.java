@@ -6,20 +6,23 @@ import java.util.function.ToDoubleFunction;
 
 /** Trials as a table for people and as CSV. */
 final class CrowdReport {
-    /** Medians of the rounds of one size, and the least and greatest speed. */
+    /** Medians of the rounds of one size, and between what the speed lay. */
     record Row(
             int robots,
             double timesRealTime,
             double slowest,
             double fastest,
+            double timesByTheWall,
             double micros,
             double worldMicros,
             double servicesMicros,
             double kilobytesPerRobot,
             double states) {}
 
-    private static final String HEAD =
-            " robots   x real time (slowest .. fastest)     us per robot and tick: all   world  services   kB per robot   states";
+    private static final String HEAD = """
+                    times real time                          us of processor time
+             robots   one core      (from .. to)     by the wall     robot and tick   world  services   kB per robot  states
+            """;
 
     private final List<Trial> trials;
 
@@ -34,13 +37,14 @@ final class CrowdReport {
     private Row row(int robots) {
         List<Trial> rounds =
                 trials.stream().filter(trial -> trial.robots() == robots).toList();
-        double[] speeds = sorted(rounds, Trial::timesRealTime);
+        double[] speeds = sorted(rounds, Trial::timesRealTimeOfOneCore);
         return new Row(
                 robots,
                 median(speeds),
                 speeds[0],
                 speeds[speeds.length - 1],
-                median(sorted(rounds, Trial::microsPerRobotAndTick)),
+                median(sorted(rounds, Trial::timesRealTime)),
+                median(sorted(rounds, Trial::micros)),
                 median(sorted(rounds, Trial::worldMicros)),
                 median(sorted(rounds, Trial::servicesMicros)),
                 median(sorted(rounds, Trial::retainedKilobytesPerRobot)),
@@ -57,22 +61,21 @@ final class CrowdReport {
     }
 
     String table() {
-        var text = new StringBuilder(HEAD).append(System.lineSeparator());
+        var text = new StringBuilder(HEAD);
         for (Row row : medians()) {
+            String range = String.format(Locale.ROOT, "(%,.1f .. %,.1f)", row.slowest, row.fastest);
             text.append(String.format(
-                            Locale.ROOT,
-                            "%,7d %,13.1f (%,.1f .. %,.1f)%s%8.2f%8.2f%10.2f%15.1f%9.0f",
-                            row.robots,
-                            row.timesRealTime,
-                            row.slowest,
-                            row.fastest,
-                            " ".repeat(Math.max(1, 36 - String.format(Locale.ROOT, " (%,.1f .. %,.1f)", row.slowest, row.fastest).length())),
-                            row.micros,
-                            row.worldMicros,
-                            row.servicesMicros,
-                            row.kilobytesPerRobot,
-                            row.states))
-                    .append(System.lineSeparator());
+                    Locale.ROOT,
+                    "%,7d%,11.1f%18s%,16.1f%19.2f%8.2f%10.2f%15.1f%8.0f%n",
+                    row.robots,
+                    row.timesRealTime,
+                    range,
+                    row.timesByTheWall,
+                    row.micros,
+                    row.worldMicros,
+                    row.servicesMicros,
+                    row.kilobytesPerRobot,
+                    row.states));
         }
         return text.toString();
     }
@@ -80,16 +83,18 @@ final class CrowdReport {
     /** A line for each trial. */
     String csv() {
         var text = new StringBuilder(
-                "robots,ticks,wall_seconds,times_real_time,micros_per_robot_tick,world_micros,services_micros,retained_bytes,states\n");
+                "robots,ticks,wall_seconds,processor_seconds,times_real_time_of_one_core,times_real_time_by_the_wall,micros_per_robot_tick,world_micros,services_micros,retained_bytes,states\n");
         for (Trial trial : trials) {
             text.append(String.format(
                     Locale.ROOT,
-                    "%d,%d,%.6f,%.4f,%.4f,%.4f,%.4f,%d,%d%n",
+                    "%d,%d,%.6f,%.6f,%.4f,%.4f,%.4f,%.4f,%.4f,%d,%d%n",
                     trial.robots(),
                     trial.ticks(),
                     trial.wallNanos() / 1e9,
+                    trial.processorNanos() / 1e9,
+                    trial.timesRealTimeOfOneCore(),
                     trial.timesRealTime(),
-                    trial.microsPerRobotAndTick(),
+                    trial.micros(),
                     trial.worldMicros(),
                     trial.servicesMicros(),
                     trial.retainedBytes(),

@@ -1,5 +1,6 @@
 package io.troupe.demo.crowd;
 
+import com.sun.management.OperatingSystemMXBean;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -33,6 +34,7 @@ final class CrowdTrial {
     private static final long LEAST_WALL_NANOS = 500_000_000;
 
     private static final int COLLECTIONS = 4;
+    private static final OperatingSystemMXBean PROCESS = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     /** Counts states and learns which thread the services live on. */
@@ -82,6 +84,7 @@ final class CrowdTrial {
         long intervalMicros = simulation.world().spec().intervalMillis() * 1000L;
         long leastTicks = StrictMath.max(1, StrictMath.round(settings.seconds() * 1e6 / intervalMicros));
         long services = THREADS.getThreadCpuTime(watch.servicesThread);
+        long processor = PROCESS.getProcessCpuTime();
         long world = THREADS.getCurrentThreadCpuTime();
         int states = watch.states;
         long begin = System.nanoTime();
@@ -99,6 +102,7 @@ final class CrowdTrial {
                 ticks,
                 intervalMicros,
                 wallNanos,
+                PROCESS.getProcessCpuTime() - processor,
                 THREADS.getCurrentThreadCpuTime() - world,
                 THREADS.getThreadCpuTime(watch.servicesThread) - services,
                 0,
@@ -111,6 +115,7 @@ final class CrowdTrial {
                 trial.ticks(),
                 trial.intervalMicros(),
                 trial.wallNanos(),
+                trial.processorNanos(),
                 trial.worldNanos(),
                 trial.servicesNanos(),
                 bytes,
