@@ -12,12 +12,14 @@ public final class CrowdLimits {
     /**
      * Refuses a number that is not from 1 to {@code most}.
      *
+     * @return the number
      * @throws ParameterException that names the option, its value and what was expected
      */
-    public static void check(CommandSpec spec, String option, int value, int most) {
+    public static int check(CommandSpec spec, String option, int value, int most) {
         if (value < 1 || value > most) {
             throw new ParameterException(
                     spec.commandLine(), option + " is " + value + ", expected a number from 1 to " + most);
         }
+        return value;
     }
 }

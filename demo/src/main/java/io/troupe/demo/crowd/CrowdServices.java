@@ -1,5 +1,6 @@
 package io.troupe.demo.crowd;
 
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Service;
 import java.util.List;
 
@@ -8,7 +9,7 @@ final class CrowdServices {
     private CrowdServices() {}
 
     /** The wanderer, the wall follower. */
-    static List<Service> first(int count) {
-        return List.of(Service.SPACE_WANDERER, Service.WALL_FOLLOWER).subList(0, Math.min(2, count));
+    static List<Service> first(int count, CornerStyle corners) {
+        return List.of(Service.SPACE_WANDERER, Service.wallFollower(corners)).subList(0, Math.min(2, count));
     }
 }

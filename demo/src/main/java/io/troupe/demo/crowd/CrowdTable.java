@@ -1,5 +1,6 @@
 package io.troupe.demo.crowd;
 
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.ArrayList;
@@ -26,9 +27,11 @@ public final class CrowdTable {
      *
      * @param colours one for each state, the first for the one to begin with
      * @param services how many of the {@link CrowdServices}
+     * @param corners of the wall follower
      */
-    public static SubsumptionTable of(int robots, List<Integer> colours, int services, double holdSeconds) {
-        List<Service> known = CrowdServices.first(services);
+    public static SubsumptionTable of(
+            int robots, List<Integer> colours, int services, double holdSeconds, CornerStyle corners) {
+        List<Service> known = CrowdServices.first(services, corners);
         var table = SubsumptionTable.forRobots(robots).hold(holdSeconds);
         for (int state = 0; state < colours.size(); state++) {
             table.when(colours.get(state), assignment(robots, known, state).toArray(Service[]::new));

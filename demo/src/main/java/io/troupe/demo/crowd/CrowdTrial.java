@@ -1,6 +1,7 @@
 package io.troupe.demo.crowd;
 
 import com.sun.management.OperatingSystemMXBean;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -58,7 +59,8 @@ final class CrowdTrial {
                 settings.robots(),
                 CrowdWorld.colours(settings.colours()),
                 settings.services(),
-                CrowdTable.HOLD_SECONDS);
+                CrowdTable.HOLD_SECONDS,
+                CornerStyle.FORWARD);
     }
 
     /** @param progress is told how much has been done, from 0 to 1 */
