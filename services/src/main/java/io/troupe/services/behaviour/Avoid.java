@@ -1,0 +1,98 @@
+package io.troupe.services.behaviour;
+
+import java.util.Optional;
+
+/**
+ * Turns away from what is in front, slowing down before it; has nothing to say while nothing is near.
+ *
+ * <p><b>Role.</b> A pure function of a memory and a reading, made to lie over another behaviour. It turns to one side until the way is free, so that it
+ * gets out of corners, and then drives straight on for a moment, so that the layer below does not turn back at once.
+ * <p><b>Order.</b> It never drives forward while one of sonars 1 to 6 (50 degrees to both sides) reads less than {@code nearM}.
+ *
+ * @param nearM turns in place when something is nearer
+ * @param farM drives slower, and turns, when something is nearer
+ * @param turnRadps how fast it turns
+ * @param onwardSeconds how long it drives straight on when the way is free again
+ */
+public record Avoid(double nearM, double farM, double turnRadps, double onwardSeconds) {
+    /** Turns in place below 0.4 m and more slowly below 0.6 m, at 0.6 rad/s, then drives on for 2 s. */
+    public static final Avoid DEFAULT = new Avoid(0.4, 0.6, 0.6, 2);
+
+    private static final double FORWARD_MPS = 0.2;
+    private static final int FIRST_SONAR = 1;
+    private static final int LAST_SONAR = 6;
+    private static final int FIRST_ON_THE_RIGHT = 4;
+
+    /** What it is doing. */
+    public sealed interface Memory {
+        /** Nothing is near. */
+        record Idle() implements Memory {}
+
+        /** Something is near: turning to one side. */
+        record Turning(boolean left) implements Memory {}
+
+        /** The way is free again. */
+        record Onward(double untilSeconds) implements Memory {}
+    }
+
+    /** What to do now, and what to remember for the next cycle. */
+    public record Step(Optional<Velocity> velocity, Memory memory) {}
+
+    /** The memory to begin with. */
+    public static final Memory START = new Memory.Idle();
+
+    public Avoid {
+        Limits.requirePositive("the distance at which it turns in place", nearM, "m");
+        Limits.requirePositive("the turn rate", turnRadps, "rad/s");
+        if (!(farM > nearM) || farM > SonarRing.MAX_M) {
+            throw new IllegalArgumentException("the distance at which it slows down is " + farM
+                    + " m, expected more than the " + nearM + " m at which it turns in place, and at most "
+                    + SonarRing.MAX_M + " m");
+        }
+        if (!(onwardSeconds >= 0) || Double.isInfinite(onwardSeconds)) {
+            throw new IllegalArgumentException("it drives on for " + onwardSeconds + " s, expected 0 or more");
+        }
+    }
+
+    /** The law with a memory of its own. */
+    public Behaviour behaviour() {
+        Memory[] memory = {START};
+        return senses -> {
+            Step step = step(memory[0], senses);
+            memory[0] = step.memory();
+            return step.velocity();
+        };
+    }
+
+    /** One cycle. */
+    public Step step(Memory memory, Senses senses) {
+        double leftM = nearest(senses.sonar(), FIRST_SONAR, FIRST_ON_THE_RIGHT - 1);
+        double rightM = nearest(senses.sonar(), FIRST_ON_THE_RIGHT, LAST_SONAR);
+        double frontM = StrictMath.min(leftM, rightM);
+        if (frontM < farM) {
+            boolean left = memory instanceof Memory.Turning turning ? turning.left : rightM < leftM;
+            double share = StrictMath.max(0, (frontM - nearM) / (farM - nearM));
+            var velocity = new Velocity(FORWARD_MPS * share, left ? turnRadps : -turnRadps);
+            return new Step(Optional.of(velocity), new Memory.Turning(left));
+        }
+        return switch (memory) {
+            case Memory.Idle idle -> new Step(Optional.empty(), idle);
+            case Memory.Turning turning -> onward(new Memory.Onward(senses.timeSeconds() + onwardSeconds), senses);
+            case Memory.Onward onward -> onward(onward, senses);
+        };
+    }
+
+    private static Step onward(Memory.Onward onward, Senses senses) {
+        return senses.timeSeconds() < onward.untilSeconds
+                ? new Step(Optional.of(new Velocity(FORWARD_MPS, 0)), onward)
+                : new Step(Optional.empty(), START);
+    }
+
+    private static double nearest(SonarRing sonar, int first, int last) {
+        double nearestM = SonarRing.MAX_M;
+        for (int each = first; each <= last; each++) {
+            nearestM = StrictMath.min(nearestM, sonar.rangeM(each));
+        }
+        return nearestM;
+    }
+}

@@ -1,0 +1,12 @@
+package io.troupe.services.behaviour;
+
+/** Checks of what behaviours are made with. */
+final class Limits {
+    private Limits() {}
+
+    static void requirePositive(String what, double value, String unit) {
+        if (!(value > 0) || Double.isInfinite(value)) {
+            throw new IllegalArgumentException(what + " is " + value + " " + unit + ", expected more than 0");
+        }
+    }
+}

@@ -1,0 +1,185 @@
+package io.troupe.services.subsumption;
+
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What stands between the brackets of a service in a table's file: tuples of numbers, and words with or without a value, as in
+ * {@code (1.5, -2; 3, 0; speed 0.3; again)}.
+ *
+ * <p><b>Errors.</b> {@link SubsumptionTableException} at the place of a wrong argument.
+ */
+public final class ServiceArguments {
+    /** A number without a name, a word alone, or a word and its value. */
+    private record Item(
+            int position,
+            @Nullable String name,
+            @Nullable Double number,
+            @Nullable String word) {
+        @Override
+        public String toString() {
+            String value = number != null ? plain(number) : word == null ? "" : word;
+            return name == null ? value : value.isEmpty() ? name : name + " " + value;
+        }
+    }
+
+    private final TableLine line;
+    private final int start;
+    private final List<List<Item>> groups = new ArrayList<>();
+    private final Set<String> asked = new LinkedHashSet<>();
+    private boolean tuplesAsked;
+
+    /** Reads them if the line is at an opening bracket; else there are none. */
+    ServiceArguments(TableLine line) {
+        this.line = line;
+        this.start = line.position();
+        if (!line.skips("(") || line.skips(")")) {
+            return;
+        }
+        do {
+            groups.add(group());
+        } while (line.skips(";"));
+        line.expect(")", "or ';' or ','");
+    }
+
+    private List<Item> group() {
+        List<Item> items = new ArrayList<>();
+        do {
+            Item item = item();
+            if (item.name != null
+                    && named(item.name).or(() -> named(items, item.name)).isPresent()) {
+                throw line.problem(item.position, "'" + item.name + "' is given twice, expected it once");
+            }
+            items.add(item);
+        } while (line.skips(","));
+        return items;
+    }
+
+    private Item item() {
+        int position = line.position();
+        if (line.isAtNumber()) {
+            return new Item(position, null, line.number("a number"), null);
+        }
+        String name = line.word("a number or a word");
+        if (line.isAtNumber()) {
+            return new Item(position, name, line.number("a number"), null);
+        }
+        String value = line.nextWord();
+        return new Item(position, name, null, value.isEmpty() ? null : line.word("a value"));
+    }
+
+    private Optional<Item> named(String name) {
+        return groups.stream().flatMap(group -> named(group, name).stream()).findFirst();
+    }
+
+    private static Optional<Item> named(List<Item> group, String name) {
+        return group.stream().filter(item -> name.equals(item.name)).findFirst();
+    }
+
+    /**
+     * The groups of plain numbers, in their order.
+     *
+     * @param size of each group
+     * @param shape for messages, such as {@code x, y}
+     */
+    public List<List<Double>> tuples(int size, String shape) {
+        tuplesAsked = true;
+        List<List<Double>> tuples = new ArrayList<>();
+        for (var group : groups) {
+            var numbers = group.stream()
+                    .filter(item -> item.name == null)
+                    .map(Item::number)
+                    .toList();
+            if (!numbers.isEmpty()) {
+                if (numbers.size() != size || group.size() != size) {
+                    throw line.problem(
+                            group.getFirst().position,
+                            "'" + text(group) + "', expected " + size + " numbers: " + shape
+                                    + "; ';' separates groups");
+                }
+                tuples.add(List.copyOf(numbers));
+            }
+        }
+        return tuples;
+    }
+
+    /** The number that follows a word. */
+    public double number(String name, double otherwise) {
+        asked.add(name);
+        var item = named(name);
+        Double number = item.map(Item::number).orElse(null);
+        if (item.isPresent() && number == null) {
+            throw line.problem(item.get().position, "'" + item.get() + "', expected a number after " + name);
+        }
+        return number == null ? otherwise : number;
+    }
+
+    /** The word that follows a word; the first choice if it is not there. */
+    public String choice(String name, List<String> choices) {
+        asked.add(name);
+        var item = named(name);
+        if (item.isEmpty()) {
+            return choices.getFirst();
+        }
+        String word = item.get().word;
+        if (word == null || !choices.contains(word)) {
+            throw line.problem(
+                    item.get().position,
+                    "'" + item.get() + "'" + TableLine.expected("one of", word == null ? "" : word, choices));
+        }
+        return word;
+    }
+
+    /** Whether a word is there, by itself. */
+    public boolean flag(String name) {
+        asked.add(name);
+        var item = named(name);
+        if (item.isPresent() && (item.get().number != null || item.get().word != null)) {
+            throw line.problem(item.get().position, "'" + item.get() + "', expected " + name + " alone");
+        }
+        return item.isPresent();
+    }
+
+    /** Refuses what nobody has asked for. */
+    void requireAllAsked(String kind) {
+        for (var group : groups) {
+            for (Item item : group) {
+                if (item.name == null && !tuplesAsked) {
+                    throw line.problem(
+                            item.position, kind + " has the number " + item + TableLine.expected("words", "", asked));
+                }
+                if (item.name != null && !asked.contains(item.name)) {
+                    throw line.problem(
+                            item.position,
+                            kind + " has the argument '" + item.name + "'"
+                                    + TableLine.expected("one of", item.name, asked));
+                }
+            }
+        }
+    }
+
+    int start() {
+        return start;
+    }
+
+    /** In the one form in which they are written. */
+    String text() {
+        return String.join("; ", groups.stream().map(ServiceArguments::text).toList());
+    }
+
+    private static String text(List<Item> group) {
+        return String.join(", ", group.stream().map(Item::toString).toList());
+    }
+
+    /** A number as a file has it. */
+    static String plain(double number) {
+        return number == 0
+                ? "0"
+                : new BigDecimal(Double.toString(number)).stripTrailingZeros().toPlainString();
+    }
+}

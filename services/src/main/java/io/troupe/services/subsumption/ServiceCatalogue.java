@@ -1,0 +1,110 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.services.behaviour.Avoid;
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.GoToGoal;
+import io.troupe.services.behaviour.GoToGoal.Goal;
+import io.troupe.services.behaviour.SpaceWanderer;
+import io.troupe.services.behaviour.WallFollower;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The kinds of services that a table's file can name.
+ *
+ * <p><b>Role.</b> Immutable: {@link #standard()}, and {@link #with} for kinds of one's own.
+ */
+public final class ServiceCatalogue {
+    private static final ServiceCatalogue STANDARD = new ServiceCatalogue(Map.of())
+            .with(new Kind("wallFollower", false, false, ServiceCatalogue::wallFollower))
+            .with(new Kind("spaceWanderer", true, false, arguments -> SpaceWanderer::behaviour))
+            .with(new Kind("goToGoal", false, true, ServiceCatalogue::goToGoal))
+            .with(new Kind("avoid", false, true, ServiceCatalogue::avoid));
+
+    /**
+     * A kind of service.
+     *
+     * @param name a word
+     * @param findsColours whether its robots look for colours, unless a table says otherwise
+     * @param yields whether it has nothing to say at times, so that a layer below it makes sense
+     * @param maker reads the arguments, once, and answers what makes the control law, anew each time the service takes charge; what it does not ask
+     *     for is refused, and so is what it refuses with an {@link IllegalArgumentException}
+     */
+    public record Kind(
+            String name, boolean findsColours, boolean yields, Function<ServiceArguments, Supplier<Behaviour>> maker) {
+        public Kind {
+            if (!name.matches(TableLine.WORD)) {
+                throw new IllegalArgumentException("a kind of service is called '" + name + "', expected a word");
+            }
+        }
+    }
+
+    private final Map<String, Kind> kinds;
+
+    private ServiceCatalogue(Map<String, Kind> kinds) {
+        this.kinds = Collections.unmodifiableMap(new LinkedHashMap<>(kinds));
+    }
+
+    /** {@code wallFollower(corners backward)}, {@code spaceWanderer}, {@code goToGoal(x, y; ..; speed; within; again)}, {@code avoid(near; far; turn; onward)}. */
+    public static ServiceCatalogue standard() {
+        return STANDARD;
+    }
+
+    /**
+     * This one and a kind more.
+     *
+     * @throws IllegalArgumentException if it has one of that name
+     */
+    public ServiceCatalogue with(Kind kind) {
+        if (kinds.containsKey(kind.name())) {
+            throw new IllegalArgumentException(
+                    "the catalogue has a kind of service called " + kind.name() + " already");
+        }
+        var more = new LinkedHashMap<>(kinds);
+        more.put(kind.name(), kind);
+        return new ServiceCatalogue(more);
+    }
+
+    /** The names of all kinds. */
+    public Collection<String> names() {
+        return kinds.keySet();
+    }
+
+    @Nullable
+    Kind kind(String name) {
+        return kinds.get(name);
+    }
+
+    private static Supplier<Behaviour> wallFollower(ServiceArguments arguments) {
+        var styles = List.of("forward", "backward");
+        var style = CornerStyle.valueOf(arguments.choice("corners", styles).toUpperCase(Locale.ROOT));
+        return () -> WallFollower.behaviour(style);
+    }
+
+    private static Supplier<Behaviour> goToGoal(ServiceArguments arguments) {
+        var goals = arguments.tuples(2, "x, y").stream()
+                .map(pair -> new Goal(pair.get(0), pair.get(1)))
+                .toList();
+        return new GoToGoal(
+                goals,
+                arguments.number("speed", GoToGoal.SPEED_MPS),
+                arguments.number("within", GoToGoal.WITHIN_M),
+                arguments.flag("again"))::behaviour;
+    }
+
+    private static Supplier<Behaviour> avoid(ServiceArguments arguments) {
+        return new Avoid(
+                arguments.number("near", Avoid.DEFAULT.nearM()),
+                arguments.number("far", Avoid.DEFAULT.farM()),
+                arguments.number("turn", Avoid.DEFAULT.turnRadps()),
+                arguments.number("onward", Avoid.DEFAULT.onwardSeconds()))::behaviour;
+    }
+}

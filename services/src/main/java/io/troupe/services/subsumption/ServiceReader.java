@@ -1,0 +1,101 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.subsumption.ServiceCatalogue.Kind;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Supplier;
+
+/** Reads services: their declarations, and their names with {@code >} between layers. */
+final class ServiceReader {
+    private final ServiceCatalogue catalogue;
+    private final Map<String, Service> declared = new LinkedHashMap<>();
+
+    ServiceReader(ServiceCatalogue catalogue) {
+        this.catalogue = catalogue;
+    }
+
+    /** {@code NAME = KIND(ARGUMENTS)}, perhaps with {@code colours} or {@code no colours}. */
+    Service declare(TableLine line) {
+        int at = line.position();
+        String name = line.word("the name of a service");
+        if (declared.containsKey(name)) {
+            throw line.problem(at, "the service " + name + " is declared already, expected another name");
+        }
+        line.expect("=", "after the name of a service");
+        int kindAt = line.position();
+        String kindName = line.word("a kind of service");
+        Kind kind = catalogue.kind(kindName);
+        if (kind == null) {
+            throw line.problem(
+                    kindAt,
+                    "there is no kind of service called '" + kindName + "'"
+                            + TableLine.expected("one of", kindName, catalogue.names()));
+        }
+        if (catalogue.kind(name) != null && !name.equals(kindName)) {
+            throw line.problem(
+                    at,
+                    "a service of the kind " + kindName + " is called " + name
+                            + ", which is another kind, expected another name");
+        }
+        var arguments = new ServiceArguments(line);
+        boolean findsColours = line.skips("colours") || !isBlind(line) && kind.findsColours();
+        var service = new Service(name, findsColours, define(line, kindAt, kind, arguments));
+        declared.put(name, service);
+        return service;
+    }
+
+    private static boolean isBlind(TableLine line) {
+        if (!line.skips("no")) {
+            return false;
+        }
+        line.expect("colours", "after 'no'");
+        return true;
+    }
+
+    private static Definition define(TableLine line, int kindAt, Kind kind, ServiceArguments arguments) {
+        Supplier<Behaviour> maker;
+        try {
+            maker = kind.maker().apply(arguments);
+        } catch (IllegalArgumentException refused) {
+            throw line.problem(kindAt, kind.name() + ": " + refused.getMessage());
+        }
+        arguments.requireAllAsked(kind.name());
+        return new Definition(kind.name(), arguments.text(), kind.yields(), maker);
+    }
+
+    /** {@code NAME > NAME > ..}, the highest layer first. */
+    Service layers(TableLine line) {
+        Service service = named(line);
+        while (line.skips(">")) {
+            service = service.over(named(line));
+        }
+        if (line.isAt("(")) {
+            throw line.problem(
+                    line.position(),
+                    "arguments of " + service + ", expected them where it gets a name: 'service NAME = KIND(..)'");
+        }
+        return service;
+    }
+
+    private Service named(TableLine line) {
+        int at = line.position();
+        String name = line.word("a service");
+        Service service = declared.get(name);
+        if (service != null) {
+            return service;
+        }
+        Kind kind = catalogue.kind(name);
+        if (kind == null) {
+            var known = new ArrayList<>(declared.keySet());
+            catalogue.names().stream()
+                    .filter(each -> !declared.containsKey(each))
+                    .forEach(known::add);
+            throw line.problem(
+                    at, "there is no service called '" + name + "'" + TableLine.expected("one of", name, known));
+        }
+        return new Service(
+                name, kind.findsColours(), define(line, at, kind, new ServiceArguments(new TableLine("", 0, ""))));
+    }
+}

@@ -1,0 +1,201 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.services.subsumption.SubsumptionTable.Builder;
+import io.troupe.services.subsumption.TableChecks.Subject;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+
+/** Reads one text into a table: first its lines by their keywords, then colours and services, then the states that use them. */
+final class TableParser {
+    /** A table is held in memory with a service for each robot and state. */
+    private static final int MOST_ROBOTS = 10_000;
+
+    private enum Keyword {
+        ROBOTS,
+        IGNORE,
+        COLOUR,
+        SERVICE,
+        HOLD,
+        ALLOW,
+        STATE;
+
+        @Override
+        public String toString() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    /** Where something was written. */
+    private record Place(TableLine line, int position) {}
+
+    private final String file;
+    private final ServiceReader services;
+    private final Map<Keyword, List<Place>> statements = new EnumMap<>(Keyword.class);
+    private final Map<String, Integer> colours = new LinkedHashMap<>();
+    private final Map<Subject, Place> written = new HashMap<>();
+    private int robots;
+
+    TableParser(String file, ServiceCatalogue catalogue) {
+        this.file = file;
+        this.services = new ServiceReader(catalogue);
+    }
+
+    SubsumptionTable parse(String text) {
+        List<String> lines = text.lines().toList();
+        for (int index = 0; index < lines.size(); index++) {
+            // files of some editors begin with a byte order mark
+            String line = index == 0 && lines.getFirst().startsWith("\uFEFF")
+                    ? lines.getFirst().substring(1)
+                    : lines.get(index);
+            sort(new TableLine(file, index + 1, line));
+        }
+        var end = new Place(new TableLine(file, StrictMath.max(1, lines.size()), ""), 0);
+        written.put(new Subject.Whole(), end);
+        if (!statements.containsKey(Keyword.ROBOTS)) {
+            throw problem(end, "the table does not say how many robots it is for, expected 'robots N'");
+        }
+        once(Keyword.ROBOTS, line -> robots = line.whole("a number of robots, 1 to " + MOST_ROBOTS, 1, MOST_ROBOTS));
+        Builder builder = SubsumptionTable.forRobots(robots);
+        each(Keyword.COLOUR, line -> colour(line, builder));
+        each(Keyword.SERVICE, line -> service(line, builder));
+        each(Keyword.IGNORE, line -> ignore(line, builder));
+        once(Keyword.HOLD, line -> hold(line, builder));
+        each(Keyword.ALLOW, line -> {
+            line.expect("final", "after 'allow'");
+            builder.allowFinal();
+        });
+        each(Keyword.STATE, line -> state(line, builder));
+        builder.finding().ifPresent(finding -> {
+            throw problem(written.getOrDefault(finding.subject(), end), finding.message());
+        });
+        return builder.build();
+    }
+
+    private void sort(TableLine line) {
+        if (line.atEnd()) {
+            return;
+        }
+        int at = line.position();
+        var known = Stream.of(Keyword.values()).map(Keyword::toString).toList();
+        String word = line.word("a statement, one of " + String.join(", ", known));
+        Keyword keyword = Stream.of(Keyword.values())
+                .filter(each -> each.toString().equals(word))
+                .findFirst()
+                .orElseThrow(() -> line.problem(
+                        at, "there is no statement '" + word + "'" + TableLine.expected("one of", word, known)));
+        statements.computeIfAbsent(keyword, each -> new ArrayList<>()).add(new Place(line, at));
+    }
+
+    private static SubsumptionTableException problem(Place place, String what) {
+        return place.line.problem(place.position, what);
+    }
+
+    private void each(Keyword keyword, Consumer<TableLine> read) {
+        for (Place place : statements.getOrDefault(keyword, List.of())) {
+            read.accept(place.line);
+            place.line.end();
+        }
+    }
+
+    private void once(Keyword keyword, Consumer<TableLine> read) {
+        var places = statements.getOrDefault(keyword, List.of());
+        if (places.size() > 1) {
+            throw problem(places.get(1), "'" + keyword + "' is said twice, expected it once");
+        }
+        each(keyword, read);
+    }
+
+    private void colour(TableLine line, Builder builder) {
+        int at = line.position();
+        String name = line.word("the name of a colour");
+        OptionalInt value = line.atEnd() ? Colours.named(name) : line.literalColour();
+        if (value.isEmpty()) {
+            throw line.atEnd()
+                    ? line.problem(
+                            at,
+                            "the colour '" + name + "' has no value"
+                                    + TableLine.expected("#RRGGBB after it, or a known name", name, Colours.names()))
+                    : line.unexpected("a colour as #RRGGBB");
+        }
+        colours.put(name, value.getAsInt());
+        written.put(new Subject.OfColour(value.getAsInt()), new Place(line, at));
+        located(line, at, () -> builder.colour(name, value.getAsInt()));
+    }
+
+    private void service(TableLine line, Builder builder) {
+        int at = line.position();
+        Service service = services.declare(line);
+        written.put(new Subject.OfService(service.name()), new Place(line, at));
+        builder.service(service);
+    }
+
+    private void ignore(TableLine line, Builder builder) {
+        int at = line.position();
+        int colour = colourName(line);
+        String why = line.skips(":") ? line.rest() : "";
+        located(line, at, () -> builder.ignoring(colour, why));
+    }
+
+    private static void hold(TableLine line, Builder builder) {
+        int at = line.position();
+        double number = line.number("how long a state lasts, such as '2 s'");
+        boolean millis = line.skips("ms");
+        if (!millis) {
+            line.expect("s", "or 'ms' after the number");
+        }
+        located(line, at, () -> builder.hold(millis ? number / 1000 : number));
+    }
+
+    private void state(TableLine line, Builder builder) {
+        int at = line.position();
+        int colour = colourName(line);
+        written.put(new Subject.OfState(colour), new Place(line, at));
+        if (line.skips("priority")) {
+            written.put(new Subject.OfPriority(colour), new Place(line, at));
+            builder.priority(colour, line.whole("a whole number", Integer.MIN_VALUE, Integer.MAX_VALUE));
+        }
+        line.expect(":", "before the services");
+        Assignment assignment = new AssignmentReader(line, services, robots).read();
+        located(line, at, () -> builder.when(colour, assignment));
+    }
+
+    private int colourName(TableLine line) {
+        OptionalInt literal = line.literalColour();
+        if (literal.isPresent()) {
+            return literal.getAsInt();
+        }
+        int at = line.position();
+        String name = line.word("a colour");
+        Integer declared = colours.get(name);
+        if (declared != null) {
+            return declared;
+        }
+        return Colours.named(name).orElseThrow(() -> {
+            var known = Stream.concat(colours.keySet().stream(), Colours.names().stream())
+                    .distinct()
+                    .toList();
+            return line.problem(
+                    at,
+                    "there is no colour '" + name + "'"
+                            + TableLine.expected("'colour " + name + " #RRGGBB', or one of", name, known));
+        });
+    }
+
+    /** What a builder refuses was written here. */
+    static void located(TableLine line, int position, Supplier<?> action) {
+        try {
+            action.get();
+        } catch (IllegalArgumentException refused) {
+            throw line.problem(position, String.valueOf(refused.getMessage()));
+        }
+    }
+}
