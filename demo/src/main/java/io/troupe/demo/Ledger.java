@@ -12,9 +12,9 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.scenario.WorldSpec;
 import java.io.IOException;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -211,8 +211,8 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         }
 
         private String headcount() {
-            Map<Service, Long> robots = state.services().stream()
-                    .collect(Collectors.groupingBy(each -> each, LinkedHashMap::new, Collectors.counting()));
+            Map<String, Long> robots = state.services().stream()
+                    .collect(Collectors.groupingBy(Service::name, TreeMap::new, Collectors.counting()));
             return robots.entrySet().stream()
                     .map(each -> each.getValue() + " " + each.getKey())
                     .collect(Collectors.joining(", "));

@@ -7,6 +7,7 @@ import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
+import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
@@ -52,7 +53,9 @@ public final class Main {
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException || thrown instanceof PnmlException) {
+                    if (thrown instanceof WorldFileException
+                            || thrown instanceof PnmlException
+                            || thrown instanceof SubsumptionTableException) {
                         return complain(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof IOException

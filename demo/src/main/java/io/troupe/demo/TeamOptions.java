@@ -4,6 +4,7 @@ import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.scenario.CrowdWorld;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
@@ -56,6 +57,13 @@ final class TeamOptions {
                     "simulated seconds that a state of a crowd lasts at least, since somebody in a crowd always sees another colour; 5 unless given")
     private @Nullable Double holdSeconds;
 
+    @Option(
+            names = "--table",
+            paramLabel = "FILE",
+            description = "the table of services; the paper's unless given, or the crowd's. It says how walls are followed, whatever --corners does",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path table;
+
     /**
      * The team that the options ask for.
      *
@@ -70,7 +78,8 @@ final class TeamOptions {
         refuseWithoutCrowd("--services", services);
         refuseWithoutCrowd("--hold", holdSeconds);
         Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
-        return new Team(ScenarioReader.read(file), SubsumptionTable.ofThePaper(corners));
+        var services = table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table);
+        return new Team(ScenarioReader.read(file), services);
     }
 
     private void refuseWithoutCrowd(String option, @Nullable Number value) {
@@ -88,6 +97,10 @@ final class TeamOptions {
         }
         CrowdLimits.check(spec, "--robots", size, CrowdWorld.MOST_ROBOTS);
         int states = CrowdLimits.check(spec, "--colours", colours == null ? COLOURS : colours, CrowdWorld.MOST_COLOURS);
+        Path file = table;
+        if (file != null) {
+            return new Team(CrowdWorld.scenario(size, states), read(file, size));
+        }
         int kinds = CrowdLimits.check(
                 spec, "--services", services == null ? SERVICES : services, CrowdLimits.MOST_SERVICES);
         double hold = holdSeconds == null ? CrowdTable.HOLD_SECONDS : holdSeconds;
@@ -95,7 +108,25 @@ final class TeamOptions {
             throw new ParameterException(
                     spec.commandLine(), "--hold is " + hold + ", expected a number from 0 to " + (int) MOST_HOLD_SECONDS);
         }
-        var table = CrowdTable.of(size, CrowdWorld.colours(states), kinds, hold, corners);
-        return new Team(CrowdWorld.scenario(size, states), table);
+        var cyclic = CrowdTable.of(size, CrowdWorld.colours(states), kinds, hold, corners);
+        return new Team(CrowdWorld.scenario(size, states), cyclic);
+    }
+
+    private SubsumptionTable read(Path file, int size) {
+        refuseBesideTable("--services", services);
+        refuseBesideTable("--hold", holdSeconds);
+        SubsumptionTable read = SubsumptionTableReader.read(file);
+        if (read.robots() != size) {
+            throw new ParameterException(
+                    spec.commandLine(), "--robots is " + size + ", expected " + read.robots() + " as in --table " + file);
+        }
+        return read;
+    }
+
+    private void refuseBesideTable(String option, @Nullable Number value) {
+        if (value != null) {
+            throw new ParameterException(
+                    spec.commandLine(), option + " is " + value + " beside --table, which says that by itself: expected one of them");
+        }
     }
 }
