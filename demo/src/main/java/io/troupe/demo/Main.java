@@ -29,7 +29,14 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, CrowdCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        subcommands = {
+            RunCommand.class,
+            CrowdCommand.class,
+            ModesCommand.class,
+            VerifyCommand.class,
+            ServeCommand.class,
+            ReplayCommand.class,
+            DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
