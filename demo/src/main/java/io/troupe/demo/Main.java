@@ -4,6 +4,7 @@ import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
+import io.troupe.demo.table.TableCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
@@ -36,7 +37,8 @@ import picocli.CommandLine.ParameterException;
             VerifyCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
-            DrawCommand.class
+            DrawCommand.class,
+            TableCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */

@@ -1,0 +1,91 @@
+package io.troupe.demo.table;
+
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionTable;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a diagram of a table shows. Every state that can end leads to every other, so an arrow's label depends on where it goes alone.
+ *
+ * @param title for people who cannot see it, and for the window
+ * @param notes lines below the picture
+ */
+record Diagram(String title, List<Node> nodes, List<String> notes) {
+    /** Up to so many states every arrow is drawn; more would be a net of crossing lines, so that one bar stands for all other states. */
+    private static final int MOST_WITH_ALL_ARROWS = 3;
+
+    /** What stands in the bar. */
+    static final String BAR = "any other state in which a robot looks for colours";
+
+    /**
+     * A state.
+     *
+     * @param enters the label of arrows that lead to it
+     * @param colour {@code 0x00RRGGBB}
+     * @param ends whether arrows lead away from it
+     */
+    record Node(int number, String heading, List<String> lines, String enters, int colour, boolean ends) {}
+
+    /** An arrow between two nodes, by their indices. */
+    record Arrow(int from, int to) {}
+
+    Diagram {
+        nodes = List.copyOf(nodes);
+        notes = List.copyOf(notes);
+    }
+
+    /** The states, their services, and the colours that lead to them (Figure 8 of the paper). */
+    static Diagram ofStates(SubsumptionTable table) {
+        return new Diagram(
+                "States of the " + table,
+                table.states().stream()
+                        .map(state -> node(
+                                table,
+                                state,
+                                RobotGroups.lines(state, Service::name),
+                                table.colourName(state.colour())))
+                        .toList(),
+                List.of());
+    }
+
+    /** The states, the order of the services in them, and the conditions that lead to them (Figure 12 of the paper). */
+    static Diagram ofRules(SubsumptionTable table) {
+        var rules = new SwitchingRules(table);
+        return new Diagram(
+                "Switching rules of the " + table,
+                table.states().stream()
+                        .map(state -> node(
+                                table,
+                                state,
+                                RobotGroups.lines(state, rules::order),
+                                "A & " + rules.condition(state)))
+                        .toList(),
+                rules.notes());
+    }
+
+    private static Node node(SubsumptionTable table, State state, List<String> lines, String enters) {
+        int priority = table.priority(state.colour());
+        String heading = "state " + state.number() + (priority == 0 ? "" : ", priority " + priority)
+                + (state.canEnd() ? "" : ", never ends");
+        return new Node(state.number(), heading, lines, enters, state.colour(), state.canEnd());
+    }
+
+    boolean hasBar() {
+        return nodes.size() > MOST_WITH_ALL_ARROWS;
+    }
+
+    /** All of them; the bar stands for them if there is one. */
+    List<Arrow> arrows() {
+        List<Arrow> arrows = new ArrayList<>();
+        for (int from = 0; from < nodes.size(); from++) {
+            for (int to = 0; to < nodes.size(); to++) {
+                if (from != to && nodes.get(from).ends) {
+                    arrows.add(new Arrow(from, to));
+                }
+            }
+        }
+        return arrows;
+    }
+}

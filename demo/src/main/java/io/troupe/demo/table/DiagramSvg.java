@@ -1,0 +1,176 @@
+package io.troupe.demo.table;
+
+import io.troupe.demo.table.Diagram.Node;
+import java.util.List;
+import java.util.stream.Stream;
+
+/** Draws a diagram: up to three states with all arrows between them, more with one arrow from a bar into each. */
+final class DiagramSvg {
+    private static final double MARGIN_PX = 24;
+    private static final double GAP_PX = 22;
+    /** Between bar and boxes, and between the boxes of a triangle: room for a label. */
+    private static final double ARROW_PX = 150;
+
+    private static final double MOST_BOW_PX = 70;
+    /** Which part of an arrow is before its label. */
+    private static final double LABEL_AT = 0.4;
+
+    private static final double BAR_PX = 150;
+    /** From so many states on, there are some on both sides of the bar. */
+    private static final int TWO_SIDED = 9;
+
+    private static final String BOX = "fill=\"#f6f6f6\" stroke=\"#444\" stroke-width=\"1.5\"";
+    private static final String FINAL_BOX = BOX + " stroke-dasharray=\"6 4\"";
+    private static final String CENTRED = "text-anchor=\"middle\"";
+
+    private record Point(double x, double y) {}
+
+    private final Diagram diagram;
+    private final double boxWidth;
+    private final double boxHeight;
+
+    private DiagramSvg(Diagram diagram) {
+        this.diagram = diagram;
+        this.boxWidth = diagram.nodes().stream()
+                        .flatMap(node -> Stream.concat(Stream.of(node.heading()), node.lines().stream()))
+                        .mapToDouble(SvgText::width)
+                        .max()
+                        .orElse(0)
+                + 24;
+        this.boxHeight = diagram.nodes().stream()
+                        .mapToInt(node -> node.lines().size() + 1)
+                        .max()
+                        .orElse(1)
+                        * SvgText.LINE_PX
+                + 18;
+    }
+
+    static String draw(Diagram diagram) {
+        var drawing = new DiagramSvg(diagram);
+        return diagram.hasBar() ? drawing.withBar() : drawing.withAllArrows();
+    }
+
+    private SvgText begin(double width, double height) {
+        double notes = diagram.notes().stream().mapToDouble(SvgText::width).max().orElse(0);
+        var svg = new SvgText(
+                Math.max(width, notes + 2 * MARGIN_PX),
+                height + diagram.notes().size() * SvgText.LINE_PX,
+                diagram.title());
+        for (int line = 0; line < diagram.notes().size(); line++) {
+            svg.line(diagram.notes().get(line), MARGIN_PX, height + line * SvgText.LINE_PX, "");
+        }
+        return svg;
+    }
+
+    private void box(SvgText svg, Node node, Point centre) {
+        svg.box(centre.x - boxWidth / 2, centre.y - boxHeight / 2, boxWidth, boxHeight, node.ends() ? BOX : FINAL_BOX);
+        double y = centre.y - (node.lines().size()) * SvgText.LINE_PX / 2 + 5;
+        svg.line(node.heading(), centre.x, y, CENTRED + " font-weight=\"bold\"");
+        for (String line : node.lines()) {
+            y += SvgText.LINE_PX;
+            svg.line(line, centre.x, y, CENTRED);
+        }
+    }
+
+    /** One box, two beside each other, or a triangle with the first state on top. */
+    private String withAllArrows() {
+        int count = diagram.nodes().size();
+        double across = boxWidth + ARROW_PX * (count == 2 ? 1 : 1.5);
+        double down = boxHeight + ARROW_PX;
+        double width = 2 * MARGIN_PX + boxWidth + (count > 1 ? across : 0);
+        double top = MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0); // an arrow from above begins the first state
+        double left = MARGIN_PX + boxWidth / 2;
+        List<Point> centres = switch (count) {
+            case 1 -> List.of(new Point(left, top));
+            case 2 -> List.of(new Point(left, top), new Point(left + across, top));
+            default -> List.of(
+                    new Point(width / 2, top), new Point(left, top + down), new Point(left + across, top + down));
+        };
+        double bottom = centres.getLast().y + boxHeight / 2;
+        SvgText svg = begin(width, bottom + 2 * MARGIN_PX + (count == 1 ? 0 : 30));
+        Point first = centres.getFirst();
+        svg.dot(first.x, MARGIN_PX);
+        svg.arrow(path(new Point(first.x, MARGIN_PX), new Point(first.x, first.y - boxHeight / 2)));
+        for (var arrow : diagram.arrows()) {
+            arc(svg, centres.get(arrow.from()), centres.get(arrow.to()), diagram.nodes().get(arrow.to()));
+        }
+        for (int index = 0; index < count; index++) {
+            box(svg, diagram.nodes().get(index), centres.get(index));
+        }
+        return svg.end();
+    }
+
+    /** An arrow that keeps to its left, so that there and back are two. */
+    private void arc(SvgText svg, Point from, Point to, Node entered) {
+        double dx = to.x - from.x;
+        double dy = to.y - from.y;
+        double length = Math.hypot(dx, dy);
+        double bow = Math.min(MOST_BOW_PX, length * 0.3);
+        var bend = new Point((from.x + to.x) / 2 + dy / length * bow, (from.y + to.y) / 2 - dx / length * bow);
+        Point start = edge(from, bend);
+        Point end = edge(to, bend);
+        svg.arrow("M" + pair(start) + " Q" + pair(bend) + " " + pair(end));
+        svg.label(
+                entered.enters(),
+                entered.colour(),
+                onCurve(start.x, bend.x, end.x),
+                onCurve(start.y, bend.y, end.y));
+    }
+
+    /** A coordinate of the label: before the middle, so that the labels of there and back are apart. */
+    private static double onCurve(double start, double bend, double end) {
+        double rest = 1 - LABEL_AT;
+        return rest * rest * start + 2 * rest * LABEL_AT * bend + LABEL_AT * LABEL_AT * end;
+    }
+
+    /** Where the line from a box's centre to a point outside leaves the box. */
+    private Point edge(Point centre, Point outside) {
+        double dx = outside.x - centre.x;
+        double dy = outside.y - centre.y;
+        double share = Math.min(
+                dx == 0 ? 1 : boxWidth / 2 / Math.abs(dx), dy == 0 ? 1 : boxHeight / 2 / Math.abs(dy));
+        return new Point(centre.x + dx * Math.min(1, share), centre.y + dy * Math.min(1, share));
+    }
+
+    /** The bar, and the states in one column to its right, or in two on both sides. */
+    private String withBar() {
+        int count = diagram.nodes().size();
+        boolean twoSided = count >= TWO_SIDED;
+        int rows = twoSided ? (count + 1) / 2 : count;
+        double side = ARROW_PX + boxWidth + 40; // the first state's beginning needs room
+        double barX = MARGIN_PX + (twoSided ? side : 0);
+        double height = rows * (boxHeight + GAP_PX) - GAP_PX;
+        SvgText svg = begin(barX + BAR_PX + side + MARGIN_PX, height + 3 * MARGIN_PX);
+        svg.box(barX, MARGIN_PX, BAR_PX, height, "fill=\"#e4e4e4\" stroke=\"#444\"");
+        var words = RobotGroups.wrap(Diagram.BAR, 18);
+        double y = MARGIN_PX + height / 2 - (words.size() - 1) * SvgText.LINE_PX / 2 + 5;
+        for (String line : words) {
+            svg.line(line, barX + BAR_PX / 2, y, CENTRED);
+            y += SvgText.LINE_PX;
+        }
+        for (int index = 0; index < count; index++) {
+            boolean left = twoSided && index < rows;
+            int sign = left ? -1 : 1;
+            double edgeX = left ? barX : barX + BAR_PX;
+            double rowY = MARGIN_PX + boxHeight / 2 + (twoSided ? index % rows : index) * (boxHeight + GAP_PX);
+            Node node = diagram.nodes().get(index);
+            svg.arrow(path(new Point(edgeX, rowY), new Point(edgeX + sign * ARROW_PX, rowY)));
+            svg.label(node.enters(), node.colour(), edgeX + sign * (ARROW_PX / 2 - 4), rowY);
+            double outer = edgeX + sign * (ARROW_PX + boxWidth);
+            if (index == 0) {
+                svg.dot(outer + sign * 32, rowY);
+                svg.arrow(path(new Point(outer + sign * 32, rowY), new Point(outer, rowY)));
+            }
+            box(svg, node, new Point(edgeX + sign * (ARROW_PX + boxWidth / 2), rowY));
+        }
+        return svg.end();
+    }
+
+    private static String path(Point from, Point to) {
+        return "M" + pair(from) + " L" + pair(to);
+    }
+
+    private static String pair(Point point) {
+        return SvgText.number(point.x) + "," + SvgText.number(point.y);
+    }
+}

@@ -1,0 +1,59 @@
+package io.troupe.demo.table;
+
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe table}: reads a table, checks it, and shows what is in it. */
+@Command(
+        name = "table",
+        description = "Checks a table of services, prints it, and draws its states and its switching rules.",
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+public final class TableCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE", arity = "0..1", description = "a table; the paper's unless given")
+    private @Nullable Path file;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "where states.dot, states.svg, rules.dot and rules.svg go")
+    private Path out = Path.of("out");
+
+    @Override
+    public Integer call() throws IOException {
+        SubsumptionTable table = file == null ? SubsumptionTable.ofThePaper() : SubsumptionTableReader.read(file);
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+        }
+        write("states", Diagram.ofStates(table));
+        write("rules", Diagram.ofRules(table));
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.print(new TableGrid(table).text());
+        terminal.println();
+        terminal.println("wrote states and rules, as .dot and .svg, in " + out);
+        terminal.flush();
+        return 0;
+    }
+
+    private void write(String name, Diagram diagram) throws IOException {
+        Files.writeString(out.resolve(name + ".dot"), DiagramDot.write(diagram));
+        Files.writeString(out.resolve(name + ".svg"), DiagramSvg.draw(diagram));
+    }
+}

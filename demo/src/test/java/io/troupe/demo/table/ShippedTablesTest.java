@@ -1,0 +1,108 @@
+package io.troupe.demo.table;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
+import io.troupe.services.subsumption.SubsumptionTableWriter;
+import io.troupe.services.subsumption.ServiceCatalogue;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The tables in {@code demo/tables} are what they say, and drive the robots of the paper's arena. */
+@Timeout(300)
+class ShippedTablesTest {
+    private static final Path TABLES = Path.of("tables");
+    private static final Path WORLD = Path.of("worlds", "paper-arena.world");
+    private static final int PORT = 6665;
+
+    /** What happened in a run; the robots' thread writes it while the world waits for them. */
+    private static final class Diary implements ServiceObserver, Arbitrator.StateListener {
+        final Map<String, Integer> cycles = new TreeMap<>();
+        final List<Integer> states = new ArrayList<>();
+        final int[] inCharge = new int[2];
+
+        @Override
+        public void began(State state, @Nullable Integer seenBy) {
+            states.add(state.number());
+        }
+
+        @Override
+        public void began(int robot, Service service) {
+            inCharge[robot]++;
+            assertThat(inCharge[robot]).isEqualTo(1);
+        }
+
+        @Override
+        public void cycled(int robot, Service service) {
+            cycles.merge(service.name(), 1, Integer::sum);
+        }
+
+        @Override
+        public void ended(int robot, Service service) {
+            inCharge[robot]--;
+        }
+    }
+
+    private static Diary run(SubsumptionTable table, int seconds) throws Exception {
+        var diary = new Diary();
+        var settings = WorldSettings.DEFAULT.withSeed(1);
+        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), settings);
+                var run = SubsumptionRun.start(new SubsumptionRun.Settings(
+                        Mode.PROMISE, "localhost", PORT, table, simulation.clock(), diary, diary))) {
+            while (simulation.timeMicros() < seconds * 1_000_000L) {
+                simulation.tick();
+                run.check();
+            }
+        }
+        return diary;
+    }
+
+    @Test
+    void paperTable_isTheTableOfThePaper_andRuns() throws Exception {
+        SubsumptionTable table = SubsumptionTableReader.read(TABLES.resolve("paper.table"));
+        assertThat(table).isEqualTo(SubsumptionTable.ofThePaper());
+        Diary diary = run(table, 120);
+        assertThat(diary.states).contains(1, 2, 3);
+        assertThat(diary.cycles).containsOnlyKeys("wallFollower", "spaceWanderer");
+    }
+
+    @Test
+    void fourServices_allDrive_andEveryStateIsVisited() throws Exception {
+        Diary diary = run(SubsumptionTableReader.read(TABLES.resolve("four-services.table")), 300);
+        System.getLogger("x").log(System.Logger.Level.INFO, diary.cycles + " " + diary.states);
+        assertThat(diary.states).contains(1, 2, 3);
+        assertThat(diary.cycles).containsOnlyKeys("wallFollower", "spaceWanderer", "dodge > patrol");
+        assertThat(diary.cycles.values()).allMatch(count -> count > 100);
+    }
+
+    @Test
+    void everyTable_isReadAgainAsItIsWritten() throws Exception {
+        try (var files = Files.list(TABLES)) {
+            List<Path> tables = files.filter(file -> file.toString().endsWith(".table")).toList();
+            assertThat(tables).hasSizeGreaterThanOrEqualTo(2);
+            for (Path file : tables) {
+                SubsumptionTable table = SubsumptionTableReader.read(file);
+                assertThat(SubsumptionTableReader.parse(
+                                SubsumptionTableWriter.write(table), "again", ServiceCatalogue.standard()))
+                        .isEqualTo(table);
+            }
+        }
+    }
+}
