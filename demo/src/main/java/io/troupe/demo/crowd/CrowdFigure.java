@@ -1,6 +1,7 @@
 package io.troupe.demo.crowd;
 
 import io.troupe.demo.crowd.CrowdReport.Row;
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -33,6 +34,7 @@ final class CrowdFigure {
         style.setYAxisLogarithmic(true);
         style.setLegendPosition(LegendPosition.OutsideE);
         style.setChartBackgroundColor(Color.WHITE);
+        style.setPlotGridLinesStroke(new BasicStroke(0.5f)); // dashes would be most of the file
         style.setSeriesColors(new Color[] {
             new Color(0x333333), new Color(0x1b9e9e), new Color(0x7b3fa0), new Color(0xcc4444)
         });

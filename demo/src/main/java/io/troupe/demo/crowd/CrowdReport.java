@@ -20,8 +20,8 @@ final class CrowdReport {
             double states) {}
 
     private static final String HEAD = """
-                    times real time                          us of processor time
-             robots   one core      (from .. to)     by the wall     robot and tick   world  services   kB per robot  states
+                    times real time                              us of processor time
+             robots   one core          (from .. to)     by the wall     robot and tick   world  services   kB per robot  states
             """;
 
     private final List<Trial> trials;
@@ -66,7 +66,7 @@ final class CrowdReport {
             String range = String.format(Locale.ROOT, "(%,.1f .. %,.1f)", row.slowest, row.fastest);
             text.append(String.format(
                     Locale.ROOT,
-                    "%,7d%,11.1f%18s%,16.1f%19.2f%8.2f%10.2f%15.1f%8.0f%n",
+                    "%,7d%,11.1f%22s%,16.1f%19.2f%8.2f%10.2f%15.1f%8.0f%n",
                     row.robots,
                     row.timesRealTime,
                     range,
