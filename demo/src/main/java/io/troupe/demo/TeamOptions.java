@@ -44,10 +44,16 @@ final class TeamOptions {
                     "instead of a file: a crowd of N robots in halls of 16 m. With --mode sync a round of N robots takes N readings, 5 s for 50 robots")
     private @Nullable Integer robots;
 
-    @Option(names = "--colours", paramLabel = "C", description = "colours and states of a crowd; " + COLOURS + " unless given")
+    @Option(
+            names = "--colours",
+            paramLabel = "C",
+            description = "colours and states of a crowd; " + COLOURS + " unless given")
     private @Nullable Integer colours;
 
-    @Option(names = "--services", paramLabel = "S", description = "different services of a crowd; " + SERVICES + " unless given")
+    @Option(
+            names = "--services",
+            paramLabel = "S",
+            description = "different services of a crowd; " + SERVICES + " unless given")
     private @Nullable Integer services;
 
     @Option(
@@ -60,7 +66,8 @@ final class TeamOptions {
     @Option(
             names = "--table",
             paramLabel = "FILE",
-            description = "the table of services; the paper's unless given, or the crowd's. It says how walls are followed, whatever --corners does",
+            description =
+                    "the table of services; the paper's unless given, or the crowd's. It says how walls are followed, whatever --corners does",
             showDefaultValue = Visibility.NEVER)
     private @Nullable Path table;
 
@@ -106,7 +113,8 @@ final class TeamOptions {
         double hold = holdSeconds == null ? CrowdTable.HOLD_SECONDS : holdSeconds;
         if (!(hold >= 0) || hold > MOST_HOLD_SECONDS) {
             throw new ParameterException(
-                    spec.commandLine(), "--hold is " + hold + ", expected a number from 0 to " + (int) MOST_HOLD_SECONDS);
+                    spec.commandLine(),
+                    "--hold is " + hold + ", expected a number from 0 to " + (int) MOST_HOLD_SECONDS);
         }
         var cyclic = CrowdTable.of(size, CrowdWorld.colours(states), kinds, hold, corners);
         return new Team(CrowdWorld.scenario(size, states), cyclic);
@@ -118,7 +126,8 @@ final class TeamOptions {
         SubsumptionTable read = SubsumptionTableReader.read(file);
         if (read.robots() != size) {
             throw new ParameterException(
-                    spec.commandLine(), "--robots is " + size + ", expected " + read.robots() + " as in --table " + file);
+                    spec.commandLine(),
+                    "--robots is " + size + ", expected " + read.robots() + " as in --table " + file);
         }
         return read;
     }
@@ -126,7 +135,8 @@ final class TeamOptions {
     private void refuseBesideTable(String option, @Nullable Number value) {
         if (value != null) {
             throw new ParameterException(
-                    spec.commandLine(), option + " is " + value + " beside --table, which says that by itself: expected one of them");
+                    spec.commandLine(),
+                    option + " is " + value + " beside --table, which says that by itself: expected one of them");
         }
     }
 }

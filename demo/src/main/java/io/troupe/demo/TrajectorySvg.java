@@ -27,7 +27,8 @@ final class TrajectorySvg {
             Service.WALL_FOLLOWER.name(), "#7b3fa0",
             Service.SPACE_WANDERER.name(), "#1b9e9e");
     /** For the other services of a table, round and round. */
-    private static final List<String> MORE_COLOURS = List.of("#d95f02", "#4c78a8", "#9c755f", "#66a61e", "#b07aa1", "#888888");
+    private static final List<String> MORE_COLOURS =
+            List.of("#d95f02", "#4c78a8", "#9c755f", "#66a61e", "#b07aa1", "#888888");
 
     private final WorldSpec world;
     private final RunResult result;

@@ -236,7 +236,8 @@ class MainTest {
 
     @Test
     void crowd_isMeasured() {
-        assertThat(troupe("crowd", "--sizes", "1,4", "--seconds", "0.5", "--repeat", "1", "--out", directory.toString()))
+        assertThat(troupe(
+                        "crowd", "--sizes", "1,4", "--seconds", "0.5", "--repeat", "1", "--out", directory.toString()))
                 .isZero();
         assertThat(out.toString()).contains("us of processor time", "crowd.svg");
         assertThat(directory.resolve("crowd.csv")).content().hasLineCount(3);

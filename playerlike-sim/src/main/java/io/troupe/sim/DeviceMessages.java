@@ -21,8 +21,7 @@ final class DeviceMessages {
         RobotReading reading = now.robots().get(offer.robot());
         DeviceData data = switch (offer.type()) {
             case POSITION2D -> position(reading.odometry());
-            case SONAR ->
-                new DeviceData.SonarRanges(floats(Objects.requireNonNull(reading.sonarM())));
+            case SONAR -> new DeviceData.SonarRanges(floats(Objects.requireNonNull(reading.sonarM())));
             case RANGER -> new DeviceData.RangerRanges(reading.rangersM().get(offer.ranger()));
             case LASER ->
                 RangerMessages.scan(
@@ -75,7 +74,9 @@ final class DeviceMessages {
         return new DeviceData.Blobs(
                 empty ? 0 : image.widthPx(),
                 empty ? 0 : image.heightPx(),
-                empty ? List.of() : image.blobs().stream().map(DeviceMessages::blob).toList());
+                empty
+                        ? List.of()
+                        : image.blobs().stream().map(DeviceMessages::blob).toList());
     }
 
     static DeviceReply positionGeometry(RobotSpec robot) {

@@ -299,7 +299,8 @@ public final class Simulation implements AutoCloseable {
     private void awaitAnswers(long tick, List<ClientLine> audience) {
         Clock wall = Clock.system();
         long deadline = wall.nanos() + answerLimit.toNanos();
-        int answered = 0; // of the first ones it is known, so that many clients are not asked again whenever one answers
+        int answered =
+                0; // of the first ones it is known, so that many clients are not asked again whenever one answers
         while (true) {
             if (whileWaiting != null) {
                 whileWaiting.run();

@@ -19,7 +19,8 @@ import picocli.CommandLine.Spec;
 /** {@code troupe crowd}: what a robot costs, by how many there are. */
 @Command(
         name = "crowd",
-        description = "Measures crowds of robots on one actor space: simulated world, Player connections, arbitrator and services, in lock step.",
+        description =
+                "Measures crowds of robots on one actor space: simulated world, Player connections, arbitrator and services, in lock step.",
         footer = {
             "",
             "Processor time is that of all threads, the compiler's and the collector's included; world is that of the thread that moves the world, services that of",
@@ -98,7 +99,8 @@ public final class CrowdCommand implements Callable<Integer> {
         try (var line = TerminalLine.open()) {
             for (int round = 0; round <= repeat; round++) {
                 for (int robots : sizes) {
-                    String what = robots + " robots, " + (round == 0 ? "warming up" : "round " + round + " of " + repeat);
+                    String what =
+                            robots + " robots, " + (round == 0 ? "warming up" : "round " + round + " of " + repeat);
                     var trial = new CrowdTrial(new CrowdTrial.Settings(
                                     robots, colours, services, round == 0 ? Math.min(seconds, 2) : seconds, seed))
                             .run(done -> show(line, what, done));

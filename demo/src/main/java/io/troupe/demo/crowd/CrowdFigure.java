@@ -35,9 +35,8 @@ final class CrowdFigure {
         style.setLegendPosition(LegendPosition.OutsideE);
         style.setChartBackgroundColor(Color.WHITE);
         style.setPlotGridLinesStroke(new BasicStroke(0.5f)); // dashes would be most of the file
-        style.setSeriesColors(new Color[] {
-            new Color(0x333333), new Color(0x1b9e9e), new Color(0x7b3fa0), new Color(0xcc4444)
-        });
+        style.setSeriesColors(
+                new Color[] {new Color(0x333333), new Color(0x1b9e9e), new Color(0x7b3fa0), new Color(0xcc4444)});
         line("all", rows, Row::micros);
         line("world", rows, Row::worldMicros);
         line("services", rows, Row::servicesMicros);

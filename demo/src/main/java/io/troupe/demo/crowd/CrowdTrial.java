@@ -35,7 +35,8 @@ final class CrowdTrial {
     private static final long LEAST_WALL_NANOS = 500_000_000;
 
     private static final int COLLECTIONS = 4;
-    private static final OperatingSystemMXBean PROCESS = ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+    private static final OperatingSystemMXBean PROCESS =
+            ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     /** Counts states and learns which thread the services live on. */

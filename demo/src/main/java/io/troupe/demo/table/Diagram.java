@@ -57,10 +57,7 @@ record Diagram(String title, List<Node> nodes, List<String> notes) {
                 "Switching rules of the " + table,
                 table.states().stream()
                         .map(state -> node(
-                                table,
-                                state,
-                                RobotGroups.lines(state, rules::order),
-                                "A & " + rules.condition(state)))
+                                table, state, RobotGroups.lines(state, rules::order), "A & " + rules.condition(state)))
                         .toList(),
                 rules.notes());
     }

@@ -12,7 +12,9 @@ final class DiagramDot {
     static String write(Diagram diagram) {
         var text = new StringBuilder("digraph table {\n");
         text.append("  label=").append(quoted(diagram.notes(), "\\l")).append(";\n");
-        text.append("  labeljust=l; rankdir=").append(diagram.hasBar() ? "LR" : "TB").append(";\n");
+        text.append("  labeljust=l; rankdir=")
+                .append(diagram.hasBar() ? "LR" : "TB")
+                .append(";\n");
         text.append("  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n");
         text.append("  edge [fontname=\"sans-serif\"];\n");
         text.append("  start [shape=point];\n");
@@ -24,17 +26,19 @@ final class DiagramDot {
         }
         text.append("  start -> s1;\n");
         if (diagram.hasBar()) {
-            text.append("  any [style=filled, label=").append(quoted(List.of(Diagram.BAR), "\\n")).append("];\n");
+            text.append("  any [style=filled, label=")
+                    .append(quoted(List.of(Diagram.BAR), "\\n"))
+                    .append("];\n");
             diagram.nodes().forEach(node -> edge(text, "any", node));
         } else {
-            diagram.arrows().forEach(arrow -> edge(
-                    text,
-                    "s" + diagram.nodes().get(arrow.from()).number(),
-                    diagram.nodes().get(arrow.to())));
+            diagram.arrows()
+                    .forEach(arrow -> edge(
+                            text,
+                            "s" + diagram.nodes().get(arrow.from()).number(),
+                            diagram.nodes().get(arrow.to())));
         }
         return text.append("}\n").toString();
     }
-
 
     private static void edge(StringBuilder text, String from, Node to) {
         text.append("  ").append(from).append(" -> s").append(to.number());
@@ -46,10 +50,8 @@ final class DiagramDot {
     private static String quoted(List<String> lines, String lineBreak) {
         var label = new StringBuilder("\"");
         for (int index = 0; index < lines.size(); index++) {
-            label.append(lines.get(index)
-                    .replace("&", "&amp;")
-                    .replace("\\", "\\\\")
-                    .replace("\"", "\\\""));
+            label.append(
+                    lines.get(index).replace("&", "&amp;").replace("\\", "\\\\").replace("\"", "\\\""));
             label.append(index + 1 < lines.size() || lineBreak.equals("\\l") ? lineBreak : "");
         }
         return label.append('"').toString();

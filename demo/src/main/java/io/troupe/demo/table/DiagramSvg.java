@@ -38,9 +38,9 @@ final class DiagramSvg {
                         .orElse(0)
                 + 24;
         this.boxHeight = diagram.nodes().stream()
-                        .mapToInt(node -> node.lines().size() + 1)
-                        .max()
-                        .orElse(1)
+                                .mapToInt(node -> node.lines().size() + 1)
+                                .max()
+                                .orElse(1)
                         * SvgText.LINE_PX
                 + 18;
     }
@@ -51,7 +51,8 @@ final class DiagramSvg {
     }
 
     private SvgText begin(double width, double height) {
-        double notes = diagram.notes().stream().mapToDouble(SvgText::width).max().orElse(0);
+        double notes =
+                diagram.notes().stream().mapToDouble(SvgText::width).max().orElse(0);
         var svg = new SvgText(
                 Math.max(width, notes + 2 * MARGIN_PX),
                 height + diagram.notes().size() * SvgText.LINE_PX,
@@ -78,13 +79,14 @@ final class DiagramSvg {
         double across = boxWidth + ARROW_PX * (count == 2 ? 1 : 1.5);
         double down = boxHeight + ARROW_PX;
         double width = 2 * MARGIN_PX + boxWidth + (count > 1 ? across : 0);
-        double top = MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0); // an arrow from above begins the first state
+        double top =
+                MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0); // an arrow from above begins the first state
         double left = MARGIN_PX + boxWidth / 2;
         List<Point> centres = switch (count) {
             case 1 -> List.of(new Point(left, top));
             case 2 -> List.of(new Point(left, top), new Point(left + across, top));
-            default -> List.of(
-                    new Point(width / 2, top), new Point(left, top + down), new Point(left + across, top + down));
+            default ->
+                List.of(new Point(width / 2, top), new Point(left, top + down), new Point(left + across, top + down));
         };
         double bottom = centres.getLast().y + boxHeight / 2;
         SvgText svg = begin(width, bottom + 2 * MARGIN_PX + (count == 1 ? 0 : 30));
@@ -92,7 +94,11 @@ final class DiagramSvg {
         svg.dot(first.x, MARGIN_PX);
         svg.arrow(path(new Point(first.x, MARGIN_PX), new Point(first.x, first.y - boxHeight / 2)));
         for (var arrow : diagram.arrows()) {
-            arc(svg, centres.get(arrow.from()), centres.get(arrow.to()), diagram.nodes().get(arrow.to()));
+            arc(
+                    svg,
+                    centres.get(arrow.from()),
+                    centres.get(arrow.to()),
+                    diagram.nodes().get(arrow.to()));
         }
         for (int index = 0; index < count; index++) {
             box(svg, diagram.nodes().get(index), centres.get(index));
@@ -110,11 +116,7 @@ final class DiagramSvg {
         Point start = edge(from, bend);
         Point end = edge(to, bend);
         svg.arrow("M" + pair(start) + " Q" + pair(bend) + " " + pair(end));
-        svg.label(
-                entered.enters(),
-                entered.colour(),
-                onCurve(start.x, bend.x, end.x),
-                onCurve(start.y, bend.y, end.y));
+        svg.label(entered.enters(), entered.colour(), onCurve(start.x, bend.x, end.x), onCurve(start.y, bend.y, end.y));
     }
 
     /** A coordinate of the label: before the middle, so that the labels of there and back are apart. */
@@ -127,8 +129,7 @@ final class DiagramSvg {
     private Point edge(Point centre, Point outside) {
         double dx = outside.x - centre.x;
         double dy = outside.y - centre.y;
-        double share = Math.min(
-                dx == 0 ? 1 : boxWidth / 2 / Math.abs(dx), dy == 0 ? 1 : boxHeight / 2 / Math.abs(dy));
+        double share = Math.min(dx == 0 ? 1 : boxWidth / 2 / Math.abs(dx), dy == 0 ? 1 : boxHeight / 2 / Math.abs(dy));
         return new Point(centre.x + dx * Math.min(1, share), centre.y + dy * Math.min(1, share));
     }
 

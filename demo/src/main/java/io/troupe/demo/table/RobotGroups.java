@@ -36,7 +36,8 @@ final class RobotGroups {
         }
         Map<Service, List<Integer>> groups = new LinkedHashMap<>();
         for (int robot = 0; robot < services.size(); robot++) {
-            groups.computeIfAbsent(services.get(robot), service -> new ArrayList<>()).add(robot + 1);
+            groups.computeIfAbsent(services.get(robot), service -> new ArrayList<>())
+                    .add(robot + 1);
         }
         return groups.entrySet().stream()
                 .map(group -> numbers(group.getValue()) + ": " + words.apply(group.getKey()))

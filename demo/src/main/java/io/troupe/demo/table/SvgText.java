@@ -16,8 +16,10 @@ final class SvgText {
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%s\" height=\"%s\" viewBox=\"0 0 %s %s\" font-family=\"sans-serif\" font-size=\"%s\">",
                 width, height, width, height, FONT_PX);
         add("<title>%s</title>", title);
-        text.append("<defs><marker id=\"arrow\" viewBox=\"0 0 8 6\" refX=\"7.5\" refY=\"3\" markerWidth=\"9\" markerHeight=\"7\"")
-                .append(" markerUnits=\"userSpaceOnUse\" orient=\"auto\"><path d=\"M0,0 L8,3 L0,6 z\" fill=\"#444\"/></marker></defs>\n")
+        text.append(
+                        "<defs><marker id=\"arrow\" viewBox=\"0 0 8 6\" refX=\"7.5\" refY=\"3\" markerWidth=\"9\" markerHeight=\"7\"")
+                .append(
+                        " markerUnits=\"userSpaceOnUse\" orient=\"auto\"><path d=\"M0,0 L8,3 L0,6 z\" fill=\"#444\"/></marker></defs>\n")
                 .append("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
     }
 
@@ -63,7 +65,8 @@ final class SvgText {
         for (int index = 0; index < values.length; index++) {
             safe[index] = values[index] instanceof Double number ? number(number) : escape(values[index].toString());
         }
-        text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, safe)).append('\n');
+        text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, safe))
+                .append('\n');
     }
 
     static String number(double value) {
@@ -71,6 +74,9 @@ final class SvgText {
     }
 
     static String escape(String words) {
-        return words.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;").replace("\"", "&quot;");
+        return words.replace("&", "&amp;")
+                .replace("<", "&lt;")
+                .replace(">", "&gt;")
+                .replace("\"", "&quot;");
     }
 }

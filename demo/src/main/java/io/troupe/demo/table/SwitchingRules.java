@@ -30,14 +30,14 @@ final class SwitchingRules {
                 .distinct()
                 .forEach(service -> {
                     String initials = initials(service.name());
-                    abbreviations.put(
-                            service, abbreviations.containsValue(initials) ? service.name() : initials);
+                    abbreviations.put(service, abbreviations.containsValue(initials) ? service.name() : initials);
                 });
     }
 
     /** {@code WF} for {@code wallFollower}; the name itself if that would be one letter. */
     private static String initials(String name) {
-        String initials = name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1).replaceAll("[^\\p{Lu}]", "");
+        String initials = name.substring(0, 1).toUpperCase(Locale.ROOT)
+                + name.substring(1).replaceAll("[^\\p{Lu}]", "");
         return initials.length() > 1 ? initials : name;
     }
 
@@ -66,7 +66,8 @@ final class SwitchingRules {
         List<String> notes = new ArrayList<>();
         notes.addAll(RobotGroups.wrap("A: " + common(), NOTE_LENGTH));
         for (State state : table.states()) {
-            notes.addAll(RobotGroups.wrap(condition(state) + ": " + seen(table.colourName(state.colour())), NOTE_LENGTH));
+            notes.addAll(
+                    RobotGroups.wrap(condition(state) + ": " + seen(table.colourName(state.colour())), NOTE_LENGTH));
         }
         var shortened = abbreviations.entrySet().stream()
                 .filter(entry -> !entry.getValue().equals(entry.getKey().name()))

@@ -52,7 +52,8 @@ final class TableGrid {
                 .toArray();
         for (var row : rows) {
             String line = IntStream.range(0, row.size())
-                    .mapToObj(column -> row.get(column) + " ".repeat(widths[column] - row.get(column).length()))
+                    .mapToObj(column -> row.get(column)
+                            + " ".repeat(widths[column] - row.get(column).length()))
                     .collect(Collectors.joining("  "));
             text.append(line.stripTrailing()).append('\n');
         }

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.services.subsumption.SubsumptionTableWriter;
-import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.ScenarioReader;
@@ -95,7 +95,8 @@ class ShippedTablesTest {
     @Test
     void everyTable_isReadAgainAsItIsWritten() throws Exception {
         try (var files = Files.list(TABLES)) {
-            List<Path> tables = files.filter(file -> file.toString().endsWith(".table")).toList();
+            List<Path> tables =
+                    files.filter(file -> file.toString().endsWith(".table")).toList();
             assertThat(tables).hasSizeGreaterThanOrEqualTo(2);
             for (Path file : tables) {
                 SubsumptionTable table = SubsumptionTableReader.read(file);

@@ -183,13 +183,12 @@ public final class CrowdWorld {
         double pitchM = PANELLED_M / perWall;
         for (int i = 0; i < colours.size(); i++) {
             double along = (i / WALLS_PER_HALL + 0.5) * pitchM - PANELLED_M / 2;
-            double[] place =
-                    switch (i % WALLS_PER_HALL) {
-                        case 0 -> new double[] {along, 7.8, 0};
-                        case 1 -> new double[] {7.8, -along, 90};
-                        case 2 -> new double[] {-along, -7.8, 0};
-                        default -> new double[] {-7.8, along, 90};
-                    };
+            double[] place = switch (i % WALLS_PER_HALL) {
+                case 0 -> new double[] {along, 7.8, 0};
+                case 1 -> new double[] {7.8, -along, 90};
+                case 2 -> new double[] {-along, -7.8, 0};
+                default -> new double[] {-7.8, along, 90};
+            };
             line(
                     "panel ( color \"%s\" size [ %.2f 0.1 0.5 ] pose [ %.2f %.2f 0 %.0f ] )",
                     colours.get(i), Math.min(PANEL_M, pitchM - PANEL_GAP_M), x + place[0], y + place[1], place[2]);

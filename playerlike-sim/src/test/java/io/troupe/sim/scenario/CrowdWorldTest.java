@@ -71,7 +71,10 @@ class CrowdWorldTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 3, 8, 50, CrowdWorld.MOST_COLOURS})
     void colours_areDifferentFromEachOtherAndFromWallsAndRobots(int colours) {
-        assertThat(CrowdWorld.colours(colours)).hasSize(colours).doesNotHaveDuplicates().doesNotContain(0, 0xffa500);
+        assertThat(CrowdWorld.colours(colours))
+                .hasSize(colours)
+                .doesNotHaveDuplicates()
+                .doesNotContain(0, 0xffa500);
         assertThat(CrowdWorld.colours(3)).containsExactly(0x0000ff, 0xff0000, 0x00ff00);
 
         Scenario crowd = CrowdWorld.scenario(70, colours);
@@ -93,7 +96,8 @@ class CrowdWorldTest {
             for (int j = 0; j < i; j++) {
                 Box both = panels.get(i).union(panels.get(j));
                 assertThat(both.width() > panels.get(i).width() + panels.get(j).width()
-                                || both.height() > panels.get(i).height() + panels.get(j).height())
+                                || both.height()
+                                        > panels.get(i).height() + panels.get(j).height())
                         .as("panels %d and %d are apart", i, j)
                         .isTrue();
             }
