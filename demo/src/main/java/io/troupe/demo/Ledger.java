@@ -13,7 +13,10 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -24,6 +27,12 @@ import org.jspecify.annotations.Nullable;
  * tick makes visible to one what the other wrote.
  */
 final class Ledger implements ServiceObserver, Arbitrator.StateListener {
+    /** So many robots are a crowd: they are told of in sums and extremes, and the log has their poses once a second instead of at every tick. */
+    static final int MANY_ROBOTS = 11;
+
+    private static final long CROWD_POSE_MICROS = 1_000_000;
+    private static final double CROWD_PATH_STEP_M = 0.25;
+
     private final SubsumptionTable table;
     private final RunLog log;
     private final Consumer<String> changes;
@@ -38,7 +47,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         this.log = log;
         this.changes = changes;
         this.robots = IntStream.range(0, world.robots().size())
-                .mapToObj(RobotRecord::new)
+                .mapToObj(index -> new RobotRecord(index, world.robots().size() < MANY_ROBOTS ? 0 : CROWD_PATH_STEP_M))
                 .toList();
     }
 
@@ -152,6 +161,9 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
             RobotReading reading = snapshot.robots().get(index);
             RobotRecord robot = robots.get(index);
             robot.moved(snapshot.timeMicros(), reading);
+            if (robots.size() >= MANY_ROBOTS && snapshot.timeMicros() % CROWD_POSE_MICROS != 0) {
+                continue;
+            }
             log.write(Json.line(snapshot.timeMicros(), "pose")
                     .put("robot", index + 1)
                     .put("x", reading.pose().x())
@@ -188,6 +200,25 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     record StateChange(
             long timeMicros, State state, @Nullable Integer seenBy) {
         String describe() {
+            String cause = seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + Colours.name(state.colour());
+            return String.format(
+                    java.util.Locale.ROOT,
+                    "%7.1f s  %-18s state %d: %s",
+                    timeMicros / 1e6,
+                    cause,
+                    state.number(),
+                    state.services().size() < MANY_ROBOTS ? assignment() : headcount());
+        }
+
+        private String headcount() {
+            Map<String, Long> robots = state.services().stream()
+                    .collect(Collectors.groupingBy(Service::name, TreeMap::new, Collectors.counting()));
+            return robots.entrySet().stream()
+                    .map(each -> each.getValue() + " " + each.getKey())
+                    .collect(Collectors.joining(", "));
+        }
+
+        private String assignment() {
             var assignment = new StringBuilder();
             for (int robot = 0; robot < state.services().size(); robot++) {
                 assignment
@@ -197,14 +228,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
                         .append(' ')
                         .append(state.services().get(robot));
             }
-            String cause = seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + Colours.name(state.colour());
-            return String.format(
-                    java.util.Locale.ROOT,
-                    "%7.1f s  %-18s state %d: %s",
-                    timeMicros / 1e6,
-                    cause,
-                    state.number(),
-                    assignment);
+            return assignment.toString();
         }
     }
 }

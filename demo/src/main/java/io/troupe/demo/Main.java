@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
@@ -31,12 +32,14 @@ import picocli.CommandLine.ParameterException;
         scope = CommandLine.ScopeType.INHERIT,
         subcommands = {
             RunCommand.class,
+            CrowdCommand.class,
             ModesCommand.class,
             TableCommand.class,
             VerifyCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
-            DrawCommand.class
+            DrawCommand.class,
+            TableCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */

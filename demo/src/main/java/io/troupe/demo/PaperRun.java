@@ -15,9 +15,11 @@ import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /**
  * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
@@ -39,6 +41,9 @@ final class PaperRun {
     private final SubsumptionTable table;
     private final Manner manner;
 
+    /** A device as the configuration names it. */
+    private record Binding(String type, int index, String model) {}
+
     /**
      * In which of the three modes.
      *
@@ -59,8 +64,12 @@ final class PaperRun {
     }
 
     PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime, Manner manner) {
-        this.table = SubsumptionTable.ofThePaper(corners);
-        this.scenario = scenario;
+        this(new TeamOptions.Team(scenario, SubsumptionTable.ofThePaper(corners)), seed, seconds, realtime, manner);
+    }
+
+    PaperRun(TeamOptions.Team team, long seed, double seconds, boolean realtime, Manner manner) {
+        this.table = team.table();
+        this.scenario = team.scenario();
         this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
         this.endMicros = StrictMath.round(seconds * 1e6);
         this.realtime = realtime;
@@ -68,18 +77,22 @@ final class PaperRun {
         this.port = check(scenario, table.robots());
     }
 
-    /** Whether the world has what the services of the paper need; the port on which it is offered. */
+    /** Whether the world has what the services of the table need; the port on which it is offered. */
     private static int check(Scenario scenario, int expected) {
         List<RobotSpec> robots = scenario.world().robots();
         if (robots.size() != expected) {
             throw new WorldFileException(scenario.world().file() + " has " + robots.size() + " robots, expected "
-                    + expected + " for the services of the paper");
+                    + expected + " as the table of services has");
         }
         int port = scenario.devices().stream()
                 .filter(device -> device.interfaceName().equals("position2d"))
                 .mapToInt(DeviceBinding::port)
                 .findFirst()
                 .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
+        Set<Binding> offered = scenario.devices().stream()
+                .filter(device -> device.port() == port)
+                .map(device -> new Binding(device.interfaceName(), device.index(), device.model()))
+                .collect(Collectors.toSet());
         for (int index = 0; index < expected; index++) {
             RobotSpec robot = robots.get(index);
             SonarSpec sonar = robot.sonar();
@@ -90,27 +103,18 @@ final class PaperRun {
                                 + (sonar == null ? 0 : sonar.mounts().size()) + " sonars and "
                                 + (robot.blobfinder() == null ? "no" : "a")
                                 + " blobfinder, expected " + SONARS
-                                + " sonars or more and a blobfinder for the services of the paper");
+                                + " sonars or more and a blobfinder for the services");
             }
             for (String type : List.of("position2d", "sonar", "blobfinder")) {
-                checkBinding(scenario, robot, port, type, index);
+                if (!offered.contains(new Binding(type, index, robot.name()))) {
+                    throw new WorldFileException(
+                            robot.where(),
+                            "robot '" + robot.name() + "' is not " + type + ":" + index + " on port " + port
+                                    + " of the configuration, expected the robots' devices in the order of the world file on one port");
+                }
             }
         }
         return port;
-    }
-
-    private static void checkBinding(Scenario scenario, RobotSpec robot, int port, String type, int index) {
-        boolean offered = scenario.devices().stream()
-                .anyMatch(device -> device.port() == port
-                        && device.interfaceName().equals(type)
-                        && device.index() == index
-                        && device.model().equals(robot.name()));
-        if (!offered) {
-            throw new WorldFileException(
-                    robot.where(),
-                    "robot '" + robot.name() + "' is not " + type + ":" + index + " on port " + port
-                            + " of the configuration, expected the robots' devices in the order of the world file on one port");
-        }
     }
 
     /**

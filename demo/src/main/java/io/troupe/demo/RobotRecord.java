@@ -17,6 +17,7 @@ final class RobotRecord {
     record Sample(long timeMicros, Pose pose, String service) {}
 
     private final int index;
+    private final double pathStepM;
     private final List<Service> inCharge = new ArrayList<>();
     private final List<Sample> path = new ArrayList<>();
     private final Map<String, Long> loops = new TreeMap<>();
@@ -30,8 +31,10 @@ final class RobotRecord {
     private boolean cycledThisTick;
     private int ticksWithoutCycle;
 
-    RobotRecord(int index) {
+    /** @param pathStepM the path leaves out what is nearer to the point before; 0 = nothing */
+    RobotRecord(int index, double pathStepM) {
         this.index = index;
+        this.pathStepM = pathStepM;
     }
 
     void began(Service service) {
@@ -62,7 +65,24 @@ final class RobotRecord {
         }
         gapM = reading.wallGapM();
         closestM = StrictMath.min(closestM, gapM);
+        if (isPassing()) {
+            path.removeLast();
+        }
         path.add(new Sample(timeMicros, pose, serviceName()));
+    }
+
+    /** Whether the last point of the path is near the one before, which says as much. */
+    private boolean isPassing() {
+        if (path.size() < 2) {
+            return false;
+        }
+        Sample last = path.getLast();
+        Sample before = path.get(path.size() - 2);
+        return last.service().equals(before.service())
+                && StrictMath.hypot(
+                                last.pose().x() - before.pose().x(),
+                                last.pose().y() - before.pose().y())
+                        < pathStepM;
     }
 
     void touched(Contact contact) {

@@ -3,7 +3,6 @@ package io.troupe.demo;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -13,13 +12,13 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe run}: two robots, two services, three colours. */
+/** {@code troupe run}: the paper's two robots, two services and three colours, or as many of each as one likes. */
 @Command(
         name = "run",
         description = "Lets the robots of a world follow walls, wander, and swap services by the colours they see.",
@@ -27,18 +26,12 @@ import picocli.CommandLine.Spec;
         showDefaultValues = true)
 final class RunCommand implements Callable<Integer> {
     private static final long CLOSING_SECONDS = 10;
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec
     private CommandSpec spec;
 
-    @Option(
-            names = "--world",
-            paramLabel = "FILE",
-            description = "a .world or .cfg file; the paper's arena unless given",
-            showDefaultValue = Visibility.NEVER)
-    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.world"));
+    @Mixin
+    private TeamOptions teamOptions;
 
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
     private double seconds = 300;
@@ -85,14 +78,14 @@ final class RunCommand implements Callable<Integer> {
                     spec.commandLine(),
                     "--reconnect goes with --mode callback or promise: the synchronous mode connects once");
         }
-        Scenario scenario = ScenarioReader.read(world);
+        TeamOptions.Team team = teamOptions.team(corners);
         makeOutputDirectory();
         var interrupted = new AtomicBoolean();
         var finished = new CountDownLatch(1);
         var hook = new Thread(() -> awaitSummary(interrupted, finished), "finish");
         Runtime.getRuntime().addShutdownHook(hook);
         try {
-            run(scenario, interrupted);
+            run(team, interrupted);
         } finally {
             finished.countDown();
             forget(hook);
@@ -100,10 +93,11 @@ final class RunCommand implements Callable<Integer> {
         return 0;
     }
 
-    private void run(Scenario scenario, AtomicBoolean interrupted) throws IOException, InterruptedException {
+    private void run(TeamOptions.Team team, AtomicBoolean interrupted) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         var progress = ProgressBar.onTerminal(seconds);
-        var run = new PaperRun(scenario, seed, seconds, corners, realtime, new PaperRun.Manner(mode, reconnect));
+        Scenario scenario = team.scenario();
+        var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.Manner(mode, reconnect));
         long begin = System.nanoTime();
         RunResult result;
         try (var log = new RunLog(out.resolve("run.jsonl"))) {

@@ -64,6 +64,22 @@ record RunResult(
                 Json.seconds(endMicros),
                 wallSeconds,
                 endMicros / 1e6 / wallSeconds);
+        text.append(robots.size() < Ledger.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
+        line(text, "%s", messageSummary());
+        for (State state : table.states()) {
+            line(
+                    text,
+                    "state %d (%s): %d times, %.1f s",
+                    state.number(),
+                    Colours.name(state.colour()),
+                    visits(state),
+                    secondsIn(state));
+        }
+        return text.toString();
+    }
+
+    private String eachRobot() {
+        var text = new StringBuilder();
         line(text, "%-34s%s", "", columns(robot -> "robot " + (robot.index() + 1)));
         line(
                 text,
@@ -87,16 +103,6 @@ record RunResult(
         }
         line(text, "%-34s%s", "ticks without exactly one service", columns(robot -> "" + robot.chargeFaults()));
         line(text, "%-34s%s", "ticks without a cycle", columns(robot -> "" + robot.ticksWithoutCycle()));
-        line(text, "%s", messageSummary());
-        for (State state : table.states()) {
-            line(
-                    text,
-                    "state %d (%s): %d times, %.1f s",
-                    state.number(),
-                    Colours.name(state.colour()),
-                    visits(state),
-                    secondsIn(state));
-        }
         return text.toString();
     }
 

@@ -8,20 +8,27 @@ import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.Shape;
 import io.troupe.sim.scenario.WorldSpec;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
-/** Draws the arena, both paths in the colours of the services, and where states changed. */
+/** Draws the arena, all paths in the colours of the services, and where states changed; a crowd smaller, and without its robots' numbers. */
 final class TrajectorySvg {
-    private static final double SCALE = 70; // pixels per metre
+    private static final double SCALE = 70; // pixels per metre, at most
+    private static final double MOST_PX = 1400; // along the longer side
     private static final double MARGIN_M = 0.3;
-    private static final double LEGEND_PX = 64;
+    private static final double LINE_PX = 24;
+    private static final double LETTER_PX = 7.5;
+    private static final double LEGEND_LINE_PX = 36;
     private static final Map<String, String> PATH_COLOURS = Map.of(
             Service.WALL_FOLLOWER.name(), "#7b3fa0",
             Service.SPACE_WANDERER.name(), "#1b9e9e");
+    /** For the other services of a table, round and round. */
+    private static final List<String> MORE_COLOURS =
+            List.of("#d95f02", "#4c78a8", "#9c755f", "#66a61e", "#b07aa1", "#888888");
 
     private final WorldSpec world;
     private final RunResult result;
@@ -29,7 +36,13 @@ final class TrajectorySvg {
     private final double top;
     private final double width;
     private final double height;
+    private final double scale;
+    private final boolean crowd;
+    private final Map<String, String> pathColours = new HashMap<>(PATH_COLOURS);
     private final StringBuilder svg = new StringBuilder();
+    private final StringBuilder legend = new StringBuilder();
+    private double legendX = 16;
+    private double legendY;
 
     TrajectorySvg(WorldSpec world, RunResult result) {
         this.world = world;
@@ -43,19 +56,27 @@ final class TrajectorySvg {
         top = -edge(corners, point -> -point.y(), -1);
         width = -edge(corners, point -> -point.x(), -1) - left;
         height = top - edge(corners, Point::y, -1);
+        scale = Math.min(SCALE, MOST_PX / Math.max(width, height));
+        crowd = result.robots().size() >= Ledger.MANY_ROBOTS;
+        legendY = height * scale + LINE_PX;
+        for (Service service : result.table().services()) {
+            int more = pathColours.size() - PATH_COLOURS.size();
+            pathColours.putIfAbsent(service.name(), MORE_COLOURS.get(more % MORE_COLOURS.size()));
+        }
     }
 
     String draw() {
+        drawLegend();
         append(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" font-size=\"14\">%n",
-                width * SCALE, height * SCALE + LEGEND_PX);
+                width * scale, legendY + 16);
         append("<title>%s: where the robots went</title>%n", escape(world.name()));
         append("<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>%n");
         world.obstacles().forEach(this::obstacle);
         result.robots().forEach(this::path);
         result.robots().forEach(this::robot);
         result.states().forEach(this::stateChange);
-        legend();
+        svg.append(legend);
         append("</svg>%n");
         return svg.toString();
     }
@@ -66,7 +87,7 @@ final class TrajectorySvg {
         append("</g>%n");
     }
 
-    /** One line for each stretch under the same service; robot 2's is dashed. */
+    /** One line for each stretch under the same service; in a pair robot 2's is dashed. */
     private void path(RobotRecord robot) {
         var path = robot.path();
         int from = 0;
@@ -84,8 +105,12 @@ final class TrajectorySvg {
                             y(sample.pose().y())))
                     .collect(Collectors.joining(" "));
             append(
-                    "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"2\" stroke-opacity=\"0.8\"%s/>%n",
-                    points, PATH_COLOURS.getOrDefault(path.get(from).service(), "#888888"), dash(robot.index()));
+                    "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\"%s/>%n",
+                    points,
+                    pathColours.getOrDefault(path.get(from).service(), "#888888"),
+                    crowd ? "1" : "2",
+                    crowd ? "0.5" : "0.8",
+                    dash(robot.index()));
             from = to + 1;
         }
     }
@@ -94,8 +119,13 @@ final class TrajectorySvg {
     private void robot(RobotRecord robot) {
         RobotSpec spec = world.robots().get(robot.index());
         String fill = String.format("fill=\"#%06x\" stroke=\"#444444\"", spec.colour());
-        polygons(spec.shape(), robot.path().getFirst().pose(), fill + " opacity=\"0.35\"");
+        if (!crowd) {
+            polygons(spec.shape(), robot.path().getFirst().pose(), fill + " opacity=\"0.35\"");
+        }
         polygons(spec.shape(), robot.path().getLast().pose(), fill);
+        if (crowd) {
+            return;
+        }
         Pose end = robot.path().getLast().pose();
         append(
                 "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"%s\" font-weight=\"bold\">%d</text>%n",
@@ -114,39 +144,65 @@ final class TrajectorySvg {
                 .orElse(path.getLast())
                 .pose();
         append(
-                "<g><title>%s</title><circle cx=\"%.1f\" cy=\"%.1f\" r=\"9\" fill=\"#%06x\" stroke=\"white\" stroke-width=\"1.5\"/>",
+                "<g><title>%s</title><circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"#%06x\" stroke=\"white\" stroke-width=\"1.5\"/>",
                 escape(change.describe().strip()),
                 x(pose.x()),
                 y(pose.y()),
+                crowd ? "7" : "9",
                 change.state().colour());
         append(
-                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"11\" fill=\"%s\">%d</text></g>%n",
+                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"%s\" fill=\"%s\">%d</text></g>%n",
                 x(pose.x()),
-                y(pose.y()) + 4,
-                change.state().colour() == Colours.GREEN ? "black" : "white",
+                y(pose.y()) + (crowd ? 3 : 4),
+                crowd ? "8" : "11",
+                isBright(change.state().colour()) ? "black" : "white",
                 change.state().number());
     }
 
-    private void legend() {
-        double line = height * SCALE + 24;
-        double column = 16;
+    private static boolean isBright(int colour) {
+        return 0.3 * (colour >> 16 & 0xff) + 0.59 * (colour >> 8 & 0xff) + 0.11 * (colour & 0xff) > 140;
+    }
+
+    /** Lines as long as they fit side by side, then two sentences. */
+    private void drawLegend() {
         for (Service service : result.table().services()) {
-            append(
-                    "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"3\"/>",
-                    column, line - 5, column + 30, line - 5, PATH_COLOURS.getOrDefault(service.name(), "#888888"));
-            append("<text x=\"%.1f\" y=\"%.1f\">%s</text>%n", column + 36, line, service.name());
-            column += 170;
+            String stroke = pathColours.get(service.name());
+            entry(escape(service.name()), service.name().length(), "stroke=\"" + stroke + "\" stroke-width=\"3\"");
         }
-        for (int robot = 0; robot < result.robots().size(); robot++) {
-            append(
-                    "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#444444\" stroke-width=\"2\"%s/>",
-                    column, line - 5, column + 30, line - 5, dash(robot));
-            append("<text x=\"%.1f\" y=\"%.1f\">robot %d</text>%n", column + 36, line, robot + 1);
-            column += 110;
+        if (!crowd) {
+            for (int robot = 0; robot < result.robots().size(); robot++) {
+                entry("robot " + (robot + 1), 8, "stroke=\"#444444\" stroke-width=\"2\"" + dash(robot));
+            }
         }
-        append(
-                "<text x=\"16\" y=\"%.1f\">%s s simulated, %d state changes. Disc: here a robot saw that colour, and state n began. Faint body: start.</text>%n",
-                line + 24, Json.seconds(result.endMicros()), result.states().size() - 1);
+        legendY += LINE_PX;
+        legend.append(String.format(
+                Locale.ROOT,
+                "<text x=\"16\" y=\"%.1f\">%s%s s simulated, %d state changes. Disc: here a robot saw that colour, and state n began.%s</text>%n",
+                legendY,
+                crowd ? result.robots().size() + " robots, " : "",
+                Json.seconds(result.endMicros()),
+                result.states().size() - 1,
+                crowd ? "" : " Faint body: start."));
+    }
+
+    private void entry(String title, int letters, String style) {
+        double wide = LEGEND_LINE_PX + letters * LETTER_PX + LINE_PX;
+        if (legendX > 16 && legendX + wide > width * scale) {
+            legendX = 16;
+            legendY += LINE_PX;
+        }
+        legend.append(String.format(
+                Locale.ROOT,
+                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" %s/><text x=\"%.1f\" y=\"%.1f\">%s</text>%n",
+                legendX,
+                legendY - 5,
+                legendX + LEGEND_LINE_PX - 6,
+                legendY - 5,
+                style,
+                legendX + LEGEND_LINE_PX,
+                legendY,
+                title));
+        legendX += wide;
     }
 
     private void polygons(Shape shape, Pose pose, String style) {
@@ -160,8 +216,8 @@ final class TrajectorySvg {
         append("%n");
     }
 
-    private static String dash(int robot) {
-        return robot == 0 ? "" : " stroke-dasharray=\"7 3\"";
+    private String dash(int robot) {
+        return robot == 0 || crowd ? "" : " stroke-dasharray=\"7 3\"";
     }
 
     private static double edge(List<Point> corners, ToDoubleFunction<Point> coordinate, double sign) {
@@ -169,11 +225,11 @@ final class TrajectorySvg {
     }
 
     private double x(double worldX) {
-        return (worldX - left) * SCALE;
+        return (worldX - left) * scale;
     }
 
     private double y(double worldY) {
-        return (top - worldY) * SCALE;
+        return (top - worldY) * scale;
     }
 
     private void append(String format, Object... values) {

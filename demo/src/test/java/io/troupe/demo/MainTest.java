@@ -13,6 +13,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The command line: one clear line and exit status 2 for whatever was wrong. */
@@ -220,5 +221,47 @@ class MainTest {
     @Test
     void table_thatIsNotThere_isAComplaint() {
         assertComplaint(troupe("table", directory.resolve("none").toString()), "no such file");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--robots 0 | --robots is 0, expected a number from 1 to 20000",
+                "--robots 3 --colours 101 | --colours is 101, expected a number from 1 to 100",
+                "--robots 3 --services 0 | --services is 0, expected a number from 1 to 100",
+                "--robots 3 --hold -1 | --hold is -1.0, expected a number from 0 to 3600",
+                "--services 3 | --services is 3, but there is no crowd: expected --robots as well",
+                "--robots 3 --world x.world | --robots is 3 and --world is x.world, expected only one of them",
+                "--robots 3 --table tables/paper.table | --robots is 3, expected 2 as in --table tables/paper.table",
+                "--robots 2 --services 3 --table tables/paper.table | --services is 3 beside --table",
+                "--table nowhere.table | nowhere.table: no such file",
+            })
+    void crowdThatCannotBe_isRefused(String options, String problem) {
+        assertComplaint(troupe(("run " + options).split(" ")), problem);
+    }
+
+    @Test
+    void table_ofAFile_worksWithACrowdToo() {
+        String output = directory.resolve("o").toString();
+        assertThat(troupe("run", "--robots", "2", "--table", "tables/paper.table", "--seconds", "1", "--out", output))
+                .isZero();
+        assertThat(out.toString()).contains("crowd of 2", "state 3 (green)");
+    }
+
+    @Test
+    void crowd_isMeasured() {
+        assertThat(troupe(
+                        "crowd", "--sizes", "1,4", "--seconds", "0.5", "--repeat", "1", "--out", directory.toString()))
+                .isZero();
+        assertThat(out.toString()).contains("us of processor time", "crowd.svg");
+        assertThat(directory.resolve("crowd.csv")).content().hasLineCount(3);
+        assertThat(directory.resolve("crowd.svg")).content().contains("<svg");
+        assertThat(directory.resolve("crowd.png")).isNotEmptyFile();
+    }
+
+    @Test
+    void crowd_ofNobody_isNotMeasured() {
+        assertComplaint(troupe("crowd", "--sizes", "3,0"), "--sizes is 0, expected a number from 1 to 20000");
     }
 }

@@ -61,8 +61,11 @@ public class BlobfinderInterface extends PlayerDevice {
             newest.setWidth(image.width());
             newest.setHeight(image.height());
             newest.setBlobs_count(image.blobs().size());
-            newest.setBlobs(
-                    image.blobs().stream().map(BlobfinderInterface::convert).toArray(PlayerBlobfinderBlob[]::new));
+            var blobs = new PlayerBlobfinderBlob[image.blobs().size()];
+            for (int index = 0; index < blobs.length; index++) {
+                blobs[index] = convert(image.blobs().get(index));
+            }
+            newest.setBlobs(blobs);
             data.put(newest);
         }
     }

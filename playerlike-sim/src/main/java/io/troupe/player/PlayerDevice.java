@@ -62,7 +62,12 @@ public abstract class PlayerDevice implements PlayerConstants {
 
     /** Makes this object stand for another device, whose data it gets if the client has subscribed to that. */
     public void setDeviceAddress(PlayerDevAddr newAddress) {
-        address = convert(newAddress);
+        DeviceAddress before = address;
+        DeviceAddress after = convert(newAddress);
+        address = after;
+        if (before != null) {
+            pc.subscriptions.move(this, before, after);
+        }
     }
 
     /** {@code PLAYER_OPEN_MODE}, or {@code PLAYER_CLOSE_MODE} if it was requested to be closed. */

@@ -125,9 +125,11 @@ public class Position2DInterface extends AbstractPositionDevice {
     }
 
     private void checkFinite(String told, double... values) {
-        if (!Arrays.stream(values).allMatch(Double::isFinite)) {
-            throw new PlayerException(
-                    this + " was told to " + told + " " + Arrays.toString(values) + ", expected finite numbers");
+        for (double value : values) {
+            if (!Double.isFinite(value)) {
+                throw new PlayerException(
+                        this + " was told to " + told + " " + Arrays.toString(values) + ", expected finite numbers");
+            }
         }
     }
 

@@ -3,40 +3,56 @@ package io.troupe.player;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceAddress;
 import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * The devices a client has subscribed to.
+ * The devices a client has subscribed to, by address: one client may have those of a thousand robots.
  *
  * <p><b>Threads.</b> Any thread; messages are dispatched under the lock of {@link Incoming}.
  */
 final class Subscriptions {
-    private final List<PlayerDevice> devices = new CopyOnWriteArrayList<>();
+    private final Map<DeviceAddress, List<PlayerDevice>> devices = new ConcurrentHashMap<>();
 
     void add(PlayerDevice device) {
-        devices.add(device);
+        at(device.address()).add(device);
     }
 
     void remove(PlayerDevice device) {
-        devices.remove(device);
+        at(device.address()).remove(device);
     }
 
     void removeAll(DeviceAddress address) {
-        devices.removeIf(each -> each.address().equals(address));
+        at(address).clear();
+    }
+
+    /** A device stands for another one from now on. */
+    void move(PlayerDevice device, DeviceAddress from, DeviceAddress to) {
+        if (at(from).remove(device)) {
+            at(to).add(device);
+        }
+    }
+
+    private List<PlayerDevice> at(DeviceAddress address) {
+        return devices.computeIfAbsent(address, none -> new CopyOnWriteArrayList<>());
     }
 
     boolean everythingSeen() {
-        for (var device : devices) {
-            if (device.latest().isNew()) {
-                return false;
+        for (var same : devices.values()) {
+            for (var device : same) {
+                if (device.latest().isNew()) {
+                    return false;
+                }
             }
         }
         return true;
     }
 
     void dispatch(DataMessage message) {
-        for (var device : devices) {
-            if (device.address().equals(message.from())) {
+        List<PlayerDevice> same = devices.get(message.from());
+        if (same != null) {
+            for (var device : same) {
                 device.receive(message);
             }
         }

@@ -14,6 +14,7 @@ import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.ReplaceRule;
 import io.troupe.sim.PortServer.Offer;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -28,12 +29,12 @@ import org.jspecify.annotations.Nullable;
  */
 final class ClientLine implements PlayerConnection {
     private final Simulation simulation;
-    private final int port;
-    private final List<Offer> offers;
+    private final PortServer server;
     private final DataSink sink;
     private final @Nullable ActorSpace space;
     private final int number;
     private final Set<Offer> subscribed = new LinkedHashSet<>();
+    private List<Offer> inFrameOrder = List.of(); // the same
     private final PendingCommands pending = new PendingCommands();
     private final DeviceDesk desk;
     private boolean begun;
@@ -42,10 +43,9 @@ final class ClientLine implements PlayerConnection {
     private long answeredTick = NO_TICK;
     private @Nullable String closed;
 
-    ClientLine(Simulation simulation, int port, List<Offer> offers, DataSink sink, @Nullable ActorSpace space) {
+    ClientLine(Simulation simulation, PortServer server, DataSink sink, @Nullable ActorSpace space) {
         this.simulation = simulation;
-        this.port = port;
-        this.offers = offers;
+        this.server = server;
         this.sink = sink;
         this.space = space;
         this.desk = new DeviceDesk(simulation, this::later);
@@ -60,12 +60,26 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean isSubscribed() {
-        return closed == null && subscribed.stream().anyMatch(Offer::publishes);
+        if (closed == null) {
+            for (Offer offer : inFrameOrder) {
+                if (offer.publishes()) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     /** Whether the next frame has anything for it: not if all its sensors are switched off. */
     boolean expectsData() {
-        return closed == null && subscribed.stream().anyMatch(simulation::publishes);
+        if (closed == null) {
+            for (Offer offer : inFrameOrder) {
+                if (simulation.publishes(offer)) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     boolean isFreeRunning() {
@@ -97,21 +111,28 @@ final class ClientLine implements PlayerConnection {
     // ---- for the simulation, not under its lock
 
     void deliver(Snapshot now) {
-        List<DataMessage> messages = simulation.under(() -> closed != null
-                ? List.of()
-                : offers.stream()
-                        .filter(offer -> subscribed.contains(offer) && simulation.publishes(offer))
-                        .map(offer ->
-                                DeviceMessages.data(offer, simulation.world().spec(), now))
-                        .toList());
+        List<DataMessage> messages = simulation.quietly(() -> messages(now));
         if (!messages.isEmpty()) {
             sink.frame(new Frame(now.tick(), now.timeMicros() / 1e6, messages));
         }
     }
 
-    /** The answer of a client on a space, which may have closed itself in the same turn. */
+    private List<DataMessage> messages(Snapshot now) {
+        if (closed != null) {
+            return List.of();
+        }
+        List<DataMessage> messages = new ArrayList<>(inFrameOrder.size());
+        for (Offer offer : inFrameOrder) {
+            if (simulation.publishes(offer)) {
+                messages.add(DeviceMessages.data(offer, simulation.world().spec(), now));
+            }
+        }
+        return messages;
+    }
+
+    /** The answer of a client on a space, which may have closed itself in the same turn. Under the simulation's lock. */
     void spaceIsIdle(long tick) {
-        simulation.under(() -> answeredTick = Math.max(answeredTick, tick));
+        answeredTick = Math.max(answeredTick, tick);
     }
 
     void lose(String reason) {
@@ -126,7 +147,7 @@ final class ClientLine implements PlayerConnection {
     public List<DeviceAddress> devices() {
         return simulation.under(() -> {
             checkOpen();
-            return offers.stream().map(Offer::address).toList();
+            return server.addresses();
         });
     }
 
@@ -142,8 +163,11 @@ final class ClientLine implements PlayerConnection {
     public void subscribe(DeviceAddress device) {
         simulation.under(() -> {
             Offer offer = find(device);
-            if (subscribed.add(offer) && offer.type() == Interfaces.POSITION2D) {
-                simulation.countDrivers(offer.robot(), 1);
+            if (subscribed.add(offer)) {
+                sortSubscribed();
+                if (offer.type() == Interfaces.POSITION2D) {
+                    simulation.countDrivers(offer.robot(), 1);
+                }
             }
             return offer;
         });
@@ -159,15 +183,23 @@ final class ClientLine implements PlayerConnection {
     }
 
     private void drop(Offer offer) {
-        if (subscribed.remove(offer) && offer.type() == Interfaces.POSITION2D) {
-            pending.takeAll(offer).forEach(Runnable::run); // said before it left
-            simulation.countDrivers(offer.robot(), -1);
+        if (subscribed.remove(offer)) {
+            sortSubscribed();
+            if (offer.type() == Interfaces.POSITION2D) {
+                pending.takeAll(offer).forEach(Runnable::run); // said before it left
+                simulation.countDrivers(offer.robot(), -1);
+            }
         }
+    }
+
+    private void sortSubscribed() {
+        inFrameOrder = subscribed.stream().sorted(PortServer.FRAME_ORDER).toList();
     }
 
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
-        simulation.under(() -> {
+        // nobody waits for a command, and a thousand of them would wake the one who ticks a thousand times
+        simulation.quietly(() -> {
             Offer offer = find(device);
             desk.command(offer, command);
             return offer;
@@ -216,7 +248,7 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public void close() {
-        shut("this line to port " + port + " has been closed");
+        shut("this line to port " + server.port() + " has been closed");
     }
 
     /** In one step, so that a tick never sees the client gone and its robot still driving. */
@@ -235,10 +267,11 @@ final class ClientLine implements PlayerConnection {
 
     private Offer find(DeviceAddress device) {
         checkOpen();
-        return offers.stream()
-                .filter(each -> each.address().equals(device))
-                .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("port " + port + " has no device " + device));
+        Offer offer = server.find(device);
+        if (offer == null) {
+            throw new IllegalArgumentException("port " + server.port() + " has no device " + device);
+        }
+        return offer;
     }
 
     private void checkOpen() {
@@ -250,7 +283,7 @@ final class ClientLine implements PlayerConnection {
     @Override
     public String toString() {
         String devices = subscribed.stream().map(Offer::toString).collect(Collectors.joining(" "));
-        return "client " + number + " on port " + port + " (" + devices
+        return "client " + number + " on port " + server.port() + " (" + devices
                 + (space == null ? ")" : "; on actor space " + space + ")");
     }
 }

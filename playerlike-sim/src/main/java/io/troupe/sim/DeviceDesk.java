@@ -10,7 +10,6 @@ import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -98,8 +97,10 @@ final class DeviceDesk {
     }
 
     private static void checkFinite(Offer offer, DeviceCommand command, double... numbers) {
-        if (!Arrays.stream(numbers).allMatch(Double::isFinite)) {
-            throw new IllegalArgumentException(offer + " was told " + command + ", expected finite numbers");
+        for (double number : numbers) {
+            if (!Double.isFinite(number)) {
+                throw new IllegalArgumentException(offer + " was told " + command + ", expected finite numbers");
+            }
         }
     }
 

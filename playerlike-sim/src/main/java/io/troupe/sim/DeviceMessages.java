@@ -4,11 +4,13 @@ import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldSpec;
+import java.util.List;
 import java.util.Objects;
 
 /** Readings of the world in the words of Player. */
@@ -19,10 +21,7 @@ final class DeviceMessages {
         RobotReading reading = now.robots().get(offer.robot());
         DeviceData data = switch (offer.type()) {
             case POSITION2D -> position(reading.odometry());
-            case SONAR ->
-                new DeviceData.SonarRanges(Objects.requireNonNull(reading.sonarM()).stream()
-                        .map(Double::floatValue)
-                        .toList());
+            case SONAR -> new DeviceData.SonarRanges(floats(Objects.requireNonNull(reading.sonarM())));
             case RANGER -> new DeviceData.RangerRanges(reading.rangersM().get(offer.ranger()));
             case LASER ->
                 RangerMessages.scan(
@@ -47,25 +46,37 @@ final class DeviceMessages {
                 odometry.stalled());
     }
 
+    private static List<Float> floats(List<Double> rangesM) {
+        var converted = new Float[rangesM.size()];
+        for (int i = 0; i < converted.length; i++) {
+            converted[i] = rangesM.get(i).floatValue();
+        }
+        return List.of(converted);
+    }
+
+    private static DeviceData.Blob blob(Blob blob) {
+        return new DeviceData.Blob(
+                0,
+                blob.colour(),
+                blob.areaPx2(),
+                blob.x(),
+                blob.y(),
+                blob.left(),
+                blob.right(),
+                blob.top(),
+                blob.bottom(),
+                (float) blob.rangeM());
+    }
+
     /** The image is 0 x 0 when it shows no blob, as Stage's is. */
     private static DeviceData blobs(BlobImage image) {
         boolean empty = image.blobs().isEmpty();
         return new DeviceData.Blobs(
                 empty ? 0 : image.widthPx(),
                 empty ? 0 : image.heightPx(),
-                image.blobs().stream()
-                        .map(blob -> new DeviceData.Blob(
-                                0,
-                                blob.colour(),
-                                blob.areaPx2(),
-                                blob.x(),
-                                blob.y(),
-                                blob.left(),
-                                blob.right(),
-                                blob.top(),
-                                blob.bottom(),
-                                (float) blob.rangeM()))
-                        .toList());
+                empty
+                        ? List.of()
+                        : image.blobs().stream().map(DeviceMessages::blob).toList());
     }
 
     static DeviceReply positionGeometry(RobotSpec robot) {

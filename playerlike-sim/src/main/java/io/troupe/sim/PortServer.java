@@ -10,7 +10,9 @@ import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** The devices of one port of a simulation. */
@@ -30,31 +32,39 @@ final class PortServer implements PlayerServer {
         }
     }
 
+    /** In which a client gets its messages. */
+    static final Comparator<Offer> FRAME_ORDER = Comparator.comparingInt(Offer::robot)
+            .thenComparing(Offer::type)
+            .thenComparing(each -> each.address.index());
+
     private final Simulation simulation;
     private final int port;
-    private final List<Offer> offers;
+    private final List<DeviceAddress> addresses;
+    private final Map<DeviceAddress, Offer> byAddress = new HashMap<>();
 
     PortServer(Simulation simulation, int port, List<DeviceBinding> bindings) {
         this.simulation = simulation;
         this.port = port;
-        this.offers = bindings.stream()
-                .map(this::offer)
-                .sorted(Comparator.comparingInt(Offer::robot)
-                        .thenComparing(Offer::type)
-                        .thenComparing(each -> each.address.index()))
+        Map<String, Integer> robots = new HashMap<>();
+        List<RobotSpec> specs = simulation.world().spec().robots();
+        for (int robot = 0; robot < specs.size(); robot++) {
+            robots.putIfAbsent(specs.get(robot).name(), robot);
+        }
+        List<Offer> offers = bindings.stream()
+                .map(binding -> offer(binding, robots.getOrDefault(binding.model(), -1)))
+                .sorted(FRAME_ORDER)
                 .toList();
+        this.addresses = offers.stream().map(Offer::address).toList();
+        offers.forEach(offer -> byAddress.putIfAbsent(offer.address, offer));
     }
 
-    private Offer offer(DeviceBinding binding) {
+    private Offer offer(DeviceBinding binding, int robot) {
         Interfaces type = java.util.Arrays.stream(Interfaces.values())
                 .filter(each -> each.playerName().equals(binding.interfaceName()))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException(
                         binding.where() + ": interface " + binding.interfaceName() + " is not offered"));
-        List<String> names =
-                simulation.world().spec().robots().stream().map(RobotSpec::name).toList();
         var address = new DeviceAddress(LOOPBACK, port, type.code(), binding.index());
-        int robot = names.indexOf(binding.model());
         if (type == Interfaces.LASER || type == Interfaces.RANGER) {
             checkRanger(binding, type, robot);
         }
@@ -75,6 +85,21 @@ final class PortServer implements PlayerServer {
         }
     }
 
+    int port() {
+        return port;
+    }
+
+    /** All devices, in the order in which clients get their messages. */
+    List<DeviceAddress> addresses() {
+        return addresses;
+    }
+
+    /** The device of an address, or null. */
+    @Nullable
+    Offer find(DeviceAddress address) {
+        return byAddress.get(address);
+    }
+
     @Override
     public String banner() {
         return "Player v.3.1.0 (Troupe)";
@@ -82,6 +107,6 @@ final class PortServer implements PlayerServer {
 
     @Override
     public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
-        return new ClientLine(simulation, port, offers, sink, space);
+        return new ClientLine(simulation, this, sink, space);
     }
 }

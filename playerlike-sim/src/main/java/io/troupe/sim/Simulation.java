@@ -14,6 +14,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -39,7 +40,7 @@ public final class Simulation implements AutoCloseable {
     private final ManualClock clock = new ManualClock();
     private final Object lock = new Object();
     private final TimeGate time = new TimeGate(lock);
-    private final List<ClientLine> lines = new ArrayList<>();
+    private final Set<ClientLine> lines = new LinkedHashSet<>(); // in the order in which they came
     private final List<PlayerPorts.Registration> ports = new ArrayList<>();
     private final int[] drivers;
     private Duration answerLimit = ANSWER_LIMIT;
@@ -286,7 +287,10 @@ public final class Simulation implements AutoCloseable {
                 clock.advanceTo(nanos); // in the same turn, so that what is due runs after the frames, not beside them
                 members.forEach(line -> line.deliver(now));
             });
-            space.onIdle(() -> members.forEach(line -> line.spaceIsIdle(now.tick())));
+            space.onIdle(() -> under(() -> {
+                members.forEach(line -> line.spaceIsIdle(now.tick()));
+                return now;
+            }));
         } catch (ActorStoppedException spaceIsClosed) {
             members.forEach(ClientLine::close); // clients end with the space they live on
         }
@@ -295,22 +299,31 @@ public final class Simulation implements AutoCloseable {
     private void awaitAnswers(long tick, List<ClientLine> audience) {
         Clock wall = Clock.system();
         long deadline = wall.nanos() + answerLimit.toNanos();
+        int answered =
+                0; // of the first ones it is known, so that many clients are not asked again whenever one answers
         while (true) {
             if (whileWaiting != null) {
                 whileWaiting.run();
             }
             List<ClientLine> silent;
             synchronized (lock) {
+                while (answered < audience.size() && audience.get(answered).hasAnswered(tick)) {
+                    answered++;
+                }
+                long leftMillis = (deadline - wall.nanos()) / 1_000_000;
+                if (answered < audience.size() && leftMillis > 0) {
+                    await(whileWaiting == null ? leftMillis : 1);
+                    continue;
+                }
+                answered = 0;
                 silent = audience.stream()
                         .filter(line -> !line.hasAnswered(tick))
                         .toList();
                 if (silent.isEmpty()) {
                     return;
                 }
-                long leftMillis = (deadline - wall.nanos()) / 1_000_000;
                 if (leftMillis > 0) {
-                    await(whileWaiting == null ? leftMillis : 1);
-                    continue;
+                    continue; // one has taken its answer back
                 }
                 if (!disconnectsSilent) {
                     throw new UnansweredTickException(tick, answerLimit, silent);
@@ -346,6 +359,13 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** The same for what no tick waits for. */
+    <T> T quietly(Supplier<T> action) {
+        synchronized (lock) {
+            return action.get();
+        }
+    }
+
     int add(ClientLine line) {
         return under(() -> {
             if (closed) {
@@ -375,7 +395,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Whether a device has anything to say. */
     boolean publishes(Offer offer) {
-        return offer.publishes() && !switchedOff.contains(offer);
+        return offer.publishes() && (switchedOff.isEmpty() || !switchedOff.contains(offer));
     }
 
     void switchSensor(Offer offer, boolean on) {

@@ -336,9 +336,11 @@ public final class World implements AutoCloseable {
                 odometry,
                 its.sonar() == null ? null : its.sonar().rangesM(),
                 its.blobfinder() == null ? null : its.blobfinder().image(),
-                its.rangersM().stream()
-                        .map(ranges -> Arrays.stream(ranges).boxed().toList())
-                        .toList(),
+                its.rangersM().isEmpty()
+                        ? List.of()
+                        : its.rangersM().stream()
+                                .map(ranges -> Arrays.stream(ranges).boxed().toList())
+                                .toList(),
                 scene.wallGapM(robot));
     }
 

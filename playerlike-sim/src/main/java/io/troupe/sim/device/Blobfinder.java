@@ -150,7 +150,9 @@ public final class Blobfinder {
         return new BlobImage(
                 spec.widthPx(),
                 spec.heightPx(),
-                IntStream.range(0, blobs.count).mapToObj(this::blob).toList());
+                blobs.count == 0
+                        ? List.of()
+                        : IntStream.range(0, blobs.count).mapToObj(this::blob).toList());
     }
 
     private Blob blob(int i) {

@@ -1,7 +1,6 @@
 package io.troupe.sim.device;
 
 import io.troupe.sim.scenario.SonarSpec;
-import java.util.Arrays;
 import java.util.List;
 
 /** A robot's ring of sonars; each casts one ray along its heading, past the robot that carries it. */
@@ -53,7 +52,11 @@ public final class Sonar {
 
     /** The newest ranges, one per sonar. */
     public List<Double> rangesM() {
-        return Arrays.stream(rangesM).boxed().toList();
+        var boxed = new Double[rangesM.length];
+        for (int i = 0; i < boxed.length; i++) {
+            boxed[i] = rangesM[i];
+        }
+        return List.of(boxed);
     }
 
     /** Reads all sonars and returns their ranges. */

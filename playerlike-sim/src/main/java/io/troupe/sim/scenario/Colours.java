@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Collections;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
@@ -55,6 +56,11 @@ final class Colours {
             }
         }
         return colour;
+    }
+
+    /** All names in small letters without spaces, and their colours. */
+    static Map<String, Integer> byName() {
+        return Collections.unmodifiableMap(BY_NAME);
     }
 
     private static Map<String, Integer> load() {

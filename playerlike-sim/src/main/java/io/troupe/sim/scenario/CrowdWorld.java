@@ -1,10 +1,12 @@
 package io.troupe.sim.scenario;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
 /**
- * A world for any number of robots: square halls of 16 m, each with inner walls, three colours and up to 64 robots.
+ * A world for any number of robots: square halls of 16 m, each with inner walls, three colours, or as many as one likes, and up to 64 robots.
  *
  * <p><b>Role.</b> The load of benchmarks and of runs with many robots. The text is in the classic dialect and needs no other
  * file, so that real Stage loads it too. The robots are called {@code robot1}, {@code robot2}, ..; each is a Pioneer 2DX with
@@ -19,6 +21,12 @@ public final class CrowdWorld {
     public static final int MOST_ROBOTS_PER_HALL = 64;
     public static final int MOST_ROBOTS = 20_000;
 
+    public static final int MOST_COLOURS = 100;
+
+    private static final int WALLS_PER_HALL = 4;
+    private static final double PANELLED_M = 15; // of each wall
+    private static final double PANEL_M = 1;
+    private static final double PANEL_GAP_M = 0.2;
     private static final int ROBOTS_PER_ROW = 8;
     private static final double ROBOT_SPACING_M = 1.8;
     private static final int TURN_DEG = 137; // neighbours look in different directions
@@ -58,29 +66,52 @@ public final class CrowdWorld {
                 sview [ 0 5.0 15 ]
                 ssize [ 0.01 0.05 ]
               )
-              blobfinder ( image [ 80 60 ] range 2.0 fov 60 )
+              blobfinder ( image [ 80 60 ] range 2.0 fov 60%s )
             )
 
             """;
 
     private final int robots;
+    private final List<String> colours; // none: the three panels it always had
     private final int hallsPerSide;
     private final StringBuilder text = new StringBuilder();
 
-    private CrowdWorld(int robots) {
+    private CrowdWorld(int robots, List<String> colours) {
         this.robots = robots;
+        this.colours = colours;
         int halls = (robots + MOST_ROBOTS_PER_HALL - 1) / MOST_ROBOTS_PER_HALL;
         hallsPerSide = (int) Math.ceil(Math.sqrt(halls));
     }
 
     /** The world file. */
     public static String text(int robots) {
+        return text(robots, List.of());
+    }
+
+    /**
+     * The world file with panels of so many colours along the walls of each hall, which are also what the cameras report.
+     *
+     * @param colours from 1 to {@value #MOST_COLOURS}
+     */
+    public static String text(int robots, int colours) {
+        return text(robots, names(colours));
+    }
+
+    private static String text(int robots, List<String> colours) {
         if (robots < 1 || robots > MOST_ROBOTS) {
             throw new IllegalArgumentException("a crowd has " + robots + " robots, expected from 1 to " + MOST_ROBOTS);
         }
-        var crowd = new CrowdWorld(robots);
+        var crowd = new CrowdWorld(robots, colours);
         crowd.write();
         return crowd.text.toString();
+    }
+
+    private static List<String> names(int colours) {
+        if (colours < 1 || colours > MOST_COLOURS) {
+            throw new IllegalArgumentException(
+                    "a crowd's halls have " + colours + " colours, expected from 1 to " + MOST_COLOURS);
+        }
+        return CrowdColours.names(colours);
     }
 
     /** The world, every robot's devices offered on port 6665 with index 0 for the first robot, 1 for the next, .. */
@@ -88,9 +119,19 @@ public final class CrowdWorld {
         return ScenarioReader.readText(text(robots), Path.of("crowd-" + robots + ".world"));
     }
 
+    /** The same with panels of so many colours. */
+    public static Scenario scenario(int robots, int colours) {
+        return ScenarioReader.readText(text(robots, colours), Path.of("crowd-" + robots + "-" + colours + ".world"));
+    }
+
+    /** The colours of a hall with so many, {@code 0x00RRGGBB}: blue, red, green, and then what is as unlike all others as can be, walls and robots included. */
+    public static List<Integer> colours(int count) {
+        return names(count).stream().map(Colours.byName()::get).toList();
+    }
+
     private void write() {
         line("name \"crowd of %d\"", robots);
-        text.append(DEFINITIONS);
+        text.append(String.format(Locale.ROOT, DEFINITIONS, cameraColours()));
         double side = hallsPerSide * HALL_M;
         for (int i = 0; i <= hallsPerSide; i++) {
             double at = i * HALL_M - side / 2;
@@ -103,6 +144,15 @@ public final class CrowdWorld {
         for (int i = 0; i < robots; i++) {
             robot(i);
         }
+    }
+
+    /** A camera that reports only what it is told to looks only where that can be. */
+    private String cameraColours() {
+        return colours.isEmpty()
+                ? ""
+                : colours.stream()
+                        .map(name -> '"' + name + '"')
+                        .collect(Collectors.joining(" ", " colors_count " + colours.size() + " colors [ ", " ]"));
     }
 
     private double middle(int hall) {
@@ -118,9 +168,31 @@ public final class CrowdWorld {
                         x + column * 2 * ROBOT_SPACING_M, y + row * 2 * ROBOT_SPACING_M);
             }
         }
+        if (!colours.isEmpty()) {
+            panels(x, y);
+            return;
+        }
         line("panel ( color \"red\" pose [ %.2f %.2f 0 0 ] )", x - 5.4, y + 7.8);
         line("panel ( color \"green\" pose [ %.2f %.2f 0 90 ] )", x + 7.8, y);
         line("panel ( color \"blue\" pose [ %.2f %.2f 0 0 ] )", x + 5.4, y - 7.8);
+    }
+
+    /** The first colour on the wall ahead, the next on the one to the right, and so on, round and round. */
+    private void panels(double x, double y) {
+        int perWall = (colours.size() + WALLS_PER_HALL - 1) / WALLS_PER_HALL;
+        double pitchM = PANELLED_M / perWall;
+        for (int i = 0; i < colours.size(); i++) {
+            double along = (i / WALLS_PER_HALL + 0.5) * pitchM - PANELLED_M / 2;
+            double[] place = switch (i % WALLS_PER_HALL) {
+                case 0 -> new double[] {along, 7.8, 0};
+                case 1 -> new double[] {7.8, -along, 90};
+                case 2 -> new double[] {-along, -7.8, 0};
+                default -> new double[] {-7.8, along, 90};
+            };
+            line(
+                    "panel ( color \"%s\" size [ %.2f 0.1 0.5 ] pose [ %.2f %.2f 0 %.0f ] )",
+                    colours.get(i), Math.min(PANEL_M, pitchM - PANEL_GAP_M), x + place[0], y + place[1], place[2]);
+        }
     }
 
     private void robot(int index) {

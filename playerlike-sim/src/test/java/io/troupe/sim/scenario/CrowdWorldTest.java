@@ -62,4 +62,53 @@ class CrowdWorldTest {
                 .isThrownBy(() -> CrowdWorld.text(robots))
                 .withMessage("a crowd has " + robots + " robots, expected from 1 to 20000");
     }
+
+    @Test
+    void crowd_withoutColours_isWhatItAlwaysWas() {
+        assertThat(Integer.toHexString(CrowdWorld.text(65).hashCode())).isEqualTo("71cc2686");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3, 8, 50, CrowdWorld.MOST_COLOURS})
+    void colours_areDifferentFromEachOtherAndFromWallsAndRobots(int colours) {
+        assertThat(CrowdWorld.colours(colours))
+                .hasSize(colours)
+                .doesNotHaveDuplicates()
+                .doesNotContain(0, 0xffa500);
+        assertThat(CrowdWorld.colours(3)).containsExactly(0x0000ff, 0xff0000, 0x00ff00);
+
+        Scenario crowd = CrowdWorld.scenario(70, colours);
+        assertThat(crowd.world().obstacles().stream().map(ObstacleSpec::colour).filter(colour -> colour != 0))
+                .as("the panels of two halls")
+                .hasSize(2 * colours)
+                .containsAll(CrowdWorld.colours(colours));
+        assertThat(crowd.world().robots().getFirst().blobfinder().colours())
+                .containsExactlyInAnyOrderElementsOf(CrowdWorld.colours(colours));
+    }
+
+    @Test
+    void panels_standApart() {
+        var panels = CrowdWorld.scenario(1, CrowdWorld.MOST_COLOURS).world().obstacles().stream()
+                .filter(obstacle -> obstacle.colour() != 0)
+                .map(panel -> Box.around(panel.shape().at(panel.pose()).polygons()))
+                .toList();
+        for (int i = 0; i < panels.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                Box both = panels.get(i).union(panels.get(j));
+                assertThat(both.width() > panels.get(i).width() + panels.get(j).width()
+                                || both.height()
+                                        > panels.get(i).height() + panels.get(j).height())
+                        .as("panels %d and %d are apart", i, j)
+                        .isTrue();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, CrowdWorld.MOST_COLOURS + 1})
+    void crowd_withoutColoursOrWithTooMany_isRefused(int colours) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> CrowdWorld.text(1, colours))
+                .withMessage("a crowd's halls have " + colours + " colours, expected from 1 to 100");
+    }
 }

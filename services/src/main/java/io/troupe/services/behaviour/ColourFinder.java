@@ -38,6 +38,9 @@ public final class ColourFinder {
      * @param priority of a colour
      */
     public static IntStream inOrder(List<Sighting> sightings, IntUnaryOperator priority) {
+        if (sightings.isEmpty()) {
+            return IntStream.empty(); // mostly, and for many robots many times a second
+        }
         return sightings.stream()
                 .filter(sighting -> sighting.areaPx2 >= MIN_AREA_PX2)
                 .sorted(Comparator.<Sighting>comparingInt(sighting -> -priority.applyAsInt(sighting.colour))

@@ -10,7 +10,7 @@ import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -48,9 +48,15 @@ final class RobotDevices {
 
     /** What the blobfinder saw at the same time. */
     List<Sighting> sightings() {
-        return Arrays.stream(blobfinder.getData().getBlobs())
-                .map(blob -> new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()))
-                .toList();
+        var blobs = blobfinder.getData().getBlobs();
+        if (blobs.length == 0) {
+            return List.of();
+        }
+        List<Sighting> sightings = new ArrayList<>(blobs.length);
+        for (var blob : blobs) {
+            sightings.add(new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()));
+        }
+        return sightings;
     }
 
     void drive(Velocity velocity) {

@@ -11,6 +11,7 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -23,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SubsumptionTable {
     private final List<State> states;
+    private final Map<Integer, State> byColour;
     private final Map<Integer, Integer> priorities;
     private final Map<Integer, String> ignored;
     private final Map<Integer, String> names;
@@ -31,6 +33,7 @@ public final class SubsumptionTable {
 
     private SubsumptionTable(Builder builder) {
         states = List.copyOf(builder.states);
+        byColour = states.stream().collect(Collectors.toUnmodifiableMap(State::colour, state -> state));
         priorities = Collections.unmodifiableMap(new TreeMap<>(builder.priorities));
         ignored = Collections.unmodifiableMap(new LinkedHashMap<>(builder.ignored));
         names = Collections.unmodifiableMap(new LinkedHashMap<>(builder.names));
@@ -80,7 +83,7 @@ public final class SubsumptionTable {
 
     /** The state that a colour leads to, if it leads to one. */
     public Optional<State> state(int colour) {
-        return states.stream().filter(state -> state.colour() == colour).findFirst();
+        return Optional.ofNullable(byColour.get(colour));
     }
 
     /** The service of a name, if any state puts it in charge. */

@@ -1,0 +1,142 @@
+package io.troupe.demo;
+
+import io.troupe.demo.crowd.CrowdLimits;
+import io.troupe.demo.crowd.CrowdTable;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
+import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.nio.file.Path;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** Which robots run in which world, and the table of their services: the paper's two, those of a file, or a crowd. */
+final class TeamOptions {
+    private static final int COLOURS = 8;
+    private static final int SERVICES = 3;
+    private static final double MOST_HOLD_SECONDS = 3600;
+    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+
+    /** A world and who does what in it. */
+    record Team(Scenario scenario, SubsumptionTable table) {}
+
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path world;
+
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            description =
+                    "instead of a file: a crowd of N robots in halls of 16 m. With --mode sync a round of N robots takes N readings, 5 s for 50 robots")
+    private @Nullable Integer robots;
+
+    @Option(
+            names = "--colours",
+            paramLabel = "C",
+            description = "colours and states of a crowd; " + COLOURS + " unless given")
+    private @Nullable Integer colours;
+
+    @Option(
+            names = "--services",
+            paramLabel = "S",
+            description = "different services of a crowd; " + SERVICES + " unless given")
+    private @Nullable Integer services;
+
+    @Option(
+            names = "--hold",
+            paramLabel = "N",
+            description =
+                    "simulated seconds that a state of a crowd lasts at least, since somebody in a crowd always sees another colour; 5 unless given")
+    private @Nullable Double holdSeconds;
+
+    @Option(
+            names = "--table",
+            paramLabel = "FILE",
+            description =
+                    "the table of services; the paper's unless given, or the crowd's. It says how walls are followed, whatever --corners does",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path table;
+
+    /**
+     * The team that the options ask for.
+     *
+     * @param corners of the wall follower
+     */
+    Team team(CornerStyle corners) {
+        return robots == null ? ofTheFile(corners) : crowd(robots, corners);
+    }
+
+    private Team ofTheFile(CornerStyle corners) {
+        refuseWithoutCrowd("--colours", colours);
+        refuseWithoutCrowd("--services", services);
+        refuseWithoutCrowd("--hold", holdSeconds);
+        Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
+        var services = table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table);
+        return new Team(ScenarioReader.read(file), services);
+    }
+
+    private void refuseWithoutCrowd(String option, @Nullable Number value) {
+        if (value != null) {
+            throw new ParameterException(
+                    spec.commandLine(), option + " is " + value + ", but there is no crowd: expected --robots as well");
+        }
+    }
+
+    private Team crowd(int size, CornerStyle corners) {
+        if (world != null) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--robots is " + size + " and --world is " + world + ", expected only one of them");
+        }
+        CrowdLimits.check(spec, "--robots", size, CrowdWorld.MOST_ROBOTS);
+        int states = CrowdLimits.check(spec, "--colours", colours == null ? COLOURS : colours, CrowdWorld.MOST_COLOURS);
+        Path file = table;
+        if (file != null) {
+            return new Team(CrowdWorld.scenario(size, states), read(file, size));
+        }
+        int kinds = CrowdLimits.check(
+                spec, "--services", services == null ? SERVICES : services, CrowdLimits.MOST_SERVICES);
+        double hold = holdSeconds == null ? CrowdTable.HOLD_SECONDS : holdSeconds;
+        if (!(hold >= 0) || hold > MOST_HOLD_SECONDS) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--hold is " + hold + ", expected a number from 0 to " + (int) MOST_HOLD_SECONDS);
+        }
+        var cyclic = CrowdTable.of(size, CrowdWorld.colours(states), kinds, hold, corners);
+        return new Team(CrowdWorld.scenario(size, states), cyclic);
+    }
+
+    private SubsumptionTable read(Path file, int size) {
+        refuseBesideTable("--services", services);
+        refuseBesideTable("--hold", holdSeconds);
+        SubsumptionTable read = SubsumptionTableReader.read(file);
+        if (read.robots() != size) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--robots is " + size + ", expected " + read.robots() + " as in --table " + file);
+        }
+        return read;
+    }
+
+    private void refuseBesideTable(String option, @Nullable Number value) {
+        if (value != null) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    option + " is " + value + " beside --table, which says that by itself: expected one of them");
+        }
+    }
+}

@@ -1,0 +1,120 @@
+package io.troupe.demo.crowd;
+
+import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.sim.scenario.CrowdWorld;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe crowd}: what a robot costs, by how many there are. */
+@Command(
+        name = "crowd",
+        description =
+                "Measures crowds of robots on one actor space: simulated world, Player connections, arbitrator and services, in lock step.",
+        footer = {
+            "",
+            "Processor time is that of all threads, the compiler's and the collector's included; world is that of the thread that moves the world, services that of",
+            "the actor space's thread. The two take turns, so one core is all they need; to have no more than one: taskset -c 0 ./troupe crowd"
+        },
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+public final class CrowdCommand implements Callable<Integer> {
+    private static final double MOST_SECONDS = 1e5;
+    private static final int MOST_REPEATS = 1000;
+    private static final int BAR = 30;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--sizes", paramLabel = "N", split = ",", description = "numbers of robots")
+    private List<Integer> sizes = List.of(1, 3, 10, 30, 100, 300, 1000);
+
+    @Option(names = "--seconds", paramLabel = "N", description = "simulated time to measure for each size")
+    private double seconds = 10;
+
+    @Option(names = "--repeat", paramLabel = "N", description = "rounds; the table has their medians")
+    private int repeat = 3;
+
+    @Option(names = "--colours", paramLabel = "C", description = "panels in each hall, and states")
+    private int colours = 8;
+
+    @Option(names = "--services", paramLabel = "S", description = "different services")
+    private int services = 3;
+
+    @Option(names = "--seed", paramLabel = "N", description = "of the world")
+    private long seed = 1;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "where crowd.csv, crowd.svg and crowd.png go")
+    private Path out = Path.of("out");
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        check();
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+        }
+        PrintWriter terminal = spec.commandLine().getOut();
+        int cores = Runtime.getRuntime().availableProcessors();
+        terminal.println("crowds of " + colours + " colours and " + services + " services on " + cores
+                + (cores == 1 ? " core" : " cores, of which two take turns"));
+        terminal.flush();
+        List<Trial> trials = measure();
+        var report = new CrowdReport(trials);
+        terminal.print(report.table());
+        Files.writeString(out.resolve("crowd.csv"), report.csv());
+        new CrowdFigure(report.medians(), colours, services).write(out);
+        terminal.println("wrote " + out.resolve("crowd.csv") + ", crowd.svg and crowd.png");
+        terminal.flush();
+        return 0;
+    }
+
+    private void check() {
+        for (int size : sizes) {
+            CrowdLimits.check(spec, "--sizes", size, CrowdWorld.MOST_ROBOTS);
+        }
+        CrowdLimits.check(spec, "--repeat", repeat, MOST_REPEATS);
+        CrowdLimits.check(spec, "--colours", colours, CrowdWorld.MOST_COLOURS);
+        CrowdLimits.check(spec, "--services", services, CrowdLimits.MOST_SERVICES);
+        if (!(seconds > 0) || seconds > MOST_SECONDS) {
+            throw new ParameterException(
+                    spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 100000");
+        }
+    }
+
+    /** The sizes take turns, so that all of them see the same machine; a round before that warms up and does not count. */
+    private List<Trial> measure() throws InterruptedException {
+        List<Trial> trials = new ArrayList<>();
+        try (var line = TerminalLine.open()) {
+            for (int round = 0; round <= repeat; round++) {
+                for (int robots : sizes) {
+                    String what =
+                            robots + " robots, " + (round == 0 ? "warming up" : "round " + round + " of " + repeat);
+                    var trial = new CrowdTrial(new CrowdTrial.Settings(
+                                    robots, colours, services, round == 0 ? Math.min(seconds, 2) : seconds, seed))
+                            .run(done -> show(line, what, done));
+                    if (round > 0) {
+                        trials.add(trial);
+                    }
+                }
+            }
+        }
+        return trials;
+    }
+
+    private static void show(TerminalLine line, String what, double done) {
+        int full = (int) (Math.min(1, done) * BAR);
+        line.show(String.format(Locale.ROOT, "[%s%s] %s", "#".repeat(full), ".".repeat(BAR - full), what));
+    }
+}

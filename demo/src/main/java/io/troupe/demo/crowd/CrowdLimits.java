@@ -1,0 +1,25 @@
+package io.troupe.demo.crowd;
+
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
+
+/** What a crowd can be. */
+public final class CrowdLimits {
+    public static final int MOST_SERVICES = 100;
+
+    private CrowdLimits() {}
+
+    /**
+     * Refuses a number that is not from 1 to {@code most}.
+     *
+     * @return the number
+     * @throws ParameterException that names the option, its value and what was expected
+     */
+    public static int check(CommandSpec spec, String option, int value, int most) {
+        if (value < 1 || value > most) {
+            throw new ParameterException(
+                    spec.commandLine(), option + " is " + value + ", expected a number from 1 to " + most);
+        }
+        return value;
+    }
+}

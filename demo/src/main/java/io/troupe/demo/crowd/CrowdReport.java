@@ -1,0 +1,105 @@
+package io.troupe.demo.crowd;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+
+/** Trials as a table for people and as CSV. */
+final class CrowdReport {
+    /** Medians of the rounds of one size, and between what the speed lay. */
+    record Row(
+            int robots,
+            double timesRealTime,
+            double slowest,
+            double fastest,
+            double timesByTheWall,
+            double micros,
+            double worldMicros,
+            double servicesMicros,
+            double kilobytesPerRobot,
+            double states) {}
+
+    private static final String HEAD = """
+                    times real time                              us of processor time
+             robots   one core          (from .. to)     by the wall     robot and tick   world  services   kB per robot  states
+            """;
+
+    private final List<Trial> trials;
+
+    CrowdReport(List<Trial> trials) {
+        this.trials = List.copyOf(trials);
+    }
+
+    List<Row> medians() {
+        return trials.stream().map(Trial::robots).distinct().map(this::row).toList();
+    }
+
+    private Row row(int robots) {
+        List<Trial> rounds =
+                trials.stream().filter(trial -> trial.robots() == robots).toList();
+        double[] speeds = sorted(rounds, Trial::timesRealTimeOfOneCore);
+        return new Row(
+                robots,
+                median(speeds),
+                speeds[0],
+                speeds[speeds.length - 1],
+                median(sorted(rounds, Trial::timesRealTime)),
+                median(sorted(rounds, Trial::micros)),
+                median(sorted(rounds, Trial::worldMicros)),
+                median(sorted(rounds, Trial::servicesMicros)),
+                median(sorted(rounds, Trial::retainedKilobytesPerRobot)),
+                median(sorted(rounds, Trial::states)));
+    }
+
+    private static double[] sorted(List<Trial> rounds, ToDoubleFunction<Trial> figure) {
+        return rounds.stream().mapToDouble(figure).sorted().toArray();
+    }
+
+    private static double median(double[] sorted) {
+        int middle = sorted.length / 2;
+        return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+    }
+
+    String table() {
+        var text = new StringBuilder(HEAD);
+        for (Row row : medians()) {
+            String range = String.format(Locale.ROOT, "(%,.1f .. %,.1f)", row.slowest, row.fastest);
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%,7d%,11.1f%22s%,16.1f%19.2f%8.2f%10.2f%15.1f%8.0f%n",
+                    row.robots,
+                    row.timesRealTime,
+                    range,
+                    row.timesByTheWall,
+                    row.micros,
+                    row.worldMicros,
+                    row.servicesMicros,
+                    row.kilobytesPerRobot,
+                    row.states));
+        }
+        return text.toString();
+    }
+
+    /** A line for each trial. */
+    String csv() {
+        var text = new StringBuilder(
+                "robots,ticks,wall_seconds,processor_seconds,times_real_time_of_one_core,times_real_time_by_the_wall,micros_per_robot_tick,world_micros,services_micros,retained_bytes,states\n");
+        for (Trial trial : trials) {
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%d,%d,%.6f,%.6f,%.4f,%.4f,%.4f,%.4f,%.4f,%d,%d%n",
+                    trial.robots(),
+                    trial.ticks(),
+                    trial.wallNanos() / 1e9,
+                    trial.processorNanos() / 1e9,
+                    trial.timesRealTimeOfOneCore(),
+                    trial.timesRealTime(),
+                    trial.micros(),
+                    trial.worldMicros(),
+                    trial.servicesMicros(),
+                    trial.retainedBytes(),
+                    trial.states()));
+        }
+        return text.toString();
+    }
+}

@@ -1,0 +1,135 @@
+package io.troupe.demo.crowd;
+
+import com.sun.management.OperatingSystemMXBean;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.CrowdWorld;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.util.function.DoubleConsumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Runs a crowd and measures it: world, in-process Player connections, one actor space with arbitrator and services, in lock step.
+ *
+ * <p><b>Threads.</b> The calling thread moves the world, the actor space's thread does all else, and at any moment one of the two waits for the other: so their
+ * processor times split what a tick costs into the world and the services.
+ */
+final class CrowdTrial {
+    /**
+     * What to run.
+     *
+     * @param seconds of simulated time to measure, at least
+     */
+    record Settings(int robots, int colours, int services, double seconds, long seed) {}
+
+    private static final int WARM_UP_TICKS = 20;
+    /** A few robots do ten seconds in the wink of an eye: they go on until there is something to measure. */
+    private static final long LEAST_WALL_NANOS = 500_000_000;
+
+    private static final int COLLECTIONS = 4;
+    private static final OperatingSystemMXBean PROCESS =
+            ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    /** Counts states and learns which thread the services live on. */
+    private static final class Watch implements Arbitrator.StateListener {
+        private volatile long servicesThread;
+        private volatile int states;
+
+        @Override
+        public void began(State state, @Nullable Integer seenBy) {
+            servicesThread = Thread.currentThread().threadId();
+            states = states + 1; // by one thread only
+        }
+    }
+
+    private final Settings settings;
+    private final SubsumptionTable table;
+
+    CrowdTrial(Settings settings) {
+        this.settings = settings;
+        this.table = CrowdTable.of(
+                settings.robots(),
+                CrowdWorld.colours(settings.colours()),
+                settings.services(),
+                CrowdTable.HOLD_SECONDS,
+                CornerStyle.FORWARD);
+    }
+
+    /** @param progress is told how much has been done, from 0 to 1 */
+    Trial run(DoubleConsumer progress) throws InterruptedException {
+        long before = usedHeapBytes();
+        var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
+            var watch = new Watch();
+            int port = scenario.devices().getFirst().port();
+            var services = new SubsumptionRun.Settings(
+                    Mode.PROMISE, "localhost", port, table, simulation.clock(), ServiceObserver.NONE, watch);
+            try (var running = SubsumptionRun.start(services)) {
+                for (int tick = 0; tick < WARM_UP_TICKS; tick++) {
+                    simulation.tick();
+                }
+                Trial timed = measure(simulation, running, watch, progress);
+                return withRetained(timed, usedHeapBytes() - before);
+            }
+        }
+    }
+
+    private Trial measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
+        long intervalMicros = simulation.world().spec().intervalMillis() * 1000L;
+        long leastTicks = StrictMath.max(1, StrictMath.round(settings.seconds() * 1e6 / intervalMicros));
+        long services = THREADS.getThreadCpuTime(watch.servicesThread);
+        long processor = PROCESS.getProcessCpuTime();
+        long world = THREADS.getCurrentThreadCpuTime();
+        int states = watch.states;
+        long begin = System.nanoTime();
+        long wallNanos = 0;
+        long ticks = 0;
+        while (ticks < leastTicks || wallNanos < LEAST_WALL_NANOS) {
+            simulation.tick();
+            running.check();
+            ticks++;
+            wallNanos = System.nanoTime() - begin;
+            progress.accept(Math.min((double) ticks / leastTicks, (double) wallNanos / LEAST_WALL_NANOS));
+        }
+        return new Trial(
+                settings.robots(),
+                ticks,
+                intervalMicros,
+                wallNanos,
+                PROCESS.getProcessCpuTime() - processor,
+                THREADS.getCurrentThreadCpuTime() - world,
+                THREADS.getThreadCpuTime(watch.servicesThread) - services,
+                0,
+                watch.states - states);
+    }
+
+    private static Trial withRetained(Trial trial, long bytes) {
+        return new Trial(
+                trial.robots(),
+                trial.ticks(),
+                trial.intervalMicros(),
+                trial.wallNanos(),
+                trial.processorNanos(),
+                trial.worldNanos(),
+                trial.servicesNanos(),
+                bytes,
+                trial.states());
+    }
+
+    private static long usedHeapBytes() {
+        for (int i = 0; i < COLLECTIONS; i++) {
+            System.gc();
+        }
+        var runtime = Runtime.getRuntime();
+        return runtime.totalMemory() - runtime.freeMemory();
+    }
+}

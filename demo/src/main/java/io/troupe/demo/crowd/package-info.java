@@ -1,0 +1,5 @@
+/** Crowds: teams of any number of robots, and {@code troupe crowd}, which measures what they cost. */
+@NullMarked
+package io.troupe.demo.crowd;
+
+import org.jspecify.annotations.NullMarked;
