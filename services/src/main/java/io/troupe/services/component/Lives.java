@@ -1,0 +1,240 @@
+package io.troupe.services.component;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Address;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The lives of one component, one after the other: which state it is in, and what counts of what it says.
+ *
+ * <p><b>Threads.</b> The space of its interface, except for the signals of the component.
+ */
+final class Lives<I, O> {
+    /** What the interface does at the turns of a life. */
+    interface Turns<O> {
+        void begins();
+
+        void runs();
+
+        void ends();
+
+        /** From any thread. */
+        void output(O output);
+    }
+
+    private final ActorSpace space;
+    private final Address owner;
+    private final Supplier<? extends ComponentCommunication<I, O>> communication;
+    private final ComponentObserver observer;
+    private final Turns<O> turns;
+    private Lifecycle state = Lifecycle.NOT_INVOKED;
+    private @Nullable Life<I, O> life;
+    private @Nullable Throwable failure;
+    /** Settled when the newest invocation or termination is over. */
+    private Deferred<@Nullable Void> change = new Deferred<>();
+
+    Lives(
+            ActorSpace space,
+            Address owner,
+            Supplier<? extends ComponentCommunication<I, O>> communication,
+            ComponentObserver observer,
+            Turns<O> turns) {
+        this.space = space;
+        this.owner = owner;
+        this.communication = communication;
+        this.observer = observer;
+        this.turns = turns;
+    }
+
+    Lifecycle state() {
+        return state;
+    }
+
+    // ---- control
+
+    Promise<@Nullable Void> invoke() {
+        return switch (state) {
+            case RUNNING -> Promise.done();
+            case INVOKING -> change;
+            case TERMINATING -> change.handle((ended, error) -> null).thenCompose(over -> invoke());
+            case NOT_INVOKED, TERMINATED, FAILED -> begin();
+        };
+    }
+
+    private Promise<@Nullable Void> begin() {
+        failure = null;
+        var started = new Deferred<@Nullable Void>();
+        change = started;
+        Life<I, O> mine;
+        try {
+            mine = new Life<>(communication.get());
+            life = mine;
+            become(Lifecycle.INVOKING);
+            turns.begins();
+        } catch (RuntimeException refusal) {
+            fail(refusal);
+            return started;
+        }
+        mine.invoke(new LifeSignals(mine)).whenComplete((runs, error) -> {
+            if (mine != life || state != Lifecycle.INVOKING) {
+                late(mine, error);
+            } else if (error != null) {
+                fail(error);
+            } else {
+                become(Lifecycle.RUNNING);
+                started.resolve(null);
+                turns.runs();
+            }
+        });
+        return started;
+    }
+
+    private void late(Life<I, O> past, @Nullable Throwable error) {
+        if (error != null) {
+            observer.problem(owner, "failed to be invoked, after it had been given up", error);
+        } else {
+            observer.told(owner, "ran only after it had been given up, and is terminated again");
+            bury(past);
+        }
+    }
+
+    Promise<@Nullable Void> terminate() {
+        Life<I, O> ending = life;
+        if (ending == null) {
+            if (state == Lifecycle.FAILED) {
+                become(Lifecycle.TERMINATED);
+            }
+            return Promise.done();
+        }
+        if (state == Lifecycle.TERMINATING) {
+            return change;
+        }
+        if (state == Lifecycle.INVOKING) {
+            change.reject(new ComponentException(owner + " was terminated while it was being invoked"));
+        }
+        var stopped = new Deferred<@Nullable Void>();
+        change = stopped;
+        become(Lifecycle.TERMINATING);
+        ending.terminate().whenComplete((ended, error) -> {
+            if (error != null) {
+                fail(error);
+                return;
+            }
+            close(Lifecycle.TERMINATED);
+            stopped.resolve(null);
+        });
+        return stopped;
+    }
+
+    Promise<@Nullable Void> health() {
+        return life == null || state != Lifecycle.RUNNING ? Promise.failed(notRunning()) : life.health();
+    }
+
+    /** Why nothing can be had of it now. */
+    ComponentException notRunning() {
+        return new ComponentException(
+                owner + " " + state.words() + (failure == null ? "" : ": " + words(failure)), failure);
+    }
+
+    private static String words(Throwable error) {
+        return error.getMessage() == null ? error.toString() : error.getMessage();
+    }
+
+    // ---- data
+
+    /** Hands data to the component, if it runs. */
+    void data(I input) {
+        if (life == null || state != Lifecycle.RUNNING) {
+            return; // it failed on the value before
+        }
+        try {
+            life.data(input);
+        } catch (RuntimeException thrown) {
+            fail(thrown);
+        }
+    }
+
+    // ---- the end
+
+    private void fail(Throwable why) {
+        boolean terminating = state == Lifecycle.TERMINATING;
+        Life<I, O> past = life;
+        failure = why;
+        close(Lifecycle.FAILED);
+        if (!change.reject(notRunning())) {
+            observer.problem(owner, "has failed", why);
+        }
+        if (past != null && !terminating) {
+            bury(past);
+        }
+    }
+
+    private void close(Lifecycle end) {
+        become(end);
+        turns.ends();
+        if (life != null) {
+            life.end();
+            life = null;
+        }
+    }
+
+    private void bury(Life<I, O> past) {
+        past.terminate().exceptionally(error -> {
+            observer.problem(owner, "could not be terminated after it had failed", error);
+            return null;
+        });
+    }
+
+    private void become(Lifecycle next) {
+        state = next;
+        observer.changed(owner, next);
+    }
+
+    private void onSpace(Runnable task) {
+        try {
+            space.execute(task);
+        } catch (ActorStoppedException closed) {
+            observer.told(owner, "spoke after its space had been closed");
+        }
+    }
+
+    /** What the component says in one of its lives. */
+    private final class LifeSignals implements ComponentCommunication.Signals<O> {
+        private final Life<I, O> speaker;
+
+        LifeSignals(Life<I, O> speaker) {
+            this.speaker = speaker;
+        }
+
+        @Override
+        public void data(O output) {
+            if (speaker.isOver()) {
+                observer.told(owner, "gave data after its end: " + output);
+                return;
+            }
+            try {
+                turns.output(output);
+            } catch (ActorStoppedException closed) {
+                observer.told(owner, "gave data after its space had been closed: " + output);
+            }
+        }
+
+        @Override
+        public void failed(Throwable why) {
+            onSpace(() -> {
+                if (speaker == life && state != Lifecycle.TERMINATING) {
+                    fail(why);
+                }
+            });
+        }
+
+        @Override
+        public void tell(String what) {
+            observer.told(owner, what);
+        }
+    }
+}
