@@ -1,10 +1,8 @@
 package io.troupe.demo;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
-import io.troupe.services.subsumption.Arbitrator;
-import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
@@ -16,12 +14,9 @@ import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
 import java.util.List;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
@@ -39,12 +34,11 @@ final class PaperRun {
     private final int port;
     private final WorldSettings settings;
     private final long endMicros;
-    private final CornerStyle corners;
     private final boolean realtime;
-    private final SubsumptionTable table = SubsumptionTable.ofThePaper();
+    private final SubsumptionTable table;
 
     PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
-        this.corners = corners;
+        this.table = SubsumptionTable.ofThePaper(corners);
         this.scenario = scenario;
         this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
         this.endMicros = StrictMath.round(seconds * 1e6);
@@ -104,53 +98,24 @@ final class PaperRun {
      */
     RunResult run(RunLog log, Consumer<String> changes, ProgressBar progress, BooleanSupplier stop)
             throws IOException, InterruptedException {
-        var failure = new AtomicReference<@Nullable Throwable>();
-        try (var simulation = Simulation.open(scenario, settings);
-                var space = ActorSpace.create(SpaceSettings.named("robots")
-                        .withClock(simulation.clock())
-                        .withOnError((where, error) -> failure.compareAndSet(null, error)))) {
+        try (var simulation = Simulation.open(scenario, settings)) {
             var ledger = new Ledger(scenario.world(), table, log, changes);
-            begin(space, ledger, failure);
-            ledger.start(simulation.latest());
-            long origin = System.nanoTime();
-            while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
-                Snapshot snapshot = simulation.tick();
-                rethrow(failure.get());
-                ledger.record(snapshot);
-                progress.show(snapshot.timeMicros() / 1e6);
-                if (realtime) {
-                    awaitRealTime(origin + snapshot.timeMicros() * 1000);
+            var services = new SubsumptionRun.Settings(
+                    Mode.PROMISE, "localhost", port, table, simulation.clock(), ledger, ledger);
+            try (var running = SubsumptionRun.start(services)) {
+                ledger.start(simulation.latest());
+                long origin = System.nanoTime();
+                while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
+                    Snapshot snapshot = simulation.tick();
+                    running.check();
+                    ledger.record(snapshot);
+                    progress.show(snapshot.timeMicros() / 1e6);
+                    if (realtime) {
+                        awaitRealTime(origin + snapshot.timeMicros() * 1000);
+                    }
                 }
+                return ledger.finish();
             }
-            return ledger.finish();
-        }
-    }
-
-    private void begin(ActorSpace space, Ledger ledger, AtomicReference<@Nullable Throwable> failure)
-            throws InterruptedException {
-        var serviceSettings = RobotServices.Settings.ofThePaper()
-                .withPort(port)
-                .withCornerStyle(corners)
-                .withObserver(ledger);
-        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
-        Arbitrator arbitrator = space.spawn(Arbitrator.class, () -> new Arbitrator(services, table, ledger));
-        arbitrator.ended().exceptionally(error -> {
-            failure.compareAndSet(null, error);
-            return null;
-        });
-        arbitrator.live();
-        var begun = new CountDownLatch(1);
-        space.onIdle(begun::countDown);
-        begun.await();
-        rethrow(failure.get());
-    }
-
-    private static void rethrow(@Nullable Throwable failure) {
-        if (failure instanceof RuntimeException unchecked) {
-            throw unchecked;
-        }
-        if (failure != null) {
-            throw new IllegalStateException("the services failed", failure);
         }
     }
 

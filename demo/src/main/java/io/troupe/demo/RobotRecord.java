@@ -34,9 +34,13 @@ final class RobotRecord {
 
     void began(Service service) {
         inCharge.add(service);
-        if (service.equals(Service.WALL_FOLLOWER) && gapM <= Physics.SKIN_M) {
+        if (followsWalls(service) && gapM <= Physics.SKIN_M) {
             followingContacts++; // it takes over while the robot touches something
         }
+    }
+
+    private static boolean followsWalls(Service service) {
+        return service.name().equals(Service.WALL_FOLLOWER.name());
     }
 
     void cycled(Service service) {
@@ -63,7 +67,7 @@ final class RobotRecord {
             robotContacts++;
         } else {
             wallContacts++;
-            if (inCharge.contains(Service.WALL_FOLLOWER)) {
+            if (inCharge.stream().anyMatch(RobotRecord::followsWalls)) {
                 followingContacts++;
             }
         }

@@ -1,8 +1,11 @@
 package io.troupe.services.behaviour;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.function.IntPredicate;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
 
 /**
  * Picks the colour that a robot looks at.
@@ -26,16 +29,20 @@ public final class ColourFinder {
 
     /** The colour of the largest patch among those that are of interest. */
     public static OptionalInt find(List<Sighting> sightings, IntPredicate ofInterest) {
-        Sighting best = null;
-        for (var sighting : sightings) {
-            if (sighting.areaPx2 < MIN_AREA_PX2 || !ofInterest.test(sighting.colour)) {
-                continue;
-            }
-            boolean larger = best == null || sighting.areaPx2 > best.areaPx2;
-            if (larger || sighting.areaPx2 == best.areaPx2 && sighting.leftPx < best.leftPx) {
-                best = sighting;
-            }
-        }
-        return best == null ? OptionalInt.empty() : OptionalInt.of(best.colour);
+        return inOrder(sightings, colour -> 0).filter(ofInterest).findFirst();
+    }
+
+    /**
+     * The colours of all patches that are large enough, those of higher priority first; of equal ones the largest, of equally large ones the leftmost.
+     *
+     * @param priority of a colour
+     */
+    public static IntStream inOrder(List<Sighting> sightings, IntUnaryOperator priority) {
+        return sightings.stream()
+                .filter(sighting -> sighting.areaPx2 >= MIN_AREA_PX2)
+                .sorted(Comparator.<Sighting>comparingInt(sighting -> -priority.applyAsInt(sighting.colour))
+                        .thenComparingInt(sighting -> -sighting.areaPx2)
+                        .thenComparingInt(Sighting::leftPx))
+                .mapToInt(Sighting::colour);
     }
 }

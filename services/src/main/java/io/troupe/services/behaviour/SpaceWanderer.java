@@ -1,5 +1,7 @@
 package io.troupe.services.behaviour;
 
+import java.util.Optional;
+
 /**
  * Drives where there is room, faster and straighter the more of it there is.
  *
@@ -13,6 +15,11 @@ public final class SpaceWanderer {
     private static final double WHEEL_DIAMETER = 24;
 
     private SpaceWanderer() {}
+
+    /** The law; it remembers nothing. */
+    public static Behaviour behaviour() {
+        return senses -> Optional.of(steer(senses.sonar()));
+    }
 
     /** One cycle. */
     public static Velocity steer(SonarRing sonar) {

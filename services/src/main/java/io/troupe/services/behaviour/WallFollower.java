@@ -1,5 +1,7 @@
 package io.troupe.services.behaviour;
 
+import java.util.Optional;
+
 /**
  * Drives to a wall, turns until it is on the left, and follows it.
  *
@@ -54,6 +56,27 @@ public final class WallFollower {
 
     public WallFollower(CornerStyle cornerStyle) {
         this.cornerStyle = cornerStyle;
+    }
+
+    /** The law with a memory of its own. */
+    public static Behaviour behaviour(CornerStyle cornerStyle) {
+        return new Remembering(new WallFollower(cornerStyle));
+    }
+
+    private static final class Remembering implements Behaviour {
+        private final WallFollower law;
+        private Memory memory = START;
+
+        Remembering(WallFollower law) {
+            this.law = law;
+        }
+
+        @Override
+        public Optional<Velocity> step(Senses senses) {
+            Step step = law.step(memory, senses.sonar());
+            memory = step.memory();
+            return Optional.of(step.velocity());
+        }
     }
 
     /** One cycle. */

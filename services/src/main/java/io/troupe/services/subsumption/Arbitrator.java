@@ -3,7 +3,6 @@ package io.troupe.services.subsumption;
 import io.troupe.actor.Actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
@@ -29,9 +28,10 @@ public class Arbitrator extends Actor {
          * @param seenBy index of the robot that saw its colour; null for the first state
          */
         void began(State state, @Nullable Integer seenBy);
-    }
 
-    private static final List<Service> KNOWN = List.of(Service.WALL_FOLLOWER, Service.SPACE_WANDERER);
+        /** A message with a colour has arrived, whatever comes of it. */
+        default void colourReceived(int robot, int colour) {}
+    }
 
     private final RobotServices services;
     private final SubsumptionTable table;
@@ -43,13 +43,6 @@ public class Arbitrator extends Actor {
     private int switches;
 
     public Arbitrator(RobotServices services, SubsumptionTable table, StateListener listener) {
-        table.services().stream()
-                .filter(service -> !KNOWN.contains(service))
-                .findFirst()
-                .ifPresent(service -> {
-                    throw new IllegalArgumentException(
-                            "the table names the service " + service + ", expected one of " + KNOWN);
-                });
         this.services = services;
         this.table = table;
         this.listener = listener;
@@ -74,18 +67,18 @@ public class Arbitrator extends Actor {
         int switchesBefore = switches;
         var reference = new AtomicReference<>(ServiceLoop.RUN);
         references.put(robot, reference);
-        Promise<?> end;
-        if (present.services().get(robot).findsColours()) {
-            var colourFinder = new AtomicReference<>(ServiceLoop.RUN);
-            end = services.spaceWanderer(robot, reference, colourFinder, present.colour())
-                    .thenAccept(colour -> {
+        Service service = present.services().get(robot);
+        ColourRule rule = service.findsColours() ? table.ruleIn(present) : ColourRule.NONE;
+        var colourFinder = new AtomicReference<>(service.findsColours() ? ServiceLoop.RUN : ServiceLoop.STOP);
+        Promise<?> end = services.serve(robot, service, reference, colourFinder, rule)
+                .thenAccept(colour -> {
+                    if (colour.isPresent()) {
+                        listener.colourReceived(robot, colour.getAsInt());
                         if (switches == switchesBefore) {
-                            seen(robot, colour);
-                        } // else the switch is under way: this one was told to stop, or saw something at the same time
-                    });
-        } else {
-            end = services.wallFollower(robot, reference);
-        }
+                            seen(robot, colour.getAsInt());
+                        } // else the switch is under way: this one saw something at the same time
+                    }
+                });
         end.exceptionally(error -> {
             ended.reject(error);
             return null;

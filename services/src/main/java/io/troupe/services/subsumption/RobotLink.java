@@ -8,6 +8,8 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.RobotPose;
+import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import java.util.Arrays;
@@ -65,7 +67,7 @@ final class RobotLink implements AutoCloseable {
 
     /** Whether there has been a reading yet. */
     boolean hasData() {
-        return sonar.getData() != null && blobfinder.getData() != null;
+        return position.getData() != null && sonar.getData() != null && blobfinder.getData() != null;
     }
 
     /** When the sonar readings were taken, in seconds on the robot's clock. */
@@ -73,9 +75,10 @@ final class RobotLink implements AutoCloseable {
         return sonar.getTimestamp();
     }
 
-    /** The newest sonar readings. */
-    SonarRing sonar() {
-        return SonarRing.of(sonar.getData().getRanges());
+    /** The newest readings. */
+    Senses senses() {
+        var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());
+        return new Senses(timeSeconds(), SonarRing.of(sonar.getData().getRanges()), pose);
     }
 
     /** What the blobfinder saw at the same time. */

@@ -3,19 +3,16 @@ package io.troupe.services.subsumption;
 import io.troupe.actor.Actor;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.ColourFinder;
-import io.troupe.services.behaviour.SpaceWanderer;
-import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.behaviour.WallFollower;
-import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.IntPredicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The actor as a service: offers wall following and space wandering to other actors.
+ * The actor as a service: offers wall following, space wandering, and whatever else a table names, to other actors.
  *
  * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it and keeps the connection.
  * <p><b>Order.</b> A robot never has two services: one that is called while another is about to stop begins when that has stopped.
@@ -25,36 +22,34 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6, Figures 17 and 20.
  */
 public class RobotServices extends Actor {
-    /** Where the robots are and how they are driven. */
-    public record Settings(
-            String host, int port, CornerStyle cornerStyle, IntPredicate coloursOfInterest, ServiceObserver observer) {
-        /** The paper's: its three colours, its corner style, the default port on this machine. */
+    /**
+     * Where the robots are, and what they are to do.
+     *
+     * @param table the services and colours in play
+     */
+    public record Settings(String host, int port, SubsumptionTable table, ServiceObserver observer) {
+        /** The paper's: its table, the default port on this machine. */
         public static Settings ofThePaper() {
-            var table = SubsumptionTable.ofThePaper();
-            return new Settings(
-                    "localhost",
-                    6665,
-                    CornerStyle.FORWARD,
-                    colour -> table.state(colour).isPresent(),
-                    ServiceObserver.NONE);
+            return new Settings("localhost", 6665, SubsumptionTable.ofThePaper(), ServiceObserver.NONE);
         }
 
         public Settings withObserver(ServiceObserver newObserver) {
-            return new Settings(host, port, cornerStyle, coloursOfInterest, newObserver);
+            return new Settings(host, port, table, newObserver);
         }
 
         public Settings withPort(int newPort) {
-            return new Settings(host, newPort, cornerStyle, coloursOfInterest, observer);
+            return new Settings(host, newPort, table, observer);
         }
 
-        public Settings withCornerStyle(CornerStyle newCornerStyle) {
-            return new Settings(host, port, newCornerStyle, coloursOfInterest, observer);
+        public Settings withTable(SubsumptionTable newTable) {
+            return new Settings(host, port, newTable, observer);
         }
     }
 
     private final Settings settings;
     private final Map<Integer, RobotLink> links = new TreeMap<>();
-    private final Map<Integer, ServiceLoop> inCharge = new TreeMap<>();
+    private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
+    private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
 
     public RobotServices(Settings settings) {
         this.settings = settings;
@@ -66,17 +61,12 @@ public class RobotServices extends Actor {
      * @return fulfilled when it has stopped
      */
     public Promise<@Nullable Void> wallFollower(int robot, AtomicReference<Integer> reference) {
-        var follower = new WallFollower(settings.cornerStyle());
-        var memory = new WallFollower.Memory[] {WallFollower.START};
-        return begin(robot, Service.WALL_FOLLOWER, reference, (link, first) -> {
-            var step = follower.step(memory[0], link.sonar());
-            memory[0] = step.memory();
-            return step.velocity();
-        });
+        var service = settings.table().service(Service.WALL_FOLLOWER.name()).orElse(Service.WALL_FOLLOWER);
+        return begin(robot, service, reference, (link, seconds) -> {});
     }
 
     /**
-     * Lets a robot wander until it sees a colour of interest that is not the state's own, or the reference is cleared.
+     * Lets a robot wander until it sees a colour of the table that is not the state's own, or the reference is cleared.
      *
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
      * @param stateColour the colour of the present state
@@ -84,22 +74,34 @@ public class RobotServices extends Actor {
      */
     public Promise<Integer> spaceWanderer(
             int robot, AtomicReference<Integer> reference, AtomicReference<Integer> colourFinder, int stateColour) {
-        var seen = new int[] {stateColour};
-        return begin(robot, Service.SPACE_WANDERER, reference, (link, first) -> {
-                    // the reading at hand has had its say: two robots that each see the other's colour would else
-                    // switch for ever, and never move
-                    OptionalInt colour = !first && colourFinder.get() == ServiceLoop.RUN
-                            ? ColourFinder.find(
-                                    link.sightings(),
-                                    each -> each != stateColour
-                                            && settings.coloursOfInterest().test(each))
-                            : OptionalInt.empty();
-                    if (colour.isPresent()) {
-                        seen[0] = colour.getAsInt();
-                        reference.set(ServiceLoop.STOP);
-                        return Velocity.STOP;
+        var table = settings.table();
+        ColourRule rule = (sightings, seconds) -> ColourFinder.find(
+                sightings, each -> each != stateColour && table.state(each).isPresent());
+        return serve(robot, Service.SPACE_WANDERER, reference, colourFinder, rule)
+                .thenApply(seen -> seen.orElse(stateColour));
+    }
+
+    /**
+     * Lets any service drive a robot, until its colour finder sees a colour that ends the state, or the reference is cleared.
+     *
+     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
+     * @return the colour seen, once; empty if the robot was stopped before it saw one
+     */
+    public Promise<OptionalInt> serve(
+            int robot,
+            Service service,
+            AtomicReference<Integer> reference,
+            AtomicReference<Integer> colourFinder,
+            ColourRule rule) {
+        var seen = new OptionalInt[] {OptionalInt.empty()};
+        return begin(robot, service, reference, (link, secondsInCharge) -> {
+                    if (colourFinder.get() == ServiceLoop.RUN) {
+                        seen[0] = rule.pick(link.sightings(), secondsInCharge);
+                        seen[0].ifPresent(colour -> {
+                            settings.observer().colourSent(robot, colour);
+                            reference.set(ServiceLoop.STOP);
+                        });
                     }
-                    return SpaceWanderer.steer(link.sonar());
                 })
                 .whenComplete((stopped, error) -> colourFinder.set(ServiceLoop.STOPPED))
                 .thenApply(stopped -> seen[0]);
@@ -112,13 +114,12 @@ public class RobotServices extends Actor {
      */
     public Promise<@Nullable Void> stop(AtomicReference<Integer> reference) {
         reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP);
-        for (var loop : inCharge.values()) {
-            if (loop.reference() == reference) {
-                loop.wake();
-                return loop.ended();
-            }
+        ServiceLoop loop = byReference.get(reference);
+        if (loop == null) {
+            return Promise.done();
         }
-        return Promise.done();
+        loop.wake();
+        return loop.ended();
     }
 
     @Override
@@ -128,10 +129,10 @@ public class RobotServices extends Actor {
     }
 
     private Promise<@Nullable Void> begin(
-            int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Cycle cycle) {
+            int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Finder finder) {
         ServiceLoop before = inCharge.get(robot);
         if (before == null) {
-            return start(robot, service, reference, cycle);
+            return start(robot, service, reference, finder);
         }
         if (before.isToRun()) {
             throw new IllegalStateException("robot " + robot + " is in the charge of " + before.service()
@@ -140,21 +141,24 @@ public class RobotServices extends Actor {
         before.wake();
         return before.ended()
                 .handle((stopped, error) -> null)
-                .thenCompose(free -> begin(robot, service, reference, cycle));
+                .thenCompose(free -> begin(robot, service, reference, finder));
     }
 
     private Promise<@Nullable Void> start(
-            int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Cycle cycle) {
-        for (var other : inCharge.values()) {
-            if (other.reference() == reference) {
-                throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
-                        + other.service() + " of another robot: give each service a reference of its own");
-            }
+            int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Finder finder) {
+        ServiceLoop other = byReference.get(reference);
+        if (other != null) {
+            throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
+                    + other.service() + " of another robot: give each service a reference of its own");
         }
         RobotLink link =
                 links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
-        var loop = new ServiceLoop(space(), robot, service, link, reference, cycle, settings.observer());
+        var loop = new ServiceLoop(space(), robot, service, link, reference, finder, settings.observer());
         inCharge.put(robot, loop);
-        return loop.ended().whenComplete((stopped, error) -> inCharge.remove(robot, loop));
+        byReference.put(reference, loop);
+        return loop.ended().whenComplete((stopped, error) -> {
+            inCharge.remove(robot, loop);
+            byReference.remove(reference, loop);
+        });
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
+import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Velocity;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -21,25 +22,23 @@ final class ServiceLoop {
     /** A cycle takes 100 ms; data that come more often are passed over. Half a millisecond forgives rounding. */
     private static final double CYCLE_SECONDS = 0.1 - 0.0005;
 
-    /** One cycle of a service. */
-    interface Cycle {
-        /**
-         * Computes what to do.
-         *
-         * @param first true for the cycle with which the service takes over, on a reading that the service before has seen too
-         */
-        Velocity run(RobotLink link, boolean first);
+    /** What a robot's colour finder does with what it sees in a cycle. */
+    interface Finder {
+        /** Looks; it may clear the service's reference, and the behaviour has no say any more. */
+        void look(RobotLink link, double secondsInCharge);
     }
 
     private final int robot;
     private final Service service;
     private final RobotLink link;
     private final AtomicReference<Integer> reference;
-    private final Cycle cycle;
+    private final Behaviour behaviour;
+    private final Finder finder;
     private final ServiceObserver observer;
     private final Promise<@Nullable Void> ended;
     private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
-    private boolean tookOver;
+    private double beganSeconds = Double.NaN;
+    private boolean firstRound = true;
 
     ServiceLoop(
             ActorSpace space,
@@ -47,20 +46,17 @@ final class ServiceLoop {
             Service service,
             RobotLink link,
             AtomicReference<Integer> reference,
-            Cycle cycle,
+            Finder finder,
             ServiceObserver observer) {
         this.robot = robot;
         this.service = service;
         this.link = link;
         this.reference = reference;
-        this.cycle = cycle;
+        this.behaviour = service.behaviour().get();
+        this.finder = finder;
         this.observer = observer;
         observer.began(robot, service);
         this.ended = space.repeatWhile(this::isToRun, this::round).whenComplete((done, error) -> halt(error));
-    }
-
-    AtomicReference<Integer> reference() {
-        return reference;
     }
 
     Service service() {
@@ -82,8 +78,8 @@ final class ServiceLoop {
     }
 
     private Promise<?> round() {
-        boolean takesOver = !tookOver && link.hasData();
-        tookOver = true;
+        boolean takesOver = firstRound && link.hasData();
+        firstRound = false;
         if (takesOver) {
             cycle(true);
             return Promise.done();
@@ -97,11 +93,23 @@ final class ServiceLoop {
         }
     }
 
-    private void cycle(boolean first) {
+    /**
+     * One cycle.
+     *
+     * @param takesOver true if the service before has seen this reading too: it does not look for colours then, because two robots that each see the
+     *     other's colour would else switch for ever, and never move
+     */
+    private void cycle(boolean takesOver) {
+        observer.cycleBegins(robot, service);
         lastCycleSeconds = link.timeSeconds();
-        Velocity velocity = cycle.run(link, first);
+        if (Double.isNaN(beganSeconds)) {
+            beganSeconds = lastCycleSeconds;
+        }
+        if (!takesOver) {
+            finder.look(link, lastCycleSeconds - beganSeconds);
+        }
         if (isToRun()) {
-            link.drive(velocity);
+            link.drive(behaviour.step(link.senses()).orElse(Velocity.STOP));
         }
         observer.cycled(robot, service);
     }

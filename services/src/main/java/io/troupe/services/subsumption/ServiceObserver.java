@@ -1,15 +1,21 @@
 package io.troupe.services.subsumption;
 
-/** Is told what the services do. Called on the actor space's thread; robots are numbered by Player index, from 0. */
+/** Is told what the services do. Called on the thread that does it; robots are numbered by Player index, from 0. */
 public interface ServiceObserver {
     /** A service has taken charge of a robot. */
     void began(int robot, Service service);
+
+    /** A reading has come, and the service's cycle begins. */
+    default void cycleBegins(int robot, Service service) {}
 
     /** A service has finished a cycle. */
     void cycled(int robot, Service service);
 
     /** A service has sent zero speed and is not in charge any more. */
     void ended(int robot, Service service);
+
+    /** A robot's colour finder sends a colour to the arbitrator, as a message of its own. */
+    default void colourSent(int robot, int colour) {}
 
     /** Looks away. */
     ServiceObserver NONE = new ServiceObserver() {

@@ -1,7 +1,11 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.services.behaviour.ColourFinder;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -14,16 +18,27 @@ import java.util.stream.Collectors;
  */
 public final class SubsumptionTable {
     private final List<State> states;
+    private final Map<Integer, Integer> priorities;
+    private final double holdSeconds;
 
-    private SubsumptionTable(List<State> states) {
-        this.states = List.copyOf(states);
+    private SubsumptionTable(Builder builder) {
+        states = List.copyOf(builder.states);
+        priorities = Map.copyOf(builder.priorities);
+        holdSeconds = builder.holdSeconds;
     }
 
     /** Table 4: blue, red and green for two robots. */
     public static SubsumptionTable ofThePaper() {
+        return ofThePaper(CornerStyle.FORWARD);
+    }
+
+    /** Table 4 with another way round corners. */
+    public static SubsumptionTable ofThePaper(CornerStyle cornerStyle) {
+        Service wallFollower =
+                cornerStyle == CornerStyle.FORWARD ? Service.WALL_FOLLOWER : Service.wallFollower(cornerStyle);
         return forRobots(2)
-                .when(Colours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
-                .when(Colours.RED, Service.SPACE_WANDERER, Service.WALL_FOLLOWER)
+                .when(Colours.BLUE, wallFollower, Service.SPACE_WANDERER)
+                .when(Colours.RED, Service.SPACE_WANDERER, wallFollower)
                 .when(Colours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
                 .build();
     }
@@ -56,9 +71,39 @@ public final class SubsumptionTable {
         return states.stream().filter(state -> state.colour() == colour).findFirst();
     }
 
-    /** The state that follows when a robot sees a colour: another state, or nothing. */
+    /** The service of a name, if any state puts it in charge. */
+    public Optional<Service> service(String name) {
+        return services().stream()
+                .filter(service -> service.name().equals(name))
+                .findFirst();
+    }
+
+    /** How much a colour counts: 0 unless told otherwise. */
+    public int priority(int colour) {
+        return priorities.getOrDefault(colour, 0);
+    }
+
+    /** How long a state lasts before a colour that is not of higher priority ends it; 0 unless told otherwise. */
+    public double holdSeconds() {
+        return holdSeconds;
+    }
+
+    /** The state that follows when a robot sees a colour and the state has lasted long enough: another state, or nothing. */
     public Optional<State> next(State current, int seenColour) {
         return seenColour == current.colour() ? Optional.empty() : state(seenColour);
+    }
+
+    /** The state that follows when a robot sees a colour: another state, or nothing. */
+    public Optional<State> next(State current, int seenColour, double secondsInState) {
+        boolean mayEnd = secondsInState >= holdSeconds || priority(seenColour) > priority(current.colour());
+        return mayEnd ? next(current, seenColour) : Optional.empty();
+    }
+
+    /** What the colour finders of a state look for: the colour of the highest priority that ends it, of equal ones the largest. */
+    public ColourRule ruleIn(State state) {
+        return (sightings, secondsInCharge) -> ColourFinder.inOrder(sightings, this::priority)
+                .filter(colour -> next(state, colour, secondsInCharge).isPresent())
+                .findFirst();
     }
 
     public int robots() {
@@ -69,6 +114,8 @@ public final class SubsumptionTable {
     public static final class Builder {
         private final int robots;
         private final List<State> states = new ArrayList<>();
+        private final Map<Integer, Integer> priorities = new HashMap<>();
+        private double holdSeconds;
         private boolean finalAllowed;
 
         private Builder(int robots) {
@@ -99,6 +146,21 @@ public final class SubsumptionTable {
             return this;
         }
 
+        /** Lets a colour count more (or less) than the others, which have 0: a robot that sees several reports the one that counts most. */
+        public Builder priority(int colour, int priority) {
+            priorities.put(colour, priority);
+            return this;
+        }
+
+        /** Lets each state last so long, unless a colour of higher priority than its own ends it. */
+        public Builder hold(double seconds) {
+            if (!(seconds >= 0)) {
+                throw new IllegalArgumentException("a state is held for " + seconds + " s, expected 0 or more");
+            }
+            holdSeconds = seconds;
+            return this;
+        }
+
         /** Accepts states that never end, because no robot in them looks for colours. */
         public Builder allowFinal() {
             finalAllowed = true;
@@ -125,7 +187,21 @@ public final class SubsumptionTable {
                                         .collect(Collectors.joining(", "))
                                 + " can be reached and never ends, because no robot in it looks for colours: put a service that does in charge of one, or say allowFinal()");
             }
-            return new SubsumptionTable(states);
+            checkNames();
+            return new SubsumptionTable(this);
+        }
+
+        private void checkNames() {
+            var named = new HashMap<String, Service>();
+            for (var state : states) {
+                for (var service : state.services()) {
+                    Service other = named.putIfAbsent(service.name(), service);
+                    if (other != null && !other.equals(service)) {
+                        throw new IllegalStateException("two different services are called " + service.name()
+                                + ": make it once and use it in every state, or give them different names");
+                    }
+                }
+            }
         }
     }
 }

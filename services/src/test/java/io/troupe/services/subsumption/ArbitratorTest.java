@@ -1,12 +1,14 @@
 package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerException;
+import io.troupe.services.behaviour.Velocity;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -150,6 +152,7 @@ class ArbitratorTest {
                     RobotServices.class,
                     () -> new RobotServices(RobotServices.Settings.ofThePaper()
                             .withPort(FakeRobots.PORT + 1)
+                            .withTable(table)
                             .withObserver(book)));
             Arbitrator partial =
                     other.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
@@ -166,13 +169,37 @@ class ArbitratorTest {
     }
 
     @Test
-    void serviceThatIsNotOffered_isRefused() {
+    void newService_plugsInByBeingNamedInTheTable() {
+        var spin = new Service(
+                "spin",
+                true,
+                () -> senses -> Optional.of(new Velocity(0, senses.sonar().frontM())));
         var table = SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, new Service("parker", true))
+                .when(Colours.BLUE, WF)
+                .when(Colours.RED, spin)
+                .allowFinal()
                 .build();
-        var services = new RobotServices(RobotServices.Settings.ofThePaper());
-        assertThatThrownBy(() -> new Arbitrator(services, table, (state, seenBy) -> {}))
-                .hasMessage("the table names the service parker, expected one of [wallFollower, spaceWanderer]");
+        assertThat(table.service("spin")).hasValue(spin);
+        try (var other = new TestSpace();
+                var others = new FakeRobots(other, 1, FakeRobots.PORT + 1)) {
+            var services = other.spawn(
+                    RobotServices.class,
+                    () -> new RobotServices(RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT + 1)));
+            var seen = services.serve(
+                    0,
+                    spin,
+                    new AtomicReference<>(1),
+                    new AtomicReference<>(1),
+                    table.ruleIn(table.states().get(1)));
+            other.crank();
+            others.range(0, 3, 1.5);
+            others.tick(100);
+            assertThat(others.lastCommand(0).va()).isEqualTo(1.5);
+            others.show(0, Colours.BLUE);
+            others.tick(100);
+            assertThat(other.get(seen)).hasValue(Colours.BLUE);
+            other.space().close();
+        }
         tick();
     }
 }
