@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The CCU of a process of the operating system.
  *
- * <p><b>Threads.</b> Three virtual threads of its own: two read what the process writes, one writes what it is told; the actor space never waits for the process.
+ * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what it is told; the actor space never waits for the process.
  */
 final class ExternalProcess implements ComponentCommunication<String, String> {
     private final ProcessComponent.Settings settings;
@@ -45,13 +45,13 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
         process = begun;
         signals.tell("process " + begun.pid() + ": " + words());
-        Thread readErrors = read(begun.getErrorStream(), errors::add);
-        Thread readOutput = read(begun.getInputStream(), line -> {
+        Thread readErrors = thread("stderr", () -> read(begun.getErrorStream(), errors::add));
+        Thread readOutput = thread("stdout", () -> read(begun.getInputStream(), line -> {
             firstLine.complete(null);
             signals.data(line);
-        });
-        Thread.ofVirtual().start(() -> write(begun));
-        begun.onExit().thenRun(() -> ended(begun, signals, readErrors, readOutput));
+        }));
+        thread("stdin", () -> write(begun));
+        begun.onExit().thenRunAsync(() -> ended(begun, signals, readErrors, readOutput), task -> thread("exit", task));
         return Promise.from(firstLine.orTimeout(settings.startLimit().toMillis(), TimeUnit.MILLISECONDS)
                 .exceptionally(error -> {
                     throw error instanceof ComponentException said
@@ -85,16 +85,21 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         return "\"" + String.join(" ", settings.command()) + "\"";
     }
 
-    private static Thread read(InputStream stream, Consumer<String> lines) {
-        return Thread.ofVirtual().start(() -> {
-            try (var reader = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
-                for (String line = reader.readLine(); line != null; line = reader.readLine()) {
-                    lines.accept(line);
-                }
-            } catch (IOException closed) {
-                lines.accept("(" + closed.getMessage() + ")");
+    private Thread thread(String what, Runnable work) {
+        return Thread.ofPlatform()
+                .daemon()
+                .name(what + " of " + settings.command().getFirst())
+                .start(work);
+    }
+
+    private void read(InputStream stream, Consumer<String> lines) {
+        try (var reader = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
+            for (String line = reader.readLine(); line != null; line = reader.readLine()) {
+                lines.accept(line);
             }
-        });
+        } catch (IOException broken) {
+            errors.add("(" + broken.getMessage() + ")");
+        }
     }
 
     private void write(Process to) {
