@@ -58,6 +58,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     private final Sequences sequences = new Sequences(this);
     private final Probing metrics;
     private final CountDownLatch ended = new CountDownLatch(1);
+    private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
     private final Runnable clockRegistration;
     private @Nullable Thread thread; // the one that serves now; only ever equal to a reader that set it itself
     private volatile @Nullable Leftovers leftovers;
@@ -135,6 +136,17 @@ public final class ActorSpace extends Home implements AutoCloseable {
     public Promise<@Nullable Void> whenStopped(Object proxy) {
         var own = new Deferred<@Nullable Void>(this); // each watcher may cancel its own
         own.resolveFrom(cellOf(proxy).ended());
+        return own;
+    }
+
+    /**
+     * Watches this space.
+     *
+     * @return fulfilled when it is closed, on its thread, after its actors have stopped; at once if it is closed. Each watcher may cancel its own
+     */
+    public Promise<@Nullable Void> whenClosed() {
+        var own = new Deferred<@Nullable Void>((Home) null);
+        own.resolveFrom(closed);
         return own;
     }
 
@@ -644,6 +656,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
             last.dropTimers(dispatcher.timers);
             last.dropIdleActions();
             last.refuseAll();
+            closed.resolve(null);
+            last.refuseAll(); // what those who watched have queued
             rejections.releaseAll();
             settleRejections();
             last.refuseAll(); // what the error handler has asked of actors

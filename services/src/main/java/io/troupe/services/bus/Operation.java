@@ -1,5 +1,7 @@
 package io.troupe.services.bus;
 
+import java.util.Objects;
+
 /**
  * A name under which questions of one type are answered by answers of another.
  *
@@ -7,6 +9,15 @@ package io.troupe.services.bus;
  */
 public record Operation<Q extends Record, A extends Record>(
         String name, Class<Q> question, Class<A> answer, Kind kind) {
+    public Operation {
+        if (name.isBlank()) {
+            throw new IllegalArgumentException("the name of an operation is blank");
+        }
+        Portable.check("operation " + name, question);
+        Portable.check("operation " + name, answer);
+        Objects.requireNonNull(kind, "kind");
+    }
+
     /** Service-specific data, or the managing of services (paper, section 2.2.3). */
     public enum Kind {
         DATA,

@@ -1,0 +1,106 @@
+package io.troupe.services.bus;
+
+import io.troupe.actor.promise.Promise;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/** One operation that a port answers. */
+final class Answering<Q extends Record, A extends Record> extends Inlet {
+    final Operation<Q, A> operation;
+    private final Function<? super Q, ? extends Promise<A>> answerer;
+    private final Set<Message> begun = new LinkedHashSet<>(); // guarded by itself: not yet answered
+
+    Answering(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
+        super(port, port.address() + " answers " + operation.name());
+        this.operation = operation;
+        this.answerer = answerer;
+    }
+
+    @Override
+    void handle(Message question) {
+        synchronized (begun) {
+            begun.add(question);
+        }
+        String over = whyEnded();
+        if (over != null) {
+            refuseBegun(over);
+            return;
+        }
+        Promise<A> answer;
+        try {
+            answer = answerer.apply(operation.question().cast(question.payload()));
+            if (answer == null) {
+                throw new NullPointerException("the answerer returned null, expected a promise");
+            }
+        } catch (Throwable thrown) {
+            settle(question, null, thrown);
+            return;
+        }
+        answer.toCompletableFuture() // which tells at once, on any thread, even if the actor has stopped meanwhile
+                .whenComplete((value, error) -> settle(question, value, error));
+    }
+
+    private void settle(Message question, @Nullable A value, @Nullable Throwable error) {
+        boolean first;
+        synchronized (begun) {
+            first = begun.remove(question);
+        }
+        Message reply = replyTo(question, value, error);
+        if (first) {
+            node.route(reply);
+        } else {
+            node.late(reply, port.address() + " had left before: " + whyEnded());
+        }
+    }
+
+    private Message replyTo(Message question, @Nullable A value, @Nullable Throwable error) {
+        if (error == null) {
+            try {
+                return node.answer(port.address(), question, operation.answer().cast(node.detached(value)));
+            } catch (RuntimeException unfit) {
+                return failed(question, unfit);
+            }
+        }
+        return failed(question, error);
+    }
+
+    private Message failed(Message question, Throwable error) {
+        node.answererFailed(question, error);
+        String message = error.getMessage();
+        return node.refusal(
+                port.address(),
+                question,
+                new Message.Failure.Failed(error.getClass().getName(), message == null ? "(no message)" : message));
+    }
+
+    @Override
+    boolean dropsOldest() {
+        return false;
+    }
+
+    @Override
+    void overflow(Message question) {
+        node.refuse(
+                port.address(),
+                question,
+                "is too busy: " + node.settings.capacity() + " questions for " + operation.name() + " wait there");
+    }
+
+    @Override
+    void leftOver(List<Message> rest, String why) {
+        rest.forEach(question -> node.refuse(port.address(), question, "left before it answered: " + why));
+        refuseBegun(why);
+    }
+
+    private void refuseBegun(String why) {
+        List<Message> open;
+        synchronized (begun) {
+            open = List.copyOf(begun);
+            begun.clear();
+        }
+        open.forEach(question -> node.refuse(port.address(), question, "left before it answered: " + why));
+    }
+}

@@ -1,0 +1,240 @@
+package io.troupe.services.bus;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Message.Failure;
+import io.troupe.services.bus.Message.Purpose;
+import java.time.Duration;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** One process on a bus. What a kind of bus has of its own is the {@link Transport} to the other nodes. */
+final class BusNode implements Bus {
+    final BusSettings settings;
+    final Counters counters = new Counters();
+    private final String name;
+    private final Transport transport;
+    private final Directory directory;
+    private final Questions questions = new Questions(this);
+    private final Detacher detacher = new Detacher();
+    private final AtomicLong numbers = new AtomicLong();
+    private final AtomicBoolean closed = new AtomicBoolean();
+
+    BusNode(String name, BusSettings settings, Transport transport) {
+        this.name = new Address(name, "bus").node(); // which checks it
+        this.settings = settings;
+        this.transport = transport;
+        this.directory = new Directory(name);
+    }
+
+    @Override
+    public String node() {
+        return name;
+    }
+
+    @Override
+    public BusPort attach(String portName) {
+        var port = new Port(this, new Address(name, portName));
+        directory.add(port);
+        if (closed.get()) {
+            port.close("the bus " + name + " is closed");
+            throw new BusException(port + " cannot be attached: the bus " + name + " is closed");
+        }
+        return port;
+    }
+
+    @Override
+    public void close() {
+        if (closed.compareAndSet(false, true)) {
+            directory.ports().forEach(port -> port.close("the bus " + name + " is closed"));
+            transport.close();
+        }
+    }
+
+    BusMetrics metrics() {
+        return counters.now();
+    }
+
+    // ---- for the ports
+
+    void checkTopic(Topic<?> topic) {
+        directory.check(topic);
+    }
+
+    void add(Hearing<?> hearing) {
+        directory.add(hearing);
+    }
+
+    void remove(Hearing<?> hearing) {
+        directory.remove(hearing);
+    }
+
+    void detach(Port port) {
+        directory.remove(port);
+    }
+
+    <T extends Record> void publish(Port from, Topic<T> topic, T value) {
+        directory.check(topic);
+        var payload = detached(topic.type().cast(Objects.requireNonNull(value, "value")));
+        counters.published.increment();
+        route(new DataMessage(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload));
+    }
+
+    <Q extends Record, A extends Record> Promise<A> ask(
+            Port asker, Address to, Operation<Q, A> operation, Q question, Duration limit) {
+        return questions.ask(asker, to, operation, question, limit);
+    }
+
+    void rejectQuestionsOf(Port asker, String why) {
+        questions.refuseAllOf(asker, why);
+    }
+
+    long nextNumber() {
+        return numbers.incrementAndGet();
+    }
+
+    /** The value as it would be on the other side: sharing nothing that can be changed. */
+    Record detached(Record value) {
+        return detacher.detached(value);
+    }
+
+    // ---- messages
+
+    /** Sends a message from here on its way. */
+    void route(Message message) {
+        tell(observer -> observer.passed(message));
+        switch (message.purpose()) {
+            case Purpose.Publication publication -> {
+                deliver(message);
+                transport.broadcast(message);
+            }
+            case Purpose.Question question -> send(question.to(), message);
+            case Purpose.Answer answer -> send(answer.to(), message);
+            case Purpose.Refusal refusal -> send(refusal.to(), message);
+        }
+    }
+
+    private void send(Address to, Message message) {
+        if (to.node().equals(name)) {
+            deliver(message);
+        } else if (transport.reaches(to.node())) {
+            transport.send(to.node(), message);
+        } else {
+            String why = "there is no way from node " + name + " to node " + to.node();
+            undeliverable(message, why);
+            questions.refuse(message.sequence(), why);
+        }
+    }
+
+    /** A message has come from another node. */
+    void receive(Message message) {
+        tell(observer -> observer.passed(message));
+        deliver(message);
+    }
+
+    private void deliver(Message message) {
+        switch (message.purpose()) {
+            case Purpose.Publication publication -> deliverToAll(message, publication.topic());
+            case Purpose.Question question -> deliverQuestion(message, question);
+            case Purpose.Answer answer -> questions.settle(message, answer.question());
+            case Purpose.Refusal refusal -> questions.settle(message, refusal.question());
+        }
+    }
+
+    private void deliverToAll(Message message, String topic) {
+        for (Hearing<?> hearing : directory.hearings(topic)) {
+            if (hearing.topic.type().isInstance(message.payload())) {
+                hearing.offer(message); // one that has just ended does not subscribe now
+            } else {
+                undeliverable(
+                        message,
+                        "it is a " + message.payload().getClass().getName() + ", and " + hearing.port + " expects a "
+                                + hearing.topic.type().getName());
+            }
+        }
+    }
+
+    private void deliverQuestion(Message message, Purpose.Question question) {
+        Address to = question.to();
+        Port port = directory.port(to.name());
+        if (port == null) {
+            refuse(to, message, "nobody is there; " + directory.hint(to.name()));
+            return;
+        }
+        Answering<?, ?> answering = port.answering(question.operation());
+        if (answering == null) {
+            refuse(to, message, "it does not answer that; " + Similar.hint(question.operation(), port.operations()));
+            return;
+        }
+        if (!answering.operation.question().isInstance(message.payload())) {
+            refuse(
+                    to,
+                    message,
+                    "the question is a " + message.payload().getClass().getName() + ", expected a "
+                            + answering.operation.question().getName());
+            return;
+        }
+        String ended = answering.offer(message);
+        if (ended != null) {
+            refuse(to, message, "it does not answer any more: " + ended);
+        }
+    }
+
+    /** Tells an asker that nobody answers. */
+    void refuse(Address answerer, Message question, String why) {
+        undeliverable(question, why);
+        route(refusal(answerer, question, new Failure.NotDelivered(why)));
+    }
+
+    Message refusal(Address answerer, Message question, Record failure) {
+        var purpose = new Purpose.Refusal(question.from(), operationOf(question), question.sequence());
+        return Message.of(question.kind(), answerer, purpose, nextNumber(), failure);
+    }
+
+    Message answer(Address answerer, Message question, Record answer) {
+        var purpose = new Purpose.Answer(question.from(), operationOf(question), question.sequence());
+        return Message.of(question.kind(), answerer, purpose, nextNumber(), answer);
+    }
+
+    private static String operationOf(Message message) {
+        if (message.purpose() instanceof Purpose.Question question) {
+            return question.operation();
+        }
+        throw new IllegalStateException("not a question: " + message);
+    }
+
+    // ---- losses
+
+    private void undeliverable(Message message, String why) {
+        counters.undeliverable.increment();
+        lost(new Loss.Undeliverable(message, why));
+    }
+
+    void late(Message reply, @Nullable String why) {
+        counters.late.increment();
+        lost(new Loss.Late(reply, String.valueOf(why)));
+    }
+
+    void lost(Loss loss) {
+        tell(observer -> observer.lost(loss));
+    }
+
+    void answererFailed(Message question, Throwable error) {
+        tell(observer -> observer.failed(question, error));
+    }
+
+    private void tell(Consumer<BusObserver> telling) {
+        try {
+            telling.accept(settings.observer());
+        } catch (RuntimeException failure) {
+            LoggingObserver.observerFailed(failure);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return "bus " + name;
+    }
+}

@@ -1,0 +1,70 @@
+package io.troupe.services.bus;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import org.jspecify.annotations.Nullable;
+
+/** Who is on one node: ports by name, subscriptions by topic, and the type of each topic. */
+final class Directory {
+    private final String node;
+    private final Map<String, Port> ports = new ConcurrentHashMap<>();
+    private final Map<String, List<Hearing<?>>> hearings = new ConcurrentHashMap<>();
+    private final Map<String, Class<?>> topics = new ConcurrentHashMap<>();
+
+    Directory(String node) {
+        this.node = node;
+    }
+
+    void add(Port port) {
+        if (ports.putIfAbsent(port.address().name(), port) != null) {
+            throw new IllegalArgumentException("the name " + port.address() + " is taken; " + whoIsThere());
+        }
+    }
+
+    void remove(Port port) {
+        ports.remove(port.address().name(), port);
+    }
+
+    @Nullable
+    Port port(String name) {
+        return ports.get(name);
+    }
+
+    List<Port> ports() {
+        return new ArrayList<>(ports.values());
+    }
+
+    /** For somebody who has asked for a name that is not there. */
+    String hint(String name) {
+        return Similar.hint(name, ports.keySet());
+    }
+
+    private String whoIsThere() {
+        return "there are " + String.join(", ", ports.keySet().stream().sorted().toList()) + " on node " + node;
+    }
+
+    /** @throws IllegalArgumentException if the topic has another type here */
+    void check(Topic<?> topic) {
+        Class<?> before = topics.putIfAbsent(topic.name(), topic.type());
+        if (before != null && before != topic.type()) {
+            throw new IllegalArgumentException("topic " + topic.name() + " is of " + before.getName() + " and of "
+                    + topic.type().getName() + " on node " + node + ", expected one type for one name");
+        }
+    }
+
+    void add(Hearing<?> hearing) {
+        hearings.computeIfAbsent(hearing.topic.name(), name -> new CopyOnWriteArrayList<>())
+                .add(hearing);
+    }
+
+    void remove(Hearing<?> hearing) {
+        hearings.getOrDefault(hearing.topic.name(), new ArrayList<>()).remove(hearing);
+    }
+
+    List<Hearing<?>> hearings(String topic) {
+        return hearings.getOrDefault(topic, List.of());
+    }
+}

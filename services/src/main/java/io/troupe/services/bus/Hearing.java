@@ -1,0 +1,60 @@
+package io.troupe.services.bus;
+
+import java.util.List;
+
+/** One subscription. */
+final class Hearing<T extends Record> extends Inlet implements BusPort.Subscription {
+    final Topic<T> topic;
+    private final BusPort.Subscriber<? super T> subscriber;
+    private long dropped; // guarded by this
+
+    Hearing(Port port, Topic<T> topic, BusPort.Subscriber<? super T> subscriber) {
+        super(port, port.address() + " hears " + topic.name());
+        this.topic = topic;
+        this.subscriber = subscriber;
+    }
+
+    @Override
+    void handle(Message message) {
+        try {
+            subscriber.hear(topic.type().cast(message.payload()), message.from());
+            node.counters.delivered.increment();
+        } catch (Throwable thrown) {
+            node.counters.failed.increment();
+            node.lost(new Loss.SubscriberFailed(port.address(), message, thrown));
+        }
+    }
+
+    @Override
+    void accepted() {
+        node.counters.queued.increment();
+    }
+
+    @Override
+    boolean dropsOldest() {
+        return true;
+    }
+
+    @Override
+    void overflow(Message message) {
+        long soFar;
+        synchronized (this) {
+            soFar = ++dropped;
+        }
+        node.counters.dropped.increment();
+        node.lost(new Loss.Dropped(port.address(), message, soFar));
+    }
+
+    @Override
+    void leftOver(List<Message> rest, String why) {
+        if (!rest.isEmpty()) {
+            node.counters.discarded.add(rest.size());
+            node.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
+        }
+    }
+
+    @Override
+    public void close() {
+        end("it does not subscribe any more");
+    }
+}

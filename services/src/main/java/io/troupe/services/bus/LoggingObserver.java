@@ -1,0 +1,31 @@
+package io.troupe.services.bus;
+
+import java.lang.System.Logger.Level;
+
+/** Logs what is lost. */
+final class LoggingObserver implements BusObserver {
+    private static final System.Logger LOG = System.getLogger(Bus.class.getName());
+
+    @Override
+    public void lost(Loss loss) {
+        switch (loss) {
+            case Loss.Dropped dropped -> {
+                if (Long.bitCount(dropped.soFar()) == 1) { // a slow subscriber must not fill the log
+                    LOG.log(Level.WARNING, dropped.toString());
+                }
+            }
+            case Loss.SubscriberFailed failed -> LOG.log(Level.WARNING, failed.toString(), failed.error());
+            default -> LOG.log(Level.WARNING, loss.toString());
+        }
+    }
+
+    @Override
+    public void failed(Message question, Throwable error) {
+        LOG.log(Level.DEBUG, () -> question.purpose() + " failed", error);
+    }
+
+    /** An observer of somebody's own making has thrown. */
+    static void observerFailed(Throwable error) {
+        LOG.log(Level.ERROR, "the observer of a bus failed", error);
+    }
+}

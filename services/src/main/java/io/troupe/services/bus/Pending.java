@@ -1,0 +1,88 @@
+package io.troupe.services.bus;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Home;
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** A question that waits for its answer. */
+final class Pending<A extends Record> {
+    final Port asker;
+    private final Address to;
+    private final Operation<?, A> operation;
+    private final Deferred<A> answer;
+    private final Deferred<@Nullable Void> over;
+
+    Pending(Port asker, Address to, Operation<?, A> operation, Home home) {
+        this.asker = asker;
+        this.to = to;
+        this.operation = operation;
+        this.answer = new Deferred<>(home);
+        this.over = new Deferred<>(home);
+    }
+
+    Promise<A> answer() {
+        return answer;
+    }
+
+    /** Tells when the time is over, or the space of the asker is; nothing once this is settled. */
+    void limit(Duration limit, Consumer<Boolean> tellInTime) {
+        over.orTimeout(limit).toCompletableFuture().whenComplete((nothing, error) -> {
+            if (error != null) {
+                tellInTime.accept(error instanceof TimeoutException);
+            }
+        });
+    }
+
+    /** Settles it as a message says, and counts that; false if nobody waits for it any more. */
+    boolean settle(Message reply, Counters counters) {
+        if (reply.payload() instanceof Message.Failure failure) {
+            return counted(counters.refused, reject(errorOf(failure)));
+        }
+        if (operation.answer().isInstance(reply.payload())) {
+            return counted(
+                    counters.answered, resolve(operation.answer().cast(reply.payload())));
+        }
+        return counted(
+                counters.refused,
+                reject(error("the answer is a " + reply.payload().getClass().getName() + ", expected a "
+                        + operation.answer().getName())));
+    }
+
+    private RuntimeException errorOf(Message.Failure failure) {
+        return switch (failure) {
+            case Message.Failure.NotDelivered(String why) -> error(why);
+            case Message.Failure.Failed(String type, String message) ->
+                new RemoteFailure(to, operation.name(), type, message);
+        };
+    }
+
+    BusException error(String why) {
+        return new BusException(asker.address() + " asked " + to + " for " + operation.name() + ": " + why);
+    }
+
+    static boolean counted(LongAdder counter, boolean done) {
+        if (done) {
+            counter.increment();
+        }
+        return done;
+    }
+
+    /** False if nobody waits for it any more. */
+    boolean resolve(A value) {
+        boolean first = answer.resolve(value);
+        over.resolve(null);
+        return first;
+    }
+
+    /** False if nobody waits for it any more. */
+    boolean reject(RuntimeException error) {
+        boolean first = answer.reject(error);
+        over.resolve(null);
+        return first;
+    }
+}

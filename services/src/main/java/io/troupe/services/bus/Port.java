@@ -1,0 +1,143 @@
+package io.troupe.services.bus;
+
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/** One name on a node, and what belongs to it. */
+final class Port implements BusPort {
+    final BusNode node;
+    private final Address address;
+    private final Object lock = new Object(); // guards all below
+    private final Set<Hearing<?>> hearings = new LinkedHashSet<>();
+    private final Map<String, Answering<?, ?>> answerings = new LinkedHashMap<>();
+    private @Nullable String closed;
+
+    Port(BusNode node, Address address) {
+        this.node = node;
+        this.address = address;
+    }
+
+    @Override
+    public Address address() {
+        return address;
+    }
+
+    @Override
+    public <T extends Record> void publish(Topic<T> topic, T value) {
+        checkOpen("publish on " + topic.name());
+        node.publish(this, topic, value);
+    }
+
+    @Override
+    public <T extends Record> Subscription subscribe(Topic<T> topic, Subscriber<? super T> subscriber) {
+        Objects.requireNonNull(subscriber, "subscriber");
+        node.checkTopic(topic);
+        var hearing = new Hearing<T>(this, topic, subscriber);
+        synchronized (lock) {
+            checkOpen("subscribe to " + topic.name());
+            hearings.add(hearing);
+        }
+        hearing.open();
+        node.add(hearing);
+        return hearing;
+    }
+
+    @Override
+    public <Q extends Record, A extends Record> void answer(
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
+        Objects.requireNonNull(answerer, "answerer");
+        var before = answering(operation.name());
+        if (before != null && !before.isOver()) {
+            throw new IllegalArgumentException(address + " answers " + operation.name() + " already");
+        }
+        var answering = new Answering<Q, A>(this, operation, answerer);
+        answering.open();
+        synchronized (lock) {
+            checkOpen("answer " + operation.name());
+            if (answerings.putIfAbsent(operation.name(), answering) != null) {
+                throw new IllegalArgumentException(address + " answers " + operation.name() + " already");
+            }
+        }
+    }
+
+    @Override
+    public <Q extends Record, A extends Record> Promise<A> ask(
+            Address to, Operation<Q, A> operation, Q question, Duration limit) {
+        return node.ask(this, to, operation, question, limit);
+    }
+
+    @Override
+    public void close() {
+        close("it has left the bus");
+    }
+
+    void close(String why) {
+        List<Inlet> inlets = new ArrayList<>();
+        synchronized (lock) {
+            if (closed != null) {
+                return;
+            }
+            closed = why;
+            inlets.addAll(hearings);
+            inlets.addAll(answerings.values());
+        }
+        node.detach(this);
+        inlets.forEach(inlet -> inlet.end(why));
+        node.rejectQuestionsOf(this, "the asker has left: " + why);
+    }
+
+    @Nullable
+    String whyClosed() {
+        synchronized (lock) {
+            return closed;
+        }
+    }
+
+    @Nullable
+    Answering<?, ?> answering(String operation) {
+        synchronized (lock) {
+            return answerings.get(operation);
+        }
+    }
+
+    List<String> operations() {
+        synchronized (lock) {
+            return List.copyOf(answerings.keySet());
+        }
+    }
+
+    /** That one has ended. */
+    void forget(Inlet inlet) {
+        synchronized (lock) {
+            switch (inlet) {
+                case Hearing<?> hearing -> hearings.remove(hearing);
+                case Answering<?, ?> answering -> answerings.remove(answering.operation.name(), answering);
+                default -> throw new IllegalStateException("no such inlet: " + inlet);
+            }
+        }
+        if (inlet instanceof Hearing<?> hearing) {
+            node.remove(hearing);
+        }
+    }
+
+    private void checkOpen(String what) {
+        String why = whyClosed();
+        if (why != null) {
+            throw new BusException(address + " cannot " + what + ": " + why);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return address.toString();
+    }
+}

@@ -1,0 +1,92 @@
+package io.troupe.services.bus;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Message.Purpose;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+
+/** The questions of one node that wait for their answers. */
+final class Questions {
+    private final BusNode node;
+    private final Map<Long, Pending<?>> pending = new ConcurrentHashMap<>(); // by the number of the question
+
+    Questions(BusNode node) {
+        this.node = node;
+    }
+
+    <Q extends Record, A extends Record> Promise<A> ask(
+            Port asker, Address to, Operation<Q, A> operation, Q question, Duration limit) {
+        if (limit.isNegative() || limit.isZero()) {
+            throw new IllegalArgumentException(
+                    "the limit for " + operation.name() + " is " + limit + ", expected more than zero");
+        }
+        ActorSpace here = ActorSpace.current();
+        var waiting = new Pending<A>(asker, to, operation, here == null ? node.settings.space() : here);
+        var message = Message.of(
+                operation.kind(),
+                asker.address(),
+                new Purpose.Question(to, operation.name()),
+                node.nextNumber(),
+                node.detached(operation.question().cast(Objects.requireNonNull(question, "question"))));
+        long number = message.sequence();
+        node.counters.asked.increment();
+        pending.put(number, waiting);
+        String closed = asker.whyClosed(); // asked after the question is in the table, so that either it or close() sees the other
+        if (closed != null) {
+            refuse(number, "the asker has left: " + closed);
+        } else {
+            node.route(message);
+        }
+        if (!waiting.answer().isDone()) {
+            waiting.limit(limit, inTime -> expire(number, inTime, limit));
+        }
+        return waiting.answer();
+    }
+
+    private void expire(long number, boolean timeIsOver, Duration limit) {
+        Pending<?> late = pending.remove(number);
+        if (late != null && timeIsOver) {
+            Pending.counted(node.counters.timedOut, late.reject(late.error("no answer within " + limit)));
+        } else if (late != null) {
+            refuse(late, "the space of the asker was closed");
+        }
+    }
+
+    /** An answer or a refusal has come. */
+    void settle(Message reply, long question) {
+        Pending<?> asked = pending.remove(question);
+        if (asked == null) {
+            node.late(reply, "nobody waits for it any more");
+        } else if (!asked.settle(reply, node.counters)) {
+            node.late(reply, "the asker has cancelled");
+        }
+    }
+
+    /** The bus itself says that there will be no answer. */
+    void refuse(long number, String why) {
+        Pending<?> asked = pending.remove(number);
+        if (asked != null) {
+            refuse(asked, why);
+        }
+    }
+
+    void refuseAllOf(Port asker, String why) {
+        pending.forEach((number, asked) -> {
+            if (asked.asker == asker) {
+                refuse(number, why);
+            }
+        });
+    }
+
+    private void refuse(Pending<?> asked, String why) {
+        Pending.counted(node.counters.refused, asked.reject(asked.error(why)));
+    }
+
+    /** How many wait. */
+    int waiting() {
+        return pending.size();
+    }
+}
