@@ -14,17 +14,27 @@ import org.jspecify.annotations.Nullable;
  */
 public interface Broker extends AutoCloseable {
     /**
-     * Offers a service.
+     * Offers a service. It is started when somebody needs it; those who are connected and have no provider are connected to it.
      *
      * @param capabilities may be empty
-     * @throws IllegalArgumentException if something is registered at that address already
+     * @return rejected with an {@link IllegalArgumentException} if something is registered at that address already
      */
     Promise<ServiceRecord> register(String service, List<String> capabilities, Address address, Provider provider);
 
-    /** Withdraws an offer: those who use it get another provider, or hear that there is none; then it is stopped. */
+    /**
+     * Withdraws an offer: those who use it get another provider, or hear that there is none; then it is stopped.
+     *
+     * @return fulfilled when it has stopped; rejected with a {@link ProviderException} if it does not, and with an {@link IllegalArgumentException} if nothing is
+     *     registered at that address
+     */
     Promise<@Nullable Void> withdraw(Address provider);
 
-    /** Puts a provider in another's place while the application runs: the new one is started, users are told, the old one is stopped. */
+    /**
+     * Puts a provider in another's place while the application runs: the new one is started, users are told, the old one is stopped. It has the old one's
+     * place in the order of registration, and may have its address.
+     *
+     * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started, and then the old one stays in use
+     */
     Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider);
 
@@ -34,17 +44,34 @@ public interface Broker extends AutoCloseable {
     /** All who meet a need, the best first: well before suspect, then in the order of registration. Starts nothing. */
     Promise<List<ServiceRecord>> find(Need need);
 
-    /** One provider that runs: started if none does; the next one if one cannot be started. */
+    /**
+     * One provider that runs: well before suspect; if none runs, the first that can be started, those that have failed before at last. Who needs the same at the
+     * same time waits for the same start.
+     *
+     * @return rejected with a {@link MissingServiceException} that names each provider and why it does not run
+     */
     Promise<ServiceRecord> require(Need need);
 
     /**
-     * Stays connected: the listener hears of the provider to use, at first and whenever another takes its place.
+     * Stays connected: the listener hears of the provider to use, at first and whenever another takes its place, because it has failed, was withdrawn or
+     * replaced. Ends with {@link #disconnect}, and when the actor that called has stopped.
      *
-     * @return fulfilled with the first provider
+     * @return fulfilled with the first provider; rejected with a {@link MissingServiceException} if there is none now; the connection stays even then, and its
+     *     listener hears when there is one
      */
     Promise<ServiceRecord> connect(Need need, Connection connection);
 
-    /** Stops everything that was started here, in reverse order. */
+    /** Ends a connection: its listener hears nothing any more. Providers are not stopped because nobody is connected to them. */
+    Promise<@Nullable Void> disconnect(Connection connection);
+
+    /**
+     * Stops everything that was started here, one after the other in reverse order of their starts, each within its limit. Afterwards everything else is refused.
+     *
+     * @return fulfilled, when that is done, with those that did not stop
+     */
+    Promise<List<ServiceRecord>> shutDown();
+
+    /** Begins to {@link #shutDown}, and does not wait for its end: for that, {@code broker.shutDown().get(..)}. */
     @Override
     void close();
 

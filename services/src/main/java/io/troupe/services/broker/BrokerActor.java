@@ -1,0 +1,194 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Address;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** Keeps the registry, and sees to it that everybody who needs something gets it. */
+final class BrokerActor extends Actor implements Registry {
+    private final Roster roster = new Roster();
+    private final Events events;
+    private final Lifecycle lifecycle;
+    private final Restarts restarts;
+    private final Users users;
+    private @Nullable Promise<List<ServiceRecord>> shutDown;
+
+    BrokerActor(ActorSpace space, BrokerSettings settings) {
+        var limits = new Limits(this::after);
+        this.events = new Events(settings.observer(), space);
+        this.lifecycle = new Lifecycle(settings, limits, events, this::hasStarted, this::hasFailed);
+        this.users = new Users(this::choose, limits, settings, events);
+        this.restarts = new Restarts(settings, limits, lifecycle, it -> roster.has(it) && users.waitFor(it));
+    }
+
+    @Override
+    public Promise<ServiceRecord> register(Registration it) {
+        checkOpen();
+        roster.add(it);
+        events.tell(new BrokerEvent.Registered(it.toRecord()));
+        users.retry(it::meets);
+        return Promise.of(it.toRecord());
+    }
+
+    @Override
+    public Promise<@Nullable Void> withdraw(Address provider) {
+        checkOpen();
+        Registration it = roster.known(provider);
+        roster.remove(it);
+        it.cancelTimers();
+        events.tell(new BrokerEvent.Withdrawn(it.toRecord()));
+        return users.leave(it).thenCompose(heard -> lifecycle.stop(it));
+    }
+
+    @Override
+    public Promise<ServiceRecord> replace(Address old, Registration by) {
+        checkOpen();
+        Registration before = roster.known(old);
+        roster.checkFree(by.address, old);
+        roster.reserve(by.address);
+        var done = new Deferred<ServiceRecord>();
+        lifecycle.start(by).handle((started, error) -> {
+            roster.free(by.address);
+            if (error != null) {
+                done.reject(new ProviderException(
+                        by + " could not be started in the place of " + old + ", which stays in use: "
+                                + Reasons.of(error),
+                        error));
+            } else {
+                takeOver(before, by).handle((stopped, stays) -> done.resolve(by.toRecord())); // observers hear of stays
+            }
+            return null;
+        });
+        return done;
+    }
+
+    private Promise<@Nullable Void> takeOver(Registration before, Registration by) {
+        roster.put(by, before);
+        before.cancelTimers();
+        events.tell(new BrokerEvent.Replaced(before.toRecord(), by.toRecord()));
+        Promise<?> heard = users.move(before, by);
+        users.retry(by::meets);
+        return heard.thenCompose(all -> lifecycle.stop(before));
+    }
+
+    @Override
+    public Promise<List<ServiceRecord>> registered() {
+        return Promise.of(roster.records());
+    }
+
+    @Override
+    public Promise<List<ServiceRecord>> find(Need need) {
+        return Promise.of(
+                roster.meeting(need).stream().map(Registration::toRecord).toList());
+    }
+
+    @Override
+    public Promise<ServiceRecord> require(Need need) {
+        checkOpen();
+        var found = new Deferred<ServiceRecord>();
+        choose(need, true, it -> found.resolve(it.toRecord()), found::reject);
+        return found;
+    }
+
+    @Override
+    public Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Users.Told> line) {
+        checkOpen();
+        return users.connect(need, connection, line);
+    }
+
+    @Override
+    public Promise<@Nullable Void> disconnect(Broker.Connection connection) {
+        users.disconnect(connection);
+        return Promise.done();
+    }
+
+    // ---- whom to use
+
+    private void choose(
+            Need need, boolean evenFailed, Consumer<Registration> found, Consumer<MissingServiceException> none) {
+        tryNext(need, evenFailed, new LinkedHashMap<>(), found, none);
+    }
+
+    private void tryNext(
+            Need need,
+            boolean evenFailed,
+            Map<Registration, Throwable> tried,
+            Consumer<Registration> found,
+            Consumer<MissingServiceException> none) {
+        var best = roster.best(need, each -> !tried.containsKey(each) && (evenFailed || each.health != Health.FAILED));
+        if (best.isEmpty() || lifecycle.isClosing()) {
+            none.accept(roster.missing(need, tried));
+            restarts.consider(roster.meeting(need));
+            return;
+        }
+        Registration it = best.get();
+        if (it.isRunning()) {
+            found.accept(it);
+            return;
+        }
+        lifecycle.start(it).handle((started, error) -> {
+            if (error != null) {
+                tried.put(it, error);
+            } else if (!it.isRunning()) {
+                tried.put(it, new ProviderException(it + " ended while it started", it.why));
+            } // else it is among the best now, unless it was withdrawn meanwhile
+            tryNext(need, evenFailed, tried, found, none);
+            return null;
+        });
+    }
+
+    private void hasStarted(Registration it) {
+        if (roster.has(it)) {
+            users.retry(it::meets);
+        }
+    }
+
+    private void hasFailed(Registration it) {
+        users.leave(it);
+    }
+
+    // ---- the end
+
+    @Override
+    public Promise<List<ServiceRecord>> shutDown() {
+        if (shutDown == null) {
+            var done = new Deferred<List<ServiceRecord>>();
+            shutDown = done;
+            lifecycle.beginClosing();
+            users.endAll();
+            stopLast(lifecycle.begun(), done);
+        }
+        return shutDown;
+    }
+
+    /** Stops the last of these, then those before. */
+    private void stopLast(List<Registration> rest, Deferred<List<ServiceRecord>> done) {
+        if (rest.isEmpty()) {
+            done.resolve(lifecycle.begun().stream().map(Registration::toRecord).toList());
+        } else {
+            lifecycle.stop(rest.getLast()).handle((stopped, error) -> {
+                stopLast(rest.subList(0, rest.size() - 1), done);
+                return null;
+            });
+        }
+    }
+
+    private void checkOpen() {
+        if (lifecycle.isClosing()) {
+            throw new IllegalStateException("the broker is closed");
+        }
+    }
+
+    @Override
+    protected void stopped() {
+        lifecycle.begun().forEach(it -> events.tell(new BrokerEvent.Abandoned(it.toRecord())));
+    }
+}

@@ -1,0 +1,27 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.ActorSpace;
+
+/** Tells the observer, whose failures are none of the broker's. */
+final class Events {
+    private final BrokerObserver observer;
+    private final ActorSpace space;
+
+    /** @param space where it is reported what the observer throws */
+    Events(BrokerObserver observer, ActorSpace space) {
+        this.observer = observer;
+        this.space = space;
+    }
+
+    void tell(BrokerEvent event) {
+        try {
+            observer.on(event);
+        } catch (RuntimeException thrown) {
+            thrown.addSuppressed(
+                    new IllegalStateException("the broker's observer threw this when it was told " + event));
+            space.execute(() -> {
+                throw thrown;
+            });
+        }
+    }
+}

@@ -1,0 +1,263 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** Starts, watches and stops providers. On the broker's space. */
+final class Lifecycle {
+    private final BrokerSettings settings;
+    private final Limits limits;
+    private final Events events;
+    private final Consumer<Registration> onStarted;
+    private final Consumer<Registration> onFailed;
+    private final Set<Registration> begun = new LinkedHashSet<>(); // those that may run, in the order of their starts
+    private boolean closing;
+
+    Lifecycle(
+            BrokerSettings settings,
+            Limits limits,
+            Events events,
+            Consumer<Registration> onStarted,
+            Consumer<Registration> onFailed) {
+        this.settings = settings;
+        this.limits = limits;
+        this.events = events;
+        this.onStarted = onStarted;
+        this.onFailed = onFailed;
+    }
+
+    /** Starts it, unless it runs; those who call while it starts wait for the same start. */
+    Promise<@Nullable Void> start(Registration it) {
+        if (it.isRunning()) {
+            return Promise.done();
+        }
+        if (it.starting != null) {
+            return it.starting;
+        }
+        var done = new Deferred<@Nullable Void>();
+        it.starting = done;
+        if (it.stopping == null) {
+            begin(it, done);
+        } else {
+            it.stopping.handle((stopped, error) -> {
+                begin(it, done);
+                return null;
+            });
+        }
+        return done;
+    }
+
+    private void begin(Registration it, Deferred<@Nullable Void> done) {
+        if (closing) {
+            it.starting = null;
+            done.reject(new ProviderException(it + " was not started: the broker is being closed", null));
+            return;
+        }
+        int run = ++it.run;
+        it.cancelTimers();
+        it.health = Health.STARTING;
+        it.mayRun = true;
+        begun.remove(it);
+        begun.add(it);
+        events.tell(new BrokerEvent.Starting(it.toRecord()));
+        limits.ask(
+                        it.provider::start,
+                        settings.startLimit(),
+                        it + " did not start",
+                        error -> startedLate(it, run, error))
+                .handle((started, error) -> {
+                    it.starting = null;
+                    if (error == null) {
+                        started(it, run, done);
+                    } else {
+                        notStarted(it, error, done);
+                    }
+                    return null;
+                });
+    }
+
+    private void started(Registration it, int run, Deferred<@Nullable Void> done) {
+        it.health = Health.WELL;
+        it.why = null;
+        it.missedChecks = 0;
+        events.tell(new BrokerEvent.Started(it.toRecord()));
+        endOf(it).handle((ended, error) -> {
+            if (it.run == run && it.isRunning()) {
+                remember(it, false);
+                fail(it, error != null ? error : new ProviderException(it + " has ended by itself", null));
+            }
+            return null;
+        });
+        checkLater(it);
+        done.resolve(null);
+        onStarted.accept(it);
+    }
+
+    private static Promise<?> endOf(Registration it) {
+        try {
+            return it.provider.whenEnded();
+        } catch (RuntimeException thrown) { // a provider's code
+            return Promise.failed(thrown);
+        }
+    }
+
+    private void notStarted(Registration it, Throwable error, Deferred<@Nullable Void> done) {
+        it.health = Health.FAILED;
+        it.why = error;
+        events.tell(new BrokerEvent.StartFailed(it.toRecord(), error));
+        if (error instanceof ProviderException overdue && overdue.isOverdue()) {
+            giveUp(it);
+        } else {
+            remember(it, false);
+        }
+        done.reject(error);
+    }
+
+    /** It has started when nobody waited for it any more: it shall not run beside others, unless it has been started again. */
+    private void startedLate(Registration it, int run, @Nullable Throwable error) {
+        events.tell(new BrokerEvent.Late(it.toString(), "start", error));
+        if (error == null && it.run == run && it.starting == null) {
+            remember(it, true);
+            giveUp(it);
+        }
+    }
+
+    private void checkLater(Registration it) {
+        if (!closing) {
+            it.nextCheck = limits.after(settings.checkEvery(), () -> check(it));
+        }
+    }
+
+    private void check(Registration it) {
+        int run = it.run;
+        limits.ask(
+                        it.provider::check,
+                        settings.checkLimit(),
+                        it + " did not answer the question for its health",
+                        error -> events.tell(new BrokerEvent.Late(it.toString(), "check", error)))
+                .handle((well, error) -> {
+                    if (it.run == run && it.isRunning()) {
+                        checked(it, error);
+                    }
+                    return null;
+                });
+    }
+
+    private void checked(Registration it, @Nullable Throwable error) {
+        if (error == null) {
+            it.missedChecks = 0;
+            it.restartPause = null;
+            if (it.health == Health.SUSPECT) {
+                it.health = Health.WELL;
+                events.tell(new BrokerEvent.Recovered(it.toRecord()));
+            }
+            checkLater(it);
+        } else if (error instanceof ProviderException overdue
+                && overdue.isOverdue()
+                && ++it.missedChecks < settings.missedChecks()) {
+            if (it.health == Health.WELL) {
+                it.health = Health.SUSPECT;
+                events.tell(new BrokerEvent.Suspect(it.toRecord(), error));
+            }
+            checkLater(it);
+        } else {
+            fail(it, error);
+        }
+    }
+
+    private void fail(Registration it, Throwable why) {
+        it.run++;
+        it.cancelTimers();
+        it.health = Health.FAILED;
+        it.why = why;
+        events.tell(new BrokerEvent.Failed(it.toRecord(), why));
+        if (it.mayRun) {
+            giveUp(it);
+        }
+        onFailed.accept(it);
+    }
+
+    /** Tells what has failed to stop, in case it lives; nobody waits for that but its own next start. */
+    private void giveUp(Registration it) {
+        if (it.stopping == null) {
+            var done = new Deferred<@Nullable Void>();
+            it.stopping = done;
+            askToStop(it).handle((stopped, error) -> {
+                it.stopping = null;
+                if (error == null) {
+                    remember(it, false);
+                } else {
+                    events.tell(new BrokerEvent.StopFailed(it.toRecord(), error));
+                }
+                return done.resolve(null);
+            });
+        }
+    }
+
+    /** Stops it, if it may run: after the start, or the stop, that is under way. */
+    Promise<@Nullable Void> stop(Registration it) {
+        it.cancelTimers();
+        Promise<@Nullable Void> underWay = it.starting != null ? it.starting : it.stopping;
+        if (underWay != null) {
+            return underWay.handle((done, error) -> null).thenCompose(over -> stop(it));
+        }
+        if (!it.mayRun) {
+            it.health = it.health == Health.FAILED ? Health.FAILED : Health.STOPPED;
+            return Promise.done();
+        }
+        it.run++;
+        it.health = Health.STOPPED; // from now on nobody is sent to it
+        var done = new Deferred<@Nullable Void>();
+        it.stopping = done;
+        askToStop(it).handle((stopped, error) -> {
+            it.stopping = null;
+            if (error == null) {
+                remember(it, false);
+                events.tell(new BrokerEvent.Stopped(it.toRecord()));
+                return done.resolve(null);
+            }
+            it.health = Health.FAILED;
+            it.why = error;
+            events.tell(new BrokerEvent.StopFailed(it.toRecord(), error));
+            return done.reject(new ProviderException(it + " has not stopped: " + Reasons.of(error), error));
+        });
+        return done;
+    }
+
+    private Promise<@Nullable Void> askToStop(Registration it) {
+        int run = it.run;
+        return limits.ask(it.provider::stop, settings.stopLimit(), it + " did not stop", error -> {
+            if (error == null && it.run == run && it.starting == null) {
+                remember(it, false);
+            }
+            events.tell(new BrokerEvent.Late(it.toString(), "stop", error));
+        });
+    }
+
+    private void remember(Registration it, boolean mayRun) {
+        it.mayRun = mayRun;
+        begun.remove(it);
+        if (mayRun) {
+            begun.add(it);
+        }
+    }
+
+    void beginClosing() {
+        closing = true;
+        begun.forEach(Registration::cancelTimers);
+    }
+
+    boolean isClosing() {
+        return closing;
+    }
+
+    /** Those that may run, in the order of their starts. */
+    List<Registration> begun() {
+        return List.copyOf(begun);
+    }
+}

@@ -1,0 +1,61 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Timer;
+import java.time.Duration;
+import java.util.Objects;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** Asks providers, and does not wait for ever. On the broker's space. */
+final class Limits {
+    /** The broker's timers. */
+    interface Timers {
+        Timer after(Duration delay, Runnable task);
+    }
+
+    private final Timers timers;
+
+    Limits(Timers timers) {
+        this.timers = timers;
+    }
+
+    Timer after(Duration delay, Runnable task) {
+        return timers.after(delay, task);
+    }
+
+    /**
+     * Asks.
+     *
+     * @param late hears of an answer, or an error, that came after the limit
+     * @return settled as the answer is; rejected with an overdue {@link ProviderException} when the limit is over first
+     */
+    Promise<@Nullable Void> ask(
+            Supplier<? extends @Nullable Promise<?>> question,
+            Duration limit,
+            String overdue,
+            Consumer<@Nullable Throwable> late) {
+        var outcome = new Deferred<@Nullable Void>();
+        Promise<?> answer = answerOf(question);
+        Timer timer =
+                timers.after(limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit)));
+        answer.handle((value, error) -> {
+            timer.cancel();
+            if (error == null ? !outcome.resolve(null) : !outcome.reject(error)) {
+                late.accept(error);
+            }
+            return null;
+        });
+        return outcome;
+    }
+
+    private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> question) {
+        try {
+            return Objects.requireNonNull(question.get(), "it answered null, expected a promise");
+        } catch (Throwable thrown) { // a provider's code, whose failure is its answer
+            return Promise.failed(thrown);
+        }
+    }
+}

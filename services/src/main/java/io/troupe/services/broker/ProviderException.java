@@ -1,0 +1,28 @@
+package io.troupe.services.broker;
+
+import org.jspecify.annotations.Nullable;
+
+/** A provider did not do what it was asked for; the message names it, what it was asked, and what came instead. */
+public final class ProviderException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final boolean overdue;
+
+    ProviderException(String message, @Nullable Throwable cause) {
+        this(message, cause, false);
+    }
+
+    private ProviderException(String message, @Nullable Throwable cause, boolean overdue) {
+        super(message, cause);
+        this.overdue = overdue;
+    }
+
+    static ProviderException overdue(String message) {
+        return new ProviderException(message, null, true);
+    }
+
+    /** Whether it has simply not answered in time, so that it may have done it, or do it later. */
+    public boolean isOverdue() {
+        return overdue;
+    }
+}

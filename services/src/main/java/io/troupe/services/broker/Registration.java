@@ -1,0 +1,91 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Timer;
+import io.troupe.services.bus.Address;
+import java.time.Duration;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** One provider as the broker knows it. On the broker's space. */
+final class Registration {
+    final String service;
+    final List<String> capabilities;
+    final Address address;
+    final Provider provider;
+
+    Health health = Health.NOT_STARTED;
+
+    /** Counts starts and ends, so that what belongs to an earlier run can be told. */
+    int run;
+
+    /** Whether it may run: from the beginning of a start until it has said that it stopped, ended, or could not start. */
+    boolean mayRun;
+
+    int missedChecks;
+
+    @Nullable
+    Throwable why; // it failed
+
+    @Nullable
+    Promise<@Nullable Void> starting;
+
+    @Nullable
+    Promise<@Nullable Void> stopping;
+
+    @Nullable
+    Timer nextCheck;
+
+    @Nullable
+    Timer nextRestart;
+
+    @Nullable
+    Duration restartPause; // the last one; null = none yet
+
+    Registration(String service, List<String> capabilities, Address address, Provider provider) {
+        this.service = service;
+        this.capabilities = List.copyOf(capabilities);
+        this.address = address;
+        this.provider = provider;
+    }
+
+    ServiceRecord toRecord() {
+        return new ServiceRecord(service, capabilities, address, health);
+    }
+
+    boolean isRunning() {
+        return health == Health.WELL || health == Health.SUSPECT;
+    }
+
+    boolean meets(Need need) {
+        return (need.service() == null || need.service().equals(service))
+                && (need.capability() == null || capabilities.contains(need.capability()));
+    }
+
+    /** The smaller, the sooner it is chosen. */
+    int rank() {
+        return switch (health) {
+            case WELL -> 0;
+            case SUSPECT -> 1;
+            case STARTING -> 2;
+            case NOT_STARTED, STOPPED -> 3;
+            case FAILED -> 4;
+        };
+    }
+
+    void cancelTimers() {
+        if (nextCheck != null) {
+            nextCheck.cancel();
+            nextCheck = null;
+        }
+        if (nextRestart != null) {
+            nextRestart.cancel();
+            nextRestart = null;
+        }
+    }
+
+    @Override
+    public String toString() {
+        return address.toString();
+    }
+}

@@ -1,0 +1,29 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Address;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** The broker as an actor; see {@link Broker}. */
+interface Registry {
+    Promise<ServiceRecord> register(Registration it);
+
+    Promise<@Nullable Void> withdraw(Address provider);
+
+    Promise<ServiceRecord> replace(Address old, Registration by);
+
+    Promise<List<ServiceRecord>> registered();
+
+    Promise<List<ServiceRecord>> find(Need need);
+
+    Promise<ServiceRecord> require(Need need);
+
+    /** @param line leads to the user's space, and is cancelled when the user has stopped */
+    Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Users.Told> line);
+
+    Promise<@Nullable Void> disconnect(Broker.Connection connection);
+
+    Promise<List<ServiceRecord>> shutDown();
+}

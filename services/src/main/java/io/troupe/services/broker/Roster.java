@@ -1,0 +1,153 @@
+package io.troupe.services.broker;
+
+import io.troupe.services.bus.Address;
+import io.troupe.services.text.Suggestions;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/** Who is registered, in order. On the broker's space. */
+final class Roster {
+    private final List<Registration> all = new ArrayList<>();
+    private final Set<Address> reserved = new HashSet<>(); // by those that are being started in another's place
+
+    void add(Registration it) {
+        checkFree(it.address, null);
+        all.add(it);
+    }
+
+    void checkFree(Address address, @Nullable Address butFor) {
+        if (!address.equals(butFor) && (at(address).isPresent() || reserved.contains(address))) {
+            String who = at(address)
+                    .map(other -> "the service \"" + other.service + "\"")
+                    .orElse("another");
+            throw new IllegalArgumentException(
+                    "the address " + address + " is taken by " + who + ", expected a free one");
+        }
+    }
+
+    void reserve(Address address) {
+        reserved.add(address);
+    }
+
+    void free(Address address) {
+        reserved.remove(address);
+    }
+
+    /** Puts one in another's place, or at the end if that is gone. */
+    void put(Registration it, Registration old) {
+        int place = all.indexOf(old);
+        if (place >= 0) {
+            all.set(place, it);
+        } else {
+            all.add(it);
+        }
+    }
+
+    void remove(Registration it) {
+        all.remove(it);
+    }
+
+    boolean has(Registration it) {
+        return all.contains(it);
+    }
+
+    Optional<Registration> at(Address address) {
+        return all.stream().filter(each -> each.address.equals(address)).findFirst();
+    }
+
+    Registration known(Address address) {
+        return at(address)
+                .orElseThrow(() -> new IllegalArgumentException("nothing is registered at " + address + "; registered: "
+                        + all.stream().map(Registration::toString).collect(Collectors.joining(", "))));
+    }
+
+    List<ServiceRecord> records() {
+        return all.stream().map(Registration::toRecord).toList();
+    }
+
+    List<Registration> meeting(Need need) {
+        return all.stream()
+                .filter(each -> each.meets(need))
+                .sorted(Comparator.comparingInt(Registration::rank)) // a stable sort keeps the order of registration
+                .toList();
+    }
+
+    Optional<Registration> best(Need need, Predicate<Registration> eligible) {
+        return meeting(need).stream().filter(eligible).findFirst();
+    }
+
+    /**
+     * What a need is told that nobody meets.
+     *
+     * @param tried why those that were tried do not run
+     */
+    MissingServiceException missing(Need need, Map<Registration, Throwable> tried) {
+        var text = new StringBuilder("\"" + need.by() + "\" needs " + what(need));
+        List<Registration> offers = meeting(need);
+        if (offers.isEmpty() && tried.isEmpty()) {
+            text.append(", which nobody offers");
+            similar(need)
+                    .ifPresent(name ->
+                            text.append("; did you mean \"").append(name).append("\"?"));
+            text.append(text.charAt(text.length() - 1) == '?' ? " registered: " : "; registered: ");
+        } else {
+            String why = Stream.concat(tried.keySet().stream(), offers.stream())
+                    .distinct()
+                    .map(each -> each + " (" + reason(each, tried.get(each)) + ")")
+                    .collect(Collectors.joining(", "));
+            text.append(", which is offered, but runs nowhere: ").append(why).append("; registered: ");
+        }
+        text.append(all.isEmpty() ? "nothing" : all.stream().map(Roster::show).collect(Collectors.joining(", ")));
+        var missing = new MissingServiceException(need, Reasons.oneLine(text.toString()));
+        tried.values().forEach(missing::addSuppressed);
+        return missing;
+    }
+
+    private static String reason(Registration it, @Nullable Throwable tried) {
+        Throwable why = tried != null ? tried : it.why;
+        return why == null ? words(it.health) : Reasons.of(why);
+    }
+
+    static String what(Need need) {
+        if (need.service() == null) {
+            return "the capability \"" + need.capability() + "\"";
+        }
+        return "the service \"" + need.service() + "\""
+                + (need.capability() == null ? "" : " with the capability \"" + need.capability() + "\"");
+    }
+
+    private Optional<String> similar(Need need) {
+        List<String> services = all.stream().map(each -> each.service).toList();
+        if (need.service() != null && !services.contains(need.service())) {
+            return Suggestions.nearest(need.service(), services);
+        }
+        String capability = need.capability();
+        return capability == null
+                ? Optional.empty()
+                : Suggestions.nearest(
+                        capability,
+                        all.stream()
+                                .filter(each -> need.service() == null || each.service.equals(need.service()))
+                                .flatMap(each -> each.capabilities.stream())
+                                .toList());
+    }
+
+    private static String show(Registration it) {
+        String capabilities = it.capabilities.isEmpty() ? "" : String.join(", ", it.capabilities) + "; ";
+        return it.service + " (" + capabilities + words(it.health) + ")";
+    }
+
+    private static String words(Health health) {
+        return health.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+}

@@ -1,0 +1,105 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Address;
+import java.util.List;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The broker of one process.
+ *
+ * <p><b>Role.</b> An actor on a space; its time is that space's. Providers may live anywhere; a broker only notices that one hangs if it has a space, and so a thread, of its own.
+ * <p><b>Order.</b> What one thread asks of it is done in that order; what takes time, such as a start, is not waited for by the next.
+ * <p><b>Errors.</b> Everything that goes wrong is told to the observer of the settings, whoever else hears of it. When the space is closed before the broker, its observer
+ * hears what may still run.
+ */
+public final class ServiceBroker implements Broker {
+    private final Registry registry;
+
+    private ServiceBroker(Registry registry) {
+        this.registry = registry;
+    }
+
+    /** A broker on that space, with nothing registered. */
+    public static ServiceBroker open(ActorSpace space, BrokerSettings settings) {
+        Objects.requireNonNull(settings, "settings");
+        return new ServiceBroker(
+                space.spawn(Registry.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")));
+    }
+
+    @Override
+    public Promise<ServiceRecord> register(
+            String service, List<String> capabilities, Address address, Provider provider) {
+        return registry.register(new Registration(service, capabilities, address, provider));
+    }
+
+    @Override
+    public Promise<@Nullable Void> withdraw(Address provider) {
+        return registry.withdraw(provider);
+    }
+
+    @Override
+    public Promise<ServiceRecord> replace(
+            Address old, String service, List<String> capabilities, Address address, Provider provider) {
+        return registry.replace(old, new Registration(service, capabilities, address, provider));
+    }
+
+    @Override
+    public Promise<List<ServiceRecord>> registered() {
+        return registry.registered();
+    }
+
+    @Override
+    public Promise<List<ServiceRecord>> find(Need need) {
+        return registry.find(need);
+    }
+
+    @Override
+    public Promise<ServiceRecord> require(Need need) {
+        return registry.require(need);
+    }
+
+    @Override
+    public Promise<ServiceRecord> connect(Need need, Connection connection) {
+        Objects.requireNonNull(connection, "connection");
+        return registry.connect(need, connection, lineTo(connection));
+    }
+
+    /** Says when the listener has heard: only then may a provider that it used before be stopped. */
+    private static Callback<Users.Told> lineTo(Connection connection) {
+        return (told, error) -> {
+            if (told == null) {
+                return; // the broker's space was closed
+            }
+            try {
+                if (told.use() != null) {
+                    connection.use(told.use());
+                } else if (told.lost() != null) {
+                    connection.lost(told.lost());
+                }
+                told.heard().resolve(null);
+            } catch (RuntimeException thrown) {
+                told.heard().reject(thrown); // the observer hears of it
+            }
+        };
+    }
+
+    @Override
+    public Promise<@Nullable Void> disconnect(Connection connection) {
+        return registry.disconnect(connection);
+    }
+
+    @Override
+    public Promise<List<ServiceRecord>> shutDown() {
+        return registry.shutDown();
+    }
+
+    @Override
+    public void close() {
+        shutDown().handle((left, error) -> null); // the observer hears of what did not stop
+    }
+}

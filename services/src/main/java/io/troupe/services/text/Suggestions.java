@@ -1,0 +1,65 @@
+package io.troupe.services.text;
+
+import java.util.Collection;
+import java.util.Locale;
+import java.util.Optional;
+
+/** Finds the known name that somebody probably meant. */
+public final class Suggestions {
+    /** Nobody means a longer name, and the comparison takes the product of both lengths. */
+    private static final int LONGEST = 100;
+
+    private Suggestions() {}
+
+    /**
+     * The known name with the fewest slips in it: letters left out, added, changed, or swapped with their neighbour; upper and lower case count as the same.
+     *
+     * @return the first of those with the fewest; empty if even that has more slips than a third of the written letters (one is always allowed)
+     */
+    public static Optional<String> nearest(String written, Collection<String> known) {
+        if (written.length() > LONGEST) {
+            return Optional.empty();
+        }
+        String lower = written.toLowerCase(Locale.ROOT);
+        int fewest = Math.max(1, written.length() / 3) + 1;
+        String best = null;
+        for (String name : known) {
+            int slips = Math.abs(written.length() - name.length()) >= fewest
+                    ? fewest // it cannot be nearer, and need not be compared
+                    : slips(lower, name.toLowerCase(Locale.ROOT));
+            if (slips < fewest) {
+                fewest = slips;
+                best = name;
+            }
+        }
+        return Optional.ofNullable(best);
+    }
+
+    /** The optimal string alignment distance; three rows of its table are enough. */
+    private static int slips(String from, String to) {
+        int[] beforeLast = new int[to.length() + 1];
+        int[] last = new int[to.length() + 1];
+        int[] row = new int[to.length() + 1];
+        for (int j = 0; j <= to.length(); j++) {
+            last[j] = j;
+        }
+        for (int i = 1; i <= from.length(); i++) {
+            row[0] = i;
+            for (int j = 1; j <= to.length(); j++) {
+                int change = from.charAt(i - 1) == to.charAt(j - 1) ? 0 : 1;
+                row[j] = Math.min(last[j - 1] + change, 1 + Math.min(last[j], row[j - 1]));
+                if (i > 1
+                        && j > 1
+                        && from.charAt(i - 1) == to.charAt(j - 2)
+                        && from.charAt(i - 2) == to.charAt(j - 1)) {
+                    row[j] = Math.min(row[j], beforeLast[j - 2] + 1);
+                }
+            }
+            int[] oldest = beforeLast;
+            beforeLast = last;
+            last = row;
+            row = oldest;
+        }
+        return last[to.length()];
+    }
+}
