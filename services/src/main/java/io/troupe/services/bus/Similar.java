@@ -4,13 +4,13 @@ import java.util.Collection;
 import java.util.List;
 
 /** Names that somebody may have meant. */
-public final class Similar {
+final class Similar {
     private static final int FEW = 8;
 
     private Similar() {}
 
     /** What to say about a name that is not among those there are: the similar ones, or else the first few. */
-    public static String hint(String wanted, Collection<String> there) {
+    static String hint(String wanted, Collection<String> there) {
         if (there.isEmpty()) {
             return "there is none";
         }

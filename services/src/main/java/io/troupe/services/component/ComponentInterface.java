@@ -133,11 +133,12 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     /** Leaves the bus; a component that runs is terminated. */
     @Override
     public void close() {
-        lives.terminate().whenComplete((ended, error) -> {
+        lives.terminate().handle((ended, error) -> {
             if (error != null) {
                 observer.problem(address(), "could not be terminated", error);
             }
             bus.close();
+            return null;
         });
     }
 

@@ -79,7 +79,7 @@ final class Lives<I, O> {
             fail(refusal);
             return started;
         }
-        mine.invoke(new LifeSignals(mine)).whenComplete((runs, error) -> {
+        mine.invoke(new LifeSignals(mine)).handle((runs, error) -> {
             if (mine != life || state != Lifecycle.INVOKING) {
                 late(mine, error);
             } else if (error != null) {
@@ -89,6 +89,7 @@ final class Lives<I, O> {
                 started.resolve(null);
                 turns.runs();
             }
+            return null;
         });
         return started;
     }
@@ -119,13 +120,14 @@ final class Lives<I, O> {
         var stopped = new Deferred<@Nullable Void>();
         change = stopped;
         become(Lifecycle.TERMINATING);
-        ending.terminate().whenComplete((ended, error) -> {
+        ending.terminate().handle((ended, error) -> {
             if (error != null) {
                 fail(error);
-                return;
+            } else {
+                close(Lifecycle.TERMINATED);
+                stopped.resolve(null);
             }
-            close(Lifecycle.TERMINATED);
-            stopped.resolve(null);
+            return null;
         });
         return stopped;
     }

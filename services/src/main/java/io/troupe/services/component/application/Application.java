@@ -5,6 +5,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.broker.Broker;
 import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.broker.Need;
 import io.troupe.services.bus.Bus;
 import io.troupe.services.bus.BusPort;
 import io.troupe.services.component.ComponentInterface;
@@ -28,7 +29,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> Needs are met one after the other, in the order of the plan; replacements are timed from the moment when all are. When one provider takes the place
  * of another its wires do so in one turn of the space.
  * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application: everything that was started is stopped, and then
- * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}.
+ * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}. So do two needs that would feed one
+ * topic, with an {@link IllegalStateException}.
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
 public final class Application {
@@ -63,6 +65,7 @@ public final class Application {
     private final List<Usage> usages = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
     private final Deferred<@Nullable Void> ended = new Deferred<>();
+    private final Losses losses = new Losses();
     private boolean ending;
 
     private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, Settings settings) {
@@ -135,11 +138,11 @@ public final class Application {
         return first.thenCombine(second, (one, other) -> one);
     }
 
-    private Promise<?> meet(Iterator<io.troupe.services.broker.Need> needs) {
+    private Promise<?> meet(Iterator<Need> needs) {
         if (ending || !needs.hasNext()) {
             return Promise.done();
         }
-        var usage = new Usage(needs.next(), wiring, settings.events(), this::lost);
+        var usage = new Usage(needs.next(), wiring, settings.events(), losses);
         usages.add(usage);
         return broker.connect(usage.need(), usage).thenCompose(provider -> meet(needs));
     }
@@ -150,20 +153,24 @@ public final class Application {
         }
         started.resolve(null);
         for (var replacement : plan.replacements()) {
-            space.delay(replacement.after()).then((over, closed) -> {
+            space.delay(replacement.after()).handle((over, closed) -> {
                 if (closed == null && !ending) {
                     replace(replacement);
                 }
+                return null;
             });
         }
     }
 
     private void replace(Replacement what) {
-        replace(what.old(), what.by()).then((done, error) -> settings.events()
-                .accept(
-                        error == null
-                                ? new ApplicationEvent.Replaced(what)
-                                : new ApplicationEvent.NotReplaced(what, error)));
+        replace(what.old(), what.by()).handle((done, error) -> {
+            settings.events()
+                    .accept(
+                            error == null
+                                    ? new ApplicationEvent.Replaced(what)
+                                    : new ApplicationEvent.NotReplaced(what, error));
+            return null;
+        });
     }
 
     /**
@@ -192,15 +199,27 @@ public final class Application {
         return face;
     }
 
-    private void lost(Usage usage, MissingServiceException why) {
-        if (ending) {
-            return;
+    private final class Losses implements Usage.Losses {
+        @Override
+        public void lost(Usage usage, MissingServiceException why) {
+            if (!ending) {
+                awaitAnother(usage, why);
+            }
         }
+
+        @Override
+        public void clash(IllegalStateException why) {
+            end(why);
+        }
+    }
+
+    private void awaitAnother(Usage usage, MissingServiceException why) {
         settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
-        space.delay(settings.patience()).then((over, closed) -> {
+        space.delay(settings.patience()).handle((over, closed) -> {
             if (closed == null && !usage.isMet()) {
                 end(why);
             }
+            return null;
         });
     }
 
@@ -217,12 +236,12 @@ public final class Application {
             return;
         }
         ending = true;
-        broker.shutDown().then((left, error) -> {
+        broker.shutDown().handle((left, error) -> {
             usages.forEach(Usage::disconnect);
-            Iterable<ComponentInterface<?, ?>> faces = List.copyOf(interfaces.values());
-            faces.forEach(ComponentInterface::close);
+            interfaces.values().forEach(ComponentInterface::close);
             bus.close();
             settle(why != null ? why : error);
+            return null;
         });
     }
 

@@ -1,7 +1,6 @@
 package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
-import io.troupe.services.bus.Similar;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
 import java.time.Duration;
@@ -88,7 +87,7 @@ public record ApplicationPlan(
         List<String> users = users();
         if (!users.contains(need.by())) {
             throw new IllegalArgumentException("\"" + need.by()
-                    + "\" is neither the application nor a component nor a robot of one; " + Similar.hint(need.by(), users));
+                    + "\" is neither the application nor a component nor a robot of one; " + Hints.of(need.by(), users));
         }
         return new ApplicationPlan(name, components, plus(needs, need), wires, replacements);
     }
@@ -130,7 +129,7 @@ public record ApplicationPlan(
         for (String each : List.of(old, by)) {
             if (!components.containsKey(each)) {
                 throw new IllegalArgumentException("\"" + each + "\" is no component of " + name + "; "
-                        + Similar.hint(each, components.keySet()));
+                        + Hints.of(each, components.keySet()));
             }
         }
         if (replacements.stream().anyMatch(each -> each.by().equals(by)) || old.equals(by)) {

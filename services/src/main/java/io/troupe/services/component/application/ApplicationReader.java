@@ -1,7 +1,6 @@
 package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
-import io.troupe.services.bus.Similar;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
@@ -10,6 +9,7 @@ import io.troupe.services.component.kinds.ArgumentException;
 import io.troupe.services.component.kinds.Arguments;
 import io.troupe.services.component.kinds.Kind;
 import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.text.Suggestions;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -40,6 +40,7 @@ public final class ApplicationReader {
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
+    private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
     private static final String STATEMENT = "application, component, connect, at, or a user that needs a service";
 
     private final Path file;
@@ -119,7 +120,7 @@ public final class ApplicationReader {
                 .orElseThrow(() -> words.problem(
                         kindWord,
                         "there is no kind of component \"" + kindWord.text() + "\"; "
-                                + Similar.hint(kindWord.text(), kinds.all().stream().map(Kind::name).toList())));
+                                + Hints.of(kindWord.text(), kinds.all().stream().map(Kind::name).toList())));
         Map<String, Word> arguments = arguments(kind, words);
         Map<String, String> given = new LinkedHashMap<>();
         arguments.forEach((key, word) -> given.put(key, word.text()));
@@ -157,7 +158,7 @@ public final class ApplicationReader {
                 throw words.problem(word, "found \"" + word.text() + "\", expected PARAMETER=VALUE");
             }
             if (!known.contains(key)) {
-                throw words.problem(word, kind.name() + " has no parameter \"" + key + "\"; " + Similar.hint(key, known));
+                throw words.problem(word, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
             }
             if (arguments.put(key, new Word(word.text().substring(equals + 1), word.column())) != null) {
                 throw words.problem(word, "\"" + key + "\" is given twice, expected it once");
@@ -167,9 +168,12 @@ public final class ApplicationReader {
     }
 
     private void need(Word user, Words words) {
-        if (!words.hasNext() || !NAME.matcher(user.text()).matches()) {
-            throw words.problem(user, "found \"" + user.text() + "\", expected " + STATEMENT + "; "
-                    + Similar.hint(user.text(), List.of("application", "component", "connect", "at")));
+        var meant = Suggestions.nearest(user.text(), STATEMENTS);
+        if (!words.isNext("needs") && (meant.isPresent() || !plan.users().contains(user.text()))) {
+            throw words.problem(
+                    user,
+                    "found \"" + user.text() + "\", expected " + STATEMENT
+                            + meant.map(word -> "; did you mean \"" + word + "\"?").orElse(""));
         }
         words.expect("needs");
         String service = null;
@@ -222,7 +226,7 @@ public final class ApplicationReader {
         throw words.problem(
                 name,
                 "no component above has a topic \"" + name.text() + "\"; "
-                        + Similar.hint(name.text(), topics.stream().map(Topic::name).toList()));
+                        + Hints.of(name.text(), topics.stream().map(Topic::name).toList()));
     }
 
     private void replace(Words words) {

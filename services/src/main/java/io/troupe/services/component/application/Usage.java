@@ -13,6 +13,9 @@ final class Usage implements Broker.Connection {
     /** Hears when the need is not met any more. */
     interface Losses {
         void lost(Usage usage, MissingServiceException why);
+
+        /** The provider cannot be connected, because another feeds the same. */
+        void clash(IllegalStateException why);
     }
 
     private final Need need;
@@ -40,6 +43,13 @@ final class Usage implements Broker.Connection {
     @Override
     public void use(ServiceRecord provider) {
         var wires = wiring.between(need.by(), provider.provider().name());
+        try {
+            wiring.release(need);
+            wiring.claim(need, wires);
+        } catch (IllegalStateException clash) {
+            losses.clash(clash);
+            return;
+        }
         disconnect(); // in the same turn: no value finds both connected, or none
         open = wiring.open(wires);
         met = true;
@@ -49,6 +59,7 @@ final class Usage implements Broker.Connection {
     @Override
     public void lost(MissingServiceException why) {
         disconnect();
+        wiring.release(need);
         met = false;
         losses.lost(this, why);
     }

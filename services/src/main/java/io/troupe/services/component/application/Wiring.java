@@ -1,11 +1,13 @@
 package io.troupe.services.component.application;
 
+import io.troupe.services.broker.Need;
 import io.troupe.services.bus.BusPort;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +30,34 @@ final class Wiring {
         this.port = port;
         this.components = components;
         this.observer = observer;
+    }
+
+    /** By which need a topic is fed. */
+    private final Map<Topic<?>, Need> feeders = new HashMap<>();
+
+    /**
+     * Lets a need feed topics.
+     *
+     * @throws IllegalStateException if another does already: a robot that two drive obeys none, and a control law that hears two robots drives neither
+     */
+    void claim(Need need, List<Wire<?>> wires) {
+        for (var wire : wires) {
+            Need other = feeders.get(wire.to());
+            if (other != null && other != need) {
+                throw new IllegalStateException(wire.to().name() + " would be fed twice, because " + words(other)
+                        + " and because " + words(need) + ", expected once");
+            }
+        }
+        wires.forEach(wire -> feeders.put(wire.to(), need));
+    }
+
+    private static String words(Need need) {
+        return need.by() + " needs "
+                + (need.service() != null ? need.service() : "the capability " + need.capability());
+    }
+
+    void release(Need need) {
+        feeders.values().removeIf(each -> each == need);
     }
 
     /** What is to be connected between a user and a provider; a provider that is no component of this application has no topics that are known here. */

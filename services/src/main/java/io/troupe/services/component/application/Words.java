@@ -83,6 +83,10 @@ final class Words {
         return next < words.size();
     }
 
+    boolean isNext(String word) {
+        return hasNext() && words.get(next).text().equals(word);
+    }
+
     /** The next word; without one, says what was expected. */
     Word next(String expected) {
         if (!hasNext()) {

@@ -15,7 +15,6 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
     private final PlayerComponent.Settings settings;
     private final Map<Integer, PlayerRobot> robots = new TreeMap<>();
     private @Nullable PlayerClient client;
-    private @Nullable Promise<?> reading;
     private @Nullable Throwable lost;
 
     PlayerCommunication(PlayerComponent.Settings settings) {
@@ -41,19 +40,19 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
     }
 
     private void awaitData(PlayerClient from, Signals<? super Reading> signals) {
-        reading = from.nextData().whenComplete((ready, error) -> {
+        from.nextData().handle((ready, error) -> {
             if (client == null) {
-                return; // terminated
+                return null; // terminated, so the client was closed
             }
             if (error != null) {
                 lost = new PlayerException(settings.where() + ": " + error.getMessage(), error);
                 signals.failed(lost);
-                return;
+                return null;
             }
             awaitData(from, signals);
             robots.values().forEach(robot -> robot.report(signals));
+            return null;
         });
-        reading.exceptionally(told -> null);
     }
 
     @Override
