@@ -1,11 +1,15 @@
 package io.troupe.demo;
 
+import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
+import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.component.application.ApplicationException;
+import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
@@ -27,13 +31,22 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        subcommands = {
+            RunCommand.class,
+            AppCommand.class,
+            VerifyCommand.class,
+            ServeCommand.class,
+            ReplayCommand.class,
+            DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
     /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
     static final int FAILED = 1;
+
+    /** Exit status for a service that an application needs and nobody offers. */
+    static final int MISSING_SERVICE = 3;
 
     private Main() {}
 
@@ -43,27 +56,37 @@ public final class Main {
         System.exit(execute(out, err, arguments));
     }
 
-    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly. */
+    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         return new CommandLine(new Main())
                 .setOut(out)
                 .setErr(err)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException || thrown instanceof PnmlException) {
+                    if (thrown instanceof WorldFileException
+                            || thrown instanceof PnmlException
+                            || thrown instanceof ApplicationFileException) {
                         return complain(commandLine, thrown.getMessage());
+                    }
+                    if (thrown instanceof MissingServiceException) {
+                        return tell(err, thrown, MISSING_SERVICE);
                     }
                     if (thrown instanceof IOException
                             || thrown instanceof UncheckedIOException
                             || thrown instanceof RecordingException
+                            || thrown instanceof ApplicationException
                             || thrown instanceof PlayerException) {
-                        err.println("troupe: " + failure(thrown));
-                        err.flush();
-                        return FAILED;
+                        return tell(err, thrown, FAILED);
                     }
                     throw thrown;
                 })
                 .execute(withCommand(arguments));
+    }
+
+    private static int tell(PrintWriter err, Exception thrown, int status) {
+        err.println("troupe: " + failure(thrown));
+        err.flush();
+        return status;
     }
 
     /** {@code run} is what is done unless something else is asked for. */

@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  * of another its wires do so in one turn of the space.
  * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application: everything that was started is stopped, and then
  * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}. So do two needs that would feed one
- * topic, with an {@link IllegalStateException}.
+ * topic, with an {@link ApplicationException}.
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
 public final class Application {
@@ -208,7 +208,7 @@ public final class Application {
         }
 
         @Override
-        public void clash(IllegalStateException why) {
+        public void clash(ApplicationException why) {
             end(why);
         }
     }

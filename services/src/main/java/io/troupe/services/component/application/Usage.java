@@ -15,7 +15,7 @@ final class Usage implements Broker.Connection {
         void lost(Usage usage, MissingServiceException why);
 
         /** The provider cannot be connected, because another feeds the same. */
-        void clash(IllegalStateException why);
+        void clash(ApplicationException why);
     }
 
     private final Need need;
@@ -46,7 +46,7 @@ final class Usage implements Broker.Connection {
         try {
             wiring.release(need);
             wiring.claim(need, wires);
-        } catch (IllegalStateException clash) {
+        } catch (ApplicationException clash) {
             losses.clash(clash);
             return;
         }

@@ -38,13 +38,13 @@ final class Wiring {
     /**
      * Lets a need feed topics.
      *
-     * @throws IllegalStateException if another does already: a robot that two drive obeys none, and a control law that hears two robots drives neither
+     * @throws ApplicationException if another does already: a robot that two drive obeys none, and a control law that hears two robots drives neither
      */
     void claim(Need need, List<Wire<?>> wires) {
         for (var wire : wires) {
             Need other = feeders.get(wire.to());
             if (other != null && other != need) {
-                throw new IllegalStateException(wire.to().name() + " would be fed twice, because " + words(other)
+                throw new ApplicationException(wire.to().name() + " would be fed twice, because " + words(other)
                         + " and because " + words(need) + ", expected once");
             }
         }

@@ -149,7 +149,7 @@ class ApplicationTest {
     void twoProvidersThatWouldDriveOneRobot_endTheApplication() {
         start(plan(TWO_ROBOTS + "robot1 needs service idling\n"));
         assertThat(test.error(application.started()))
-                .isInstanceOf(IllegalStateException.class)
+                .isInstanceOf(ApplicationException.class)
                 .hasMessage("robot1/velocity would be fed twice, because robot1 needs wallFollower and because robot1"
                         + " needs idling, expected once");
         assertThat(robots.connections()).isZero();
