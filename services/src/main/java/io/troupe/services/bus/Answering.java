@@ -1,17 +1,24 @@
 package io.troupe.services.bus;
 
 import io.troupe.actor.promise.Promise;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /** One operation that a port answers. */
 final class Answering<Q extends Record, A extends Record> extends Inlet {
+    /** Which question: enough to tell it from all others. */
+    private record Asked(Address by, long number) {
+        static Asked of(Message question) {
+            return new Asked(question.from(), question.sequence());
+        }
+    }
+
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> answerer;
-    private final Set<Message> begun = new LinkedHashSet<>(); // guarded by itself: not yet answered
+    private final Map<Asked, Message> begun = new LinkedHashMap<>(); // guarded by itself: not yet answered
 
     Answering(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         super(port, port.address() + " answers " + operation.name());
@@ -22,7 +29,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     @Override
     void handle(Message question) {
         synchronized (begun) {
-            begun.add(question);
+            begun.put(Asked.of(question), question);
         }
         String over = whyEnded();
         if (over != null) {
@@ -46,17 +53,23 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     private void settle(Message question, @Nullable A value, @Nullable Throwable error) {
         boolean first;
         synchronized (begun) {
-            first = begun.remove(question);
+            first = begun.remove(Asked.of(question)) != null;
         }
         Message reply = replyTo(question, value, error);
         if (first) {
             node.route(reply);
         } else {
-            node.late(reply, port.address() + " had left before: " + whyEnded());
+            node.telling.late(reply, port.address() + " had left before: " + whyEnded());
         }
     }
 
     private Message replyTo(Message question, @Nullable A value, @Nullable Throwable error) {
+        if (error == null && value == null) {
+            return failed(
+                    question,
+                    new NullPointerException("the answer is null, expected a "
+                            + operation.answer().getName()));
+        }
         if (error == null) {
             try {
                 return node.answer(port.address(), question, operation.answer().cast(node.detached(value)));
@@ -68,7 +81,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     }
 
     private Message failed(Message question, Throwable error) {
-        node.answererFailed(question, error);
+        node.telling.answererFailed(question, error);
         String message = error.getMessage();
         return node.refusal(
                 port.address(),
@@ -98,7 +111,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     private void refuseBegun(String why) {
         List<Message> open;
         synchronized (begun) {
-            open = List.copyOf(begun);
+            open = List.copyOf(begun.values());
             begun.clear();
         }
         open.forEach(question -> node.refuse(port.address(), question, "left before it answered: " + why));

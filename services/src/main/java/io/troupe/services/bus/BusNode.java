@@ -7,13 +7,12 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.Consumer;
-import org.jspecify.annotations.Nullable;
 
 /** One process on a bus. What a kind of bus has of its own is the {@link Transport} to the other nodes. */
 final class BusNode implements Bus {
     final BusSettings settings;
     final Counters counters = new Counters();
+    final Telling telling;
     private final String name;
     private final Transport transport;
     private final Directory directory;
@@ -25,6 +24,7 @@ final class BusNode implements Bus {
     BusNode(String name, BusSettings settings, Transport transport) {
         this.name = new Address(name, "bus").node(); // which checks it
         this.settings = settings;
+        this.telling = new Telling(settings.observer(), counters);
         this.transport = transport;
         this.directory = new Directory(name);
     }
@@ -104,11 +104,11 @@ final class BusNode implements Bus {
 
     /** Sends a message from here on its way. */
     void route(Message message) {
-        tell(observer -> observer.passed(message));
+        telling.passed(message);
         switch (message.purpose()) {
             case Purpose.Publication publication -> {
                 deliver(message);
-                transport.broadcast(message);
+                broadcast(message);
             }
             case Purpose.Question question -> send(question.to(), message);
             case Purpose.Answer answer -> send(answer.to(), message);
@@ -119,18 +119,33 @@ final class BusNode implements Bus {
     private void send(Address to, Message message) {
         if (to.node().equals(name)) {
             deliver(message);
-        } else if (transport.reaches(to.node())) {
-            transport.send(to.node(), message);
+        } else if (!transport.reaches(to.node())) {
+            cannotSend(message, "there is no way from node " + name + " to node " + to.node());
         } else {
-            String why = "there is no way from node " + name + " to node " + to.node();
-            undeliverable(message, why);
-            questions.refuse(message.sequence(), why);
+            try {
+                transport.send(to.node(), message);
+            } catch (RuntimeException failure) {
+                cannotSend(message, "the way from node " + name + " to node " + to.node() + " failed: " + failure);
+            }
+        }
+    }
+
+    private void cannotSend(Message message, String why) {
+        telling.undeliverable(message, why);
+        questions.refuse(message.sequence(), why); // if it is one
+    }
+
+    private void broadcast(Message publication) {
+        try {
+            transport.broadcast(publication);
+        } catch (RuntimeException failure) {
+            telling.undeliverable(publication, "the way from node " + name + " to the others failed: " + failure);
         }
     }
 
     /** A message has come from another node. */
     void receive(Message message) {
-        tell(observer -> observer.passed(message));
+        telling.passed(message);
         deliver(message);
     }
 
@@ -148,7 +163,7 @@ final class BusNode implements Bus {
             if (hearing.topic.type().isInstance(message.payload())) {
                 hearing.offer(message); // one that has just ended does not subscribe now
             } else {
-                undeliverable(
+                telling.undeliverable(
                         message,
                         "it is a " + message.payload().getClass().getName() + ", and " + hearing.port + " expects a "
                                 + hearing.topic.type().getName());
@@ -184,7 +199,7 @@ final class BusNode implements Bus {
 
     /** Tells an asker that nobody answers. */
     void refuse(Address answerer, Message question, String why) {
-        undeliverable(question, why);
+        telling.undeliverable(question, why);
         route(refusal(answerer, question, new Failure.NotDelivered(why)));
     }
 
@@ -203,34 +218,6 @@ final class BusNode implements Bus {
             return question.operation();
         }
         throw new IllegalStateException("not a question: " + message);
-    }
-
-    // ---- losses
-
-    private void undeliverable(Message message, String why) {
-        counters.undeliverable.increment();
-        lost(new Loss.Undeliverable(message, why));
-    }
-
-    void late(Message reply, @Nullable String why) {
-        counters.late.increment();
-        lost(new Loss.Late(reply, String.valueOf(why)));
-    }
-
-    void lost(Loss loss) {
-        tell(observer -> observer.lost(loss));
-    }
-
-    void answererFailed(Message question, Throwable error) {
-        tell(observer -> observer.failed(question, error));
-    }
-
-    private void tell(Consumer<BusObserver> telling) {
-        try {
-            telling.accept(settings.observer());
-        } catch (RuntimeException failure) {
-            LoggingObserver.observerFailed(failure);
-        }
     }
 
     @Override

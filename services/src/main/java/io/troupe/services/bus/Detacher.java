@@ -79,16 +79,19 @@ final class Detacher {
         };
     }
 
+    /** An immutable list of the platform is its own copy, if its elements are. */
     private List<?> copyOfList(List<?> list) {
-        var copy = new ArrayList<@Nullable Object>(list.size());
+        var copy = new ArrayList<Object>(list.size());
         boolean changed = false;
         for (Object each : list) {
             Object part = copyOf(each);
+            if (part == null) {
+                throw new IllegalArgumentException("a list has null at " + copy.size() + ", expected values: " + list);
+            }
             copy.add(part);
             changed |= part != each;
         }
-        boolean mayChange = List.copyOf(list) != list;
-        return changed || mayChange ? List.copyOf(copy) : list;
+        return changed ? List.copyOf(copy) : List.copyOf(list);
     }
 
     private static boolean hasContainers(Type type, Set<Type> seen) {
@@ -99,7 +102,8 @@ final class Detacher {
             return false;
         }
         if (plain.isRecord()) {
-            return Arrays.stream(plain.getRecordComponents()).anyMatch(each -> hasContainers(each.getGenericType(), seen));
+            return Arrays.stream(plain.getRecordComponents())
+                    .anyMatch(each -> hasContainers(each.getGenericType(), seen));
         }
         return plain.isSealed()
                 && Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> hasContainers(each, seen));
@@ -122,7 +126,7 @@ final class Detacher {
     }
 
     private static Method opened(Method accessor) {
-        accessor.setAccessible(true);
+        accessor.setAccessible(true); // a record's own class need not be public
         return accessor;
     }
 }

@@ -21,7 +21,7 @@ final class Hearing<T extends Record> extends Inlet implements BusPort.Subscript
             node.counters.delivered.increment();
         } catch (Throwable thrown) {
             node.counters.failed.increment();
-            node.lost(new Loss.SubscriberFailed(port.address(), message, thrown));
+            node.telling.lost(new Loss.SubscriberFailed(port.address(), message, thrown));
         }
     }
 
@@ -42,14 +42,14 @@ final class Hearing<T extends Record> extends Inlet implements BusPort.Subscript
             soFar = ++dropped;
         }
         node.counters.dropped.increment();
-        node.lost(new Loss.Dropped(port.address(), message, soFar));
+        node.telling.lost(new Loss.Dropped(port.address(), message, soFar));
     }
 
     @Override
     void leftOver(List<Message> rest, String why) {
         if (!rest.isEmpty()) {
             node.counters.discarded.add(rest.size());
-            node.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
+            node.telling.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
         }
     }
 

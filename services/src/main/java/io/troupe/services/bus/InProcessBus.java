@@ -14,7 +14,7 @@ import io.troupe.actor.ActorSpace;
  * <p><b>Cost.</b> Publishing costs one short lock for each subscriber. At most {@link BusSettings#capacity} messages wait before one subscriber: then the
  * oldest is dropped. Before an answerer the newest question is refused instead.
  * <p><b>Errors.</b> {@link BusPort#ask} rejects with a {@link BusException} that names asker, answerer and operation: nobody is there, nobody answers that, other types were expected, too many questions
- * wait, the time is over, or one of both has left. A subscriber that throws does not keep others from hearing. What a port is asked to do after it was
+ * wait, the time is over, or one of both has left, or its space is closed. An actor that stops and leaves its port open is missed with the next message to it. A subscriber that throws does not keep others from hearing. What a port is asked to do after it was
  * closed throws a {@link BusException}.
  */
 public final class InProcessBus implements Bus {

@@ -24,7 +24,7 @@ abstract class Inlet {
     private final ArrayDeque<Message> waiting = new ArrayDeque<>(); // guarded by this
     private boolean signalled; // guarded by this: the space is going to look
     private volatile @Nullable String ended; // written under this: why
-    private @Nullable Promise<@Nullable Void> watch;
+    private volatile @Nullable Promise<@Nullable Void> watch;
 
     Inlet(Port port, String name) {
         this.port = port;
@@ -38,8 +38,9 @@ abstract class Inlet {
     /** Begins to hear; not in the constructor, because other threads learn of this inlet here. */
     final void open() {
         door.subscribe(new Signal());
-        watch = space.whenClosed();
-        watch.toCompletableFuture().thenRun(() -> end("space " + space + " was closed"));
+        Promise<@Nullable Void> closed = space.whenClosed();
+        watch = closed;
+        closed.toCompletableFuture().thenRun(() -> end("space " + space + " was closed"));
     }
 
     /** Deals with one message, on the space. */

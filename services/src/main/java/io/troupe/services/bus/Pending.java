@@ -44,8 +44,7 @@ final class Pending<A extends Record> {
             return counted(counters.refused, reject(errorOf(failure)));
         }
         if (operation.answer().isInstance(reply.payload())) {
-            return counted(
-                    counters.answered, resolve(operation.answer().cast(reply.payload())));
+            return counted(counters.answered, resolve(operation.answer().cast(reply.payload())));
         }
         return counted(
                 counters.refused,

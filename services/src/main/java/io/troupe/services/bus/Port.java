@@ -48,6 +48,7 @@ final class Port implements BusPort {
         }
         hearing.open();
         node.add(hearing);
+        checkBegun("subscribe to " + topic.name(), hearing);
         return hearing;
     }
 
@@ -55,17 +56,33 @@ final class Port implements BusPort {
     public <Q extends Record, A extends Record> void answer(
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         Objects.requireNonNull(answerer, "answerer");
+        var answering = new Answering<Q, A>(this, operation, answerer);
         var before = answering(operation.name());
         if (before != null && !before.isOver()) {
-            throw new IllegalArgumentException(address + " answers " + operation.name() + " already");
+            throw answeredAlready(operation);
         }
-        var answering = new Answering<Q, A>(this, operation, answerer);
         answering.open();
         synchronized (lock) {
-            checkOpen("answer " + operation.name());
-            if (answerings.putIfAbsent(operation.name(), answering) != null) {
-                throw new IllegalArgumentException(address + " answers " + operation.name() + " already");
+            if (closed != null) {
+                answering.end(closed);
+            } else if (answerings.putIfAbsent(operation.name(), answering) != null) {
+                answering.end("another answers");
+                throw answeredAlready(operation);
             }
+        }
+        checkBegun("answer " + operation.name(), answering);
+    }
+
+    private IllegalArgumentException answeredAlready(Operation<?, ?> operation) {
+        return new IllegalArgumentException(address + " answers " + operation.name() + " already");
+    }
+
+    /** It may have ended, with its space or this port, before others could find it to end it. */
+    private void checkBegun(String what, Inlet inlet) {
+        String why = inlet.whyEnded();
+        if (why != null) {
+            forget(inlet);
+            throw new BusException(address + " cannot " + what + ": " + why);
         }
     }
 

@@ -34,7 +34,10 @@ final class Questions {
         long number = message.sequence();
         node.counters.asked.increment();
         pending.put(number, waiting);
-        String closed = asker.whyClosed(); // asked after the question is in the table, so that either it or close() sees the other
+        String closed =
+                asker
+                        .whyClosed(); // asked after the question is in the table, so that either it or close() sees the
+                                      // other
         if (closed != null) {
             refuse(number, "the asker has left: " + closed);
         } else {
@@ -59,9 +62,9 @@ final class Questions {
     void settle(Message reply, long question) {
         Pending<?> asked = pending.remove(question);
         if (asked == null) {
-            node.late(reply, "nobody waits for it any more");
+            node.telling.late(reply, "nobody waits for it any more");
         } else if (!asked.settle(reply, node.counters)) {
-            node.late(reply, "the asker has cancelled");
+            node.telling.late(reply, "the asker has cancelled");
         }
     }
 

@@ -1,0 +1,79 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+class WhenClosedTest {
+    private final List<String> log = new ArrayList<>();
+    private final List<DeadLetter> deadLetters = new ArrayList<>();
+    private final ActorSpace space = ActorSpace.create(SpaceSettings.named("short-lived")
+            .withHandCrank()
+            .withOnDeadLetter(deadLetters::add)
+            .withOnError((where, error) -> log.add(where + ": " + error)));
+
+    /** Says when it ends. */
+    public static class Resident extends Actor {
+        private final List<String> log;
+
+        Resident(List<String> log) {
+            this.log = log;
+        }
+
+        public void greet() {
+            log.add("greeted");
+        }
+
+        @Override
+        protected void stopped() {
+            log.add("actor stopped");
+        }
+    }
+
+    @Test
+    void whenClosed_isFulfilledAfterTheActorsHaveStopped_onTheSpacesThread() {
+        var resident = space.spawn(Resident.class, () -> new Resident(log));
+        Promise<@Nullable Void> closed = space.whenClosed();
+        closed.thenRun(() -> log.add("closed, on " + ActorSpace.current()));
+        resident.greet();
+        space.crank();
+        assertThat(closed.isDone()).isFalse();
+        space.close();
+        assertThat(log).containsExactly("greeted", "actor stopped", "closed, on short-lived");
+    }
+
+    @Test
+    void whenClosed_ofASpaceThatIsClosed_isFulfilledAtOnce() {
+        space.close();
+        assertThat(space.whenClosed().isDone()).isTrue();
+    }
+
+    @Test
+    void whenClosed_canBeCancelledByOneWatcher_andTheOthersStillHear() {
+        Promise<@Nullable Void> mine = space.whenClosed();
+        Promise<@Nullable Void> others = space.whenClosed();
+        mine.cancel();
+        space.close();
+        assertThat(mine.isCancelled()).isTrue();
+        assertThat(others.isRejected()).isFalse();
+        assertThat(others.isDone()).isTrue();
+    }
+
+    @Test
+    void whoeverWatches_mayCallActorsThatAreGone_andIsTurnedAway() {
+        var other = new Resident(log);
+        var resident = space.spawn(Resident.class, () -> other);
+        space.whenClosed().thenRun(() -> {
+            resident.greet();
+            space.execute(() -> log.add("never"));
+        });
+        space.close();
+        assertThat(log).containsExactly("actor stopped");
+        assertThat(deadLetters).hasSize(2);
+        assertThat(space.isQuiet()).isTrue();
+    }
+}

@@ -1,0 +1,45 @@
+package io.troupe.services.bus;
+
+import java.util.function.Consumer;
+
+/** Tells a node's observer, and counts what it tells of losses. */
+final class Telling {
+    private final BusObserver observer;
+    private final Counters counters;
+
+    Telling(BusObserver observer, Counters counters) {
+        this.observer = observer;
+        this.counters = counters;
+    }
+
+    void passed(Message message) {
+        tell(it -> it.passed(message));
+    }
+
+    void undeliverable(Message message, String why) {
+        counters.undeliverable.increment();
+        lost(new Loss.Undeliverable(message, why));
+    }
+
+    void late(Message reply, String why) {
+        counters.late.increment();
+        lost(new Loss.Late(reply, why));
+    }
+
+    /** One that is counted where it happens. */
+    void lost(Loss loss) {
+        tell(it -> it.lost(loss));
+    }
+
+    void answererFailed(Message question, Throwable error) {
+        tell(it -> it.failed(question, error));
+    }
+
+    private void tell(Consumer<BusObserver> what) {
+        try {
+            what.accept(observer);
+        } catch (RuntimeException failure) {
+            LoggingObserver.observerFailed(failure);
+        }
+    }
+}

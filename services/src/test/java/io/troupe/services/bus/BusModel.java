@@ -1,0 +1,183 @@
+package io.troupe.services.bus;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/** What a bus does, said simply: lists, no threads, no promises. */
+final class BusModel {
+    /** What an answerer does with a question. */
+    enum Manner {
+        ANSWERS,
+        THROWS,
+        KEEPS
+    }
+
+    /** A subscription. */
+    static final class Reader {
+        final List<String> heard = new ArrayList<>();
+        final ArrayDeque<String> waiting = new ArrayDeque<>();
+    }
+
+    /** A question; the outcome is null as long as it waits. */
+    static final class Question {
+        final int id;
+        final String asker;
+        final long deadlineSeconds;
+
+        @Nullable
+        String outcome;
+
+        Question(int id, String asker, long deadlineSeconds) {
+            this.id = id;
+            this.asker = asker;
+            this.deadlineSeconds = deadlineSeconds;
+        }
+    }
+
+    /** A name that answers. */
+    private static final class Answerer {
+        final Manner manner;
+        final ArrayDeque<Question> waiting = new ArrayDeque<>();
+        final List<Question> kept = new ArrayList<>();
+
+        Answerer(Manner manner) {
+            this.manner = manner;
+        }
+    }
+
+    private final int capacity;
+    private final Map<Integer, Reader> readers = new LinkedHashMap<>();
+    private final Map<Integer, String> portOf = new LinkedHashMap<>();
+    private final Map<String, Answerer> answerers = new LinkedHashMap<>();
+    private final List<Question> questions = new ArrayList<>();
+    private final Map<Integer, Reader> all = new LinkedHashMap<>();
+    private final List<Question> keptByNobody = new ArrayList<>();
+    long dropped;
+    long discarded;
+    long queued;
+    long late;
+    private long seconds;
+
+    BusModel(int capacity) {
+        this.capacity = capacity;
+    }
+
+    void subscribe(int reader, String port) {
+        readers.put(reader, new Reader());
+        all.put(reader, readers.get(reader));
+        portOf.put(reader, port);
+    }
+
+    void publish(String value) {
+        for (var reader : readers.values()) {
+            if (reader.waiting.size() == capacity) {
+                reader.waiting.remove();
+                dropped++;
+            }
+            reader.waiting.add(value);
+            queued++;
+        }
+    }
+
+    void unsubscribe(int reader) {
+        var gone = readers.remove(reader);
+        if (gone != null) {
+            discarded += gone.waiting.size();
+        }
+    }
+
+    void answer(String port, Manner manner) {
+        answerers.put(port, new Answerer(manner));
+    }
+
+    void ask(int id, String asker, String to, long limitSeconds) {
+        var question = new Question(id, asker, seconds + limitSeconds);
+        questions.add(question);
+        var answerer = answerers.get(to);
+        if (answerer == null) {
+            question.outcome = "refused";
+        } else if (answerer.waiting.size() == capacity) {
+            question.outcome = "refused";
+        } else {
+            answerer.waiting.add(question);
+        }
+    }
+
+    void crank() {
+        for (var reader : readers.values()) {
+            reader.heard.addAll(reader.waiting);
+            reader.waiting.clear();
+        }
+        for (var answerer : answerers.values()) {
+            for (var question = answerer.waiting.poll(); question != null; question = answerer.waiting.poll()) {
+                switch (answerer.manner) {
+                    case ANSWERS -> settle(question, "answered " + question.id);
+                    case THROWS -> settle(question, "failed");
+                    case KEEPS -> answerer.kept.add(question);
+                }
+            }
+        }
+    }
+
+    private void settle(Question question, String outcome) {
+        if (question.outcome == null) {
+            question.outcome = outcome;
+        } else {
+            late++;
+        }
+    }
+
+    /** Whatever was kept is answered now. */
+    void answerKept() {
+        for (var answerer : answerers.values()) {
+            answerer.kept.forEach(question -> settle(question, "answered " + question.id));
+            answerer.kept.clear();
+        }
+        late += keptByNobody.size();
+        keptByNobody.clear();
+    }
+
+    void advance(long by) {
+        seconds += by;
+        for (var question : questions) {
+            if (question.outcome == null && question.deadlineSeconds < seconds) {
+                question.outcome = "timed out";
+            }
+        }
+    }
+
+    void close(String port) {
+        portOf.forEach((reader, its) -> {
+            if (its.equals(port)) {
+                unsubscribe(reader);
+            }
+        });
+        var answerer = answerers.remove(port);
+        if (answerer != null) {
+            answerer.waiting.forEach(question -> settle(question, "refused"));
+            answerer.kept.forEach(question -> settle(question, "refused"));
+            keptByNobody.addAll(answerer.kept);
+        }
+        for (var question : questions) {
+            if (question.asker.equals(port) && question.outcome == null) {
+                question.outcome = "refused";
+            }
+        }
+    }
+
+    Map<Integer, List<String>> heard() {
+        var heard = new LinkedHashMap<Integer, List<String>>();
+        all.forEach((number, reader) -> heard.put(number, reader.heard));
+        return heard;
+    }
+
+    Map<Integer, String> answers() {
+        var answers = new LinkedHashMap<Integer, String>();
+        questions.forEach(question -> answers.put(question.id, String.valueOf(question.outcome)));
+        return answers;
+    }
+}

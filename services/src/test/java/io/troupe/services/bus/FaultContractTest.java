@@ -1,0 +1,146 @@
+package io.troupe.services.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.ArrayList;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedClass;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Answerers that hang, leave, are replaced, or have too much to do; askers that give up. */
+@ParameterizedClass
+@EnumSource(BusContract.Wiring.class)
+class FaultContractTest extends BusContract {
+    FaultContractTest(Wiring wiring) {
+        super(wiring);
+    }
+
+    @Test
+    void answererThatHangs_isRejectedWhenTheTimeIsOver_andItsAnswerIsToldAsLate() {
+        var answerer = far().attach("speller");
+        var kept = new Deferred<Text>(test.space());
+        answerer.answer(SPELL, count -> kept);
+        var asker = near().attach("asker");
+        var answer = asker.ask(answerer.address(), SPELL, new Count(7), SECOND);
+        test.crank();
+        test.advance(SECOND.minusMillis(2));
+        assertThat(answer.isDone()).isFalse();
+        test.advance(Duration.ofMillis(5));
+        assertThat(refusalOf(answer))
+                .isEqualTo(asker.address() + " asked " + answerer.address() + " for spell: no answer within PT1S");
+        assertThat(losses).isEmpty();
+        kept.resolve(new Text("at last"));
+        test.crank();
+        assertThat(theOnlyLoss()).isInstanceOfSatisfying(Loss.Late.class, late -> {
+            assertThat(late.answer().payload()).isEqualTo(new Text("at last"));
+            assertThat(late.answer().from()).isEqualTo(answerer.address());
+        });
+        assertThat(nearMetrics().timedOut()).isEqualTo(1);
+        assertThat(nearMetrics().late()).isEqualTo(1);
+    }
+
+    @Test
+    void questionsThatWait_areRejectedAtOnce_whenTheAnswererLeaves() {
+        var answerer = far().attach("speller");
+        var kept = new Deferred<Text>(test.space());
+        answerer.answer(SPELL, count -> kept);
+        var asker = near().attach("asker");
+        var begun = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        test.crank();
+        var answers = new ArrayList<Promise<Text>>();
+        test.run(() -> {
+            answers.add(heard(asker.ask(answerer.address(), SPELL, new Count(2), SECOND)));
+            arrive();
+            answerer.close();
+        });
+        String expected = asker.address() + " asked " + answerer.address()
+                + " for spell: left before it answered: it has left the bus";
+        assertThat(refusalOf(begun)).isEqualTo(expected);
+        assertThat(refusalOf(answers.getFirst())).isEqualTo(expected);
+        assertThat(take(losses)).hasSize(2).allMatch(Loss.Undeliverable.class::isInstance);
+        kept.resolve(new Text("too late"));
+        test.crank();
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Late.class);
+    }
+
+    @Test
+    void questionsThatWait_areRejectedAtOnce_whenTheSpaceOfTheAnswererIsClosed() {
+        var other = ActorSpace.create(SpaceSettings.named("other").withHandCrank());
+        var answerer = far().attach("speller");
+        other.execute(() -> answerer.answer(SPELL, count -> new Deferred<>()));
+        other.crank();
+        var asker = near().attach("asker");
+        var begun = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        test.crank();
+        other.crank();
+        assertThat(begun.isDone()).isFalse();
+        other.close();
+        assertThat(refusalOf(begun)).endsWith("left before it answered: space other was closed");
+        var later = asker.ask(answerer.address(), SPELL, new Count(2), SECOND);
+        assertThat(refusalOf(later)).contains("it does not answer that");
+        assertThat(take(losses)).hasSize(2).allMatch(Loss.Undeliverable.class::isInstance);
+    }
+
+    @Test
+    void questionsOfAnAskerThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
+        var answerer = far().attach("speller");
+        var kept = new Deferred<Text>(test.space());
+        answerer.answer(SPELL, count -> kept);
+        var asker = near().attach("asker");
+        var answer = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        test.crank();
+        asker.close();
+        assertThat(refusalOf(answer)).endsWith("for spell: the asker has left: it has left the bus");
+        kept.resolve(new Text("for nobody"));
+        test.crank();
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Late.class);
+    }
+
+    @Test
+    void answererThatIsReplaced_answersUnderTheSameName() {
+        var first = far().attach("speller");
+        first.answer(SPELL, count -> Promise.of(new Text("first")));
+        var asker = near().attach("asker");
+        var address = first.address();
+        assertThat(test.get(asker.ask(address, SPELL, new Count(1), SECOND))).isEqualTo(new Text("first"));
+        first.close();
+        far().attach("speller").answer(SPELL, count -> Promise.of(new Text("second")));
+        assertThat(test.get(asker.ask(address, SPELL, new Count(1), SECOND))).isEqualTo(new Text("second"));
+    }
+
+    @Test
+    void answererWithTooManyQuestions_refusesTheNewest() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, BusContract::spelt);
+        var asker = near().attach("asker");
+        var answers = new ArrayList<Promise<Text>>();
+        test.run(() -> {
+            for (int i = 0; i <= CAPACITY; i++) {
+                answers.add(heard(asker.ask(answerer.address(), SPELL, new Count(i), SECOND)));
+            }
+            arrive();
+        });
+        assertThat(refusalOf(answers.removeLast()))
+                .endsWith("for spell: is too busy: 4 questions for spell wait there");
+        assertThat(answers)
+                .hasSize(CAPACITY)
+                .allSatisfy(each -> assertThat(each.isDone()).isTrue());
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+    }
+
+    @Test
+    void questionThatIsCancelled_findsItsAnswerLate() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, BusContract::spelt);
+        var answer = near().attach("asker").ask(answerer.address(), SPELL, new Count(1), SECOND);
+        answer.cancel();
+        test.crank();
+        assertThat(theOnlyLoss())
+                .isInstanceOfSatisfying(
+                        Loss.Late.class, late -> assertThat(late.why()).isEqualTo("the asker has cancelled"));
+    }
+}

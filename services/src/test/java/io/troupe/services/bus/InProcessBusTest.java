@@ -1,0 +1,186 @@
+package io.troupe.services.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.services.bus.BusContract.Count;
+import io.troupe.services.bus.BusContract.Text;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class InProcessBusTest {
+    private final TestSpace test = new TestSpace();
+    private final List<Loss> losses = new ArrayList<>();
+    private final InProcessBus bus =
+            InProcessBus.open("robots", BusSettings.on(test.space()).withObserver(losses::add));
+
+    @AfterEach
+    void nothingIsLeft() {
+        bus.close();
+        test.close();
+        assertThat(losses).isEmpty();
+    }
+
+    @Test
+    void registrationOutsideEverySpace_meansOnTheSpaceOfTheSettings() {
+        var here = new ArrayList<ActorSpace>();
+        bus.attach("a").subscribe(BusContract.COUNTS, (count, from) -> here.add(ActorSpace.current()));
+        bus.attach("b").publish(BusContract.COUNTS, new Count(1));
+        test.crank();
+        assertThat(here).containsExactly(test.space());
+    }
+
+    @Test
+    void openWithoutSettings_usesTheGlobalSpace() {
+        try (var global = InProcessBus.open("global")) {
+            assertThat(global.node()).isEqualTo("global");
+            assertThat(global).hasToString("bus global");
+            assertThat(global.attach("a").address()).hasToString("global/a");
+        }
+    }
+
+    @Test
+    void settings_refuseWhatMakesNoSense() {
+        assertThatThrownBy(() -> BusSettings.on(test.space()).withCapacity(0))
+                .hasMessage("capacity is 0 messages, expected 1 or more");
+        assertThatThrownBy(() -> InProcessBus.open("a/b")).hasMessageContaining("\"a/b\"");
+        assertThatThrownBy(() -> bus.attach(" ")).hasMessageContaining("the name of an address is \" \"");
+    }
+
+    @Test
+    void registrationOnASpaceThatIsClosed_isRefused() {
+        var closed = ActorSpace.create(SpaceSettings.named("closed").withHandCrank());
+        var other = InProcessBus.open("other", BusSettings.on(closed));
+        var port = other.attach("a");
+        closed.close();
+        assertThatThrownBy(() -> port.subscribe(BusContract.COUNTS, (count, from) -> {}))
+                .isInstanceOf(BusException.class)
+                .hasMessage("other/a cannot subscribe to counts: space closed was closed");
+        assertThatThrownBy(() -> port.answer(BusContract.SPELL, count -> new Deferred<>()))
+                .hasMessage("other/a cannot answer spell: space closed was closed");
+        other.close();
+    }
+
+    @Test
+    void question_isRejectedAtOnce_whenTheSpaceOfItsAskerIsClosed() {
+        var unheard = new ArrayList<Throwable>();
+        var askers = ActorSpace.create(
+                SpaceSettings.named("askers").withHandCrank().withOnError((where, error) -> unheard.add(error)));
+        var answerer = bus.attach("answerer");
+        answerer.answer(BusContract.SPELL, count -> new Deferred<>());
+        var asker = bus.attach("asker");
+        var answers = new ArrayList<Promise<Text>>();
+        askers.execute(
+                () -> answers.add(asker.ask(answerer.address(), BusContract.SPELL, new Count(1), BusContract.SECOND)));
+        askers.crank();
+        test.crank();
+        askers.close();
+        assertThat(answers.getFirst().error())
+                .hasMessage("robots/asker asked robots/answerer for spell: the space of the asker was closed");
+        assertThat(unheard).containsExactly(answers.getFirst().error());
+        answerer.close();
+        assertThat(losses.removeFirst()).isInstanceOf(Loss.Undeliverable.class);
+        assertThat(losses.removeFirst()).isInstanceOf(Loss.Late.class);
+    }
+
+    @Test
+    void observerThatThrows_disturbsNobody() {
+        var other = InProcessBus.open("other", BusSettings.on(test.space()).withObserver(new BusObserver() {
+            @Override
+            public void lost(Loss loss) {
+                throw new IllegalStateException("broken");
+            }
+
+            @Override
+            public void passed(Message message) {
+                throw new IllegalStateException("broken");
+            }
+        }));
+        var heard = new ArrayList<Integer>();
+        other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> heard.add(count.value()));
+        var records = logged(() -> {
+            other.attach("b").publish(BusContract.COUNTS, new Count(1));
+            test.crank();
+        });
+        assertThat(heard).containsExactly(1);
+        assertThat(records).singleElement().satisfies(record -> {
+            assertThat(record.getLevel()).isEqualTo(Level.SEVERE);
+            assertThat(record.getMessage()).isEqualTo("the observer of a bus failed");
+        });
+        other.close();
+    }
+
+    @Test
+    void loggingObserver_warnsOfLosses_ofDroppedOnesRarely() {
+        var other = InProcessBus.open("other", BusSettings.on(test.space()).withCapacity(1));
+        var heard = new ArrayList<Integer>();
+        other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> heard.add(count.value()));
+        var publisher = other.attach("b");
+        var records = logged(() -> {
+            for (int i = 1; i <= 9; i++) {
+                publisher.publish(BusContract.COUNTS, new Count(i));
+            }
+        });
+        test.crank();
+        assertThat(heard).containsExactly(9);
+        assertThat(records).hasSize(4).allMatch(record -> record.getLevel() == Level.WARNING);
+        assertThat(records.getFirst().getMessage())
+                .isEqualTo("other/a is too slow: its oldest publication on counts from other/b (number 1) was dropped,"
+                        + " 1 so far");
+        assertThat(records.getLast().getMessage()).endsWith("8 so far");
+        other.close();
+    }
+
+    private static List<LogRecord> logged(Runnable body) {
+        var records = new ArrayList<LogRecord>();
+        var logger = Logger.getLogger(Bus.class.getName());
+        var handler = new Handler() {
+            @Override
+            public void publish(LogRecord record) {
+                records.add(record);
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        logger.addHandler(handler);
+        logger.setUseParentHandlers(false);
+        try {
+            body.run();
+        } finally {
+            logger.removeHandler(handler);
+            logger.setUseParentHandlers(true);
+        }
+        return records;
+    }
+
+    @Test
+    void fewMessagesAtATime_soThatOthersOnTheSpaceHaveTheirTurn() {
+        var heard = new ArrayList<String>();
+        var port = bus.attach("a");
+        port.subscribe(BusContract.COUNTS, (count, from) -> heard.add("slow"));
+        var publisher = bus.attach("b");
+        for (int i = 0; i < 20; i++) {
+            publisher.publish(BusContract.COUNTS, new Count(i));
+        }
+        port.subscribe(BusContract.COUNTS, (count, from) -> heard.add("other"));
+        publisher.publish(BusContract.COUNTS, new Count(20));
+        test.crank();
+        assertThat(heard).hasSize(22);
+        assertThat(heard.indexOf("other")).as("in the midst of the slow one's").isBetween(1, 19);
+    }
+}

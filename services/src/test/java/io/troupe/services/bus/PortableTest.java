@@ -1,0 +1,184 @@
+package io.troupe.services.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+
+class PortableTest {
+    enum Colour {
+        RED
+    }
+
+    sealed interface Shape {
+        record Circle(double radiusM) implements Shape {}
+
+        record Many(List<Shape> shapes) implements Shape {}
+    }
+
+    record Everything(
+            boolean flag,
+            byte b,
+            char c,
+            Integer boxed,
+            String text,
+            Colour colour,
+            Duration duration,
+            Instant instant,
+            Shape shape,
+            List<Map<String, Optional<Shape>>> deep) {}
+
+    record Plain(int value, String text) {}
+
+    record OfArray(double[] ranges) {}
+
+    record Inner(Runnable action) {}
+
+    record Outer(List<Inner> inners) {}
+
+    record OfObject(Object anything) {}
+
+    record OfSet(Set<String> names) {}
+
+    record OfKeys(Map<Integer, String> names) {}
+
+    @SuppressWarnings("rawtypes")
+    record OfRaw(List raw) {}
+
+    record OfVariable<T>(T value) {}
+
+    record OfWildcard(List<? extends Plain> plains) {}
+
+    sealed interface Leaky permits Closed {}
+
+    static final class Closed implements Leaky {}
+
+    record OfLeaky(Leaky leaky) {}
+
+    private final Detacher detacher = new Detacher();
+
+    private static void assertRefused(Class<? extends Record> type, String path, String componentType, String why) {
+        assertThatThrownBy(() -> new Topic<>("t", type))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("topic t: values of " + type.getName() + " cannot leave a process because of "
+                        + path + " of type " + componentType + ": ")
+                .hasMessageContaining(why);
+    }
+
+    @Test
+    void valuesAllTheWayDown_areAccepted_evenRecursiveOnes() {
+        assertThat(new Topic<>("t", Everything.class).type()).isEqualTo(Everything.class);
+        assertThat(new Topic<>("t", Shape.Many.class).name()).isEqualTo("t");
+    }
+
+    @Test
+    void componentThatCannotLeave_isRefused_byItsPathAndType() {
+        assertRefused(OfArray.class, "OfArray.ranges", "double[]", "use a List");
+        assertRefused(Outer.class, "Outer.inners[].action", "java.lang.Runnable", "expected primitives");
+        assertRefused(OfObject.class, "OfObject.anything", "java.lang.Object", "expected primitives");
+        assertRefused(OfSet.class, "OfSet.names", "java.util.Set<java.lang.String>", "expected primitives");
+        assertRefused(
+                OfKeys.class,
+                "OfKeys.names",
+                "java.util.Map<java.lang.Integer, java.lang.String>",
+                "the keys of a Map have to be String");
+        assertRefused(OfRaw.class, "OfRaw.raw", "java.util.List", "it does not say of what");
+        assertRefused(OfVariable.class, "OfVariable.value", "T", "it is not known which type that is");
+        assertRefused(OfWildcard.class, "OfWildcard.plains[]", "? extends " + Plain.class.getName(), "not known");
+        assertRefused(OfLeaky.class, "OfLeaky.leaky(Closed)", Closed.class.getName(), "expected primitives");
+        assertRefused(Record.class, "Record", "java.lang.Record", "it is no record");
+    }
+
+    @Test
+    void operation_checksQuestionAndAnswer() {
+        assertThatThrownBy(() -> new Operation<>("o", Plain.class, OfArray.class, Operation.Kind.DATA))
+                .hasMessageStartingWith("operation o: values of " + OfArray.class.getName());
+        assertThatThrownBy(() -> new Operation<>("o", OfArray.class, Plain.class, Operation.Kind.DATA))
+                .hasMessageStartingWith("operation o: values of " + OfArray.class.getName());
+        assertThatThrownBy(() -> new Operation<>(" ", Plain.class, Plain.class, Operation.Kind.DATA))
+                .hasMessage("the name of an operation is blank");
+        assertThatThrownBy(() -> new Topic<>("", Plain.class)).hasMessage("the name of a topic is blank");
+    }
+
+    @Test
+    void recordsOfTheBusItself_canLeave() {
+        assertThat(new Topic<>("a", Address.class).type()).isEqualTo(Address.class);
+        assertThat(new Topic<>("f", Message.Failure.Failed.class).type()).isEqualTo(Message.Failure.Failed.class);
+    }
+
+    // ---- taking out what can change
+
+    @Test
+    void valueWithoutContainers_isNotCopied() {
+        var plain = new Plain(1, "a");
+        assertThat(detacher.detached(plain)).isSameAs(plain);
+        var immutable = new Shape.Many(List.of(new Shape.Circle(1), new Shape.Many(List.of())));
+        assertThat(detacher.detached(immutable)).isSameAs(immutable);
+    }
+
+    @Test
+    void listsAtAnyDepth_areCopied() {
+        var inner = new ArrayList<Shape>(List.of(new Shape.Circle(1)));
+        var value = new Shape.Many(List.of(new Shape.Many(inner)));
+        var copy = detacher.detached(value);
+        assertThat(copy).isEqualTo(value);
+        inner.clear();
+        assertThat(copy).isEqualTo(new Shape.Many(List.of(new Shape.Many(List.of(new Shape.Circle(1))))));
+        assertThatThrownBy(
+                        () -> ((Shape.Many) copy.shapes().getFirst()).shapes().clear())
+                .isInstanceOf(UnsupportedOperationException.class);
+    }
+
+    record Named(Map<String, List<Integer>> lists) {}
+
+    @Test
+    void maps_areCopied_andKeepTheirOrder() {
+        var lists = new LinkedHashMap<String, List<Integer>>();
+        for (String name : List.of("z", "a", "m", "b")) {
+            lists.put(name, new ArrayList<>(List.of(1)));
+        }
+        var copy = detacher.detached(new Named(lists));
+        lists.values().forEach(List::clear);
+        lists.clear();
+        assertThat(copy.lists().keySet()).containsExactly("z", "a", "m", "b");
+        assertThat(copy.lists().values()).containsOnly(List.of(1));
+        assertThatThrownBy(() -> copy.lists().clear()).isInstanceOf(UnsupportedOperationException.class);
+    }
+
+    record Texts(List<String> texts) {}
+
+    @Test
+    void nullInAList_isRefused_byItsPlace() {
+        assertThatThrownBy(() -> detacher.detached(new Texts(Arrays.asList("a", null))))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("a list has null at 1, expected values");
+        assertThat(detacher.detached(new Texts(Collections.emptyList())).texts())
+                .isEmpty();
+    }
+
+    @Test
+    void everyKindOfValue_goesThroughBytesUnchanged() {
+        var value = new Everything(
+                true,
+                (byte) 1,
+                'c',
+                2,
+                "text",
+                Colour.RED,
+                Duration.ofMillis(5),
+                Instant.EPOCH,
+                new Shape.Circle(0.5),
+                List.of(Map.of("a", Optional.of(new Shape.Many(List.of())))));
+        assertThat(RecordCodec.decode(RecordCodec.encode(value))).isEqualTo(value);
+    }
+}

@@ -1,0 +1,149 @@
+package io.troupe.services.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedClass;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Request and reply, on every bus. */
+@ParameterizedClass
+@EnumSource(BusContract.Wiring.class)
+class QuestionContractTest extends BusContract {
+    QuestionContractTest(Wiring wiring) {
+        super(wiring);
+    }
+
+    @Test
+    void question_isAnswered() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, BusContract::spelt);
+        var answer = near().attach("asker").ask(answerer.address(), SPELL, new Count(7), SECOND);
+        assertThat(test.get(answer)).isEqualTo(new Text("number 7"));
+        assertThat(nearMetrics().answered()).isEqualTo(1);
+    }
+
+    @Test
+    void messages_ofOperations_areOfTheirKind() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, BusContract::spelt);
+        answerer.answer(START, BusContract::spelt);
+        var asker = near().attach("asker");
+        test.get(asker.ask(answerer.address(), SPELL, new Count(7), SECOND));
+        assertThat(take(passed)).isNotEmpty().allMatch(DataMessage.class::isInstance);
+        test.get(asker.ask(answerer.address(), START, new Count(7), SECOND));
+        assertThat(take(passed)).isNotEmpty().allMatch(ControlMessage.class::isInstance);
+    }
+
+    @Test
+    void question_toNobody_isRejectedAtOnce_andNamesWhoIsSimilar() {
+        far().attach("wall-follower");
+        var to = new Address(far().node(), "wall-folower");
+        var asker = near().attach("asker");
+        assertThat(refusalOf(asker.ask(to, SPELL, new Count(7), SECOND)))
+                .isEqualTo(
+                        asker.address() + " asked " + to + " for spell: nobody is there; did you mean wall-follower?");
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+    }
+
+    @Test
+    void question_thatNobodyAnswersThere_isRejectedAtOnce_andNamesTheOperationsThereAre() {
+        var answerer = far().attach("speller");
+        answerer.answer(START, BusContract::spelt);
+        var asker = near().attach("asker");
+        assertThat(refusalOf(asker.ask(answerer.address(), SPELL, new Count(7), SECOND)))
+                .isEqualTo(asker.address() + " asked " + answerer.address()
+                        + " for spell: it does not answer that; there are start");
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+    }
+
+    @Test
+    void question_toANodeThatIsNotThere_isRejectedAtOnce_andNamesBoth() {
+        var asker = near().attach("asker");
+        assertThat(refusalOf(asker.ask(new Address("moon", "base"), SPELL, new Count(7), SECOND)))
+                .isEqualTo(asker.address() + " asked moon/base for spell: there is no way from node " + near().node()
+                        + " to node moon");
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+    }
+
+    @Test
+    void question_ofAnotherTypeThanIsAnswered_isRejected_andNamesBoth() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, BusContract::spelt);
+        var other = new Operation<>("spell", Text.class, Text.class, Operation.Kind.DATA);
+        assertThat(refusalOf(near().attach("asker").ask(answerer.address(), other, new Text("7"), SECOND)))
+                .endsWith("the question is a " + Text.class.getName() + ", expected a " + Count.class.getName());
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+    }
+
+    @Test
+    void answer_ofAnotherTypeThanExpected_isRejected_andNamesBoth() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, BusContract::spelt);
+        var other = new Operation<>("spell", Count.class, Count.class, Operation.Kind.DATA);
+        assertThat(refusalOf(near().attach("asker").ask(answerer.address(), other, new Count(7), SECOND)))
+                .endsWith("the answer is a " + Text.class.getName() + ", expected a " + Count.class.getName());
+    }
+
+    @Test
+    void answererThatThrows_rejectsWithTheNameAndMessageOfItsError_withoutTheErrorItself() {
+        var answerer = far().attach("speller");
+        var error = new IllegalArgumentException("7 cannot be spelt", new RuntimeException("secret"));
+        answerer.answer(SPELL, count -> {
+            throw error;
+        });
+        var rejected = test.error(near().attach("asker").ask(answerer.address(), SPELL, new Count(7), SECOND));
+        assertThat(rejected).isInstanceOfSatisfying(RemoteFailure.class, failure -> {
+            assertThat(failure.type()).isEqualTo("java.lang.IllegalArgumentException");
+            assertThat(failure)
+                    .hasMessage(answerer.address()
+                            + " failed to answer spell: java.lang.IllegalArgumentException: 7 cannot be spelt")
+                    .hasNoCause()
+                    .hasNoSuppressedExceptions();
+        });
+        assertThat(take(failures)).as("what stays where it happened").containsExactly(error);
+    }
+
+    @Test
+    void answererThatRejects_orReturnsNothing_rejectsTheQuestion() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, count -> Promise.failed(new IllegalStateException()));
+        answerer.answer(START, count -> nothing());
+        var asker = near().attach("asker");
+        assertThat(test.error(asker.ask(answerer.address(), SPELL, new Count(7), SECOND)))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageEndingWith("java.lang.IllegalStateException: (no message)");
+        assertThat(test.error(asker.ask(answerer.address(), START, new Count(7), SECOND)))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageContaining("returned null, expected a promise");
+        var empty = far().attach("empty");
+        empty.answer(SPELL, count -> promiseOfNothing());
+        assertThat(test.error(asker.ask(empty.address(), SPELL, new Count(7), SECOND)))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageEndingWith("the answer is null, expected a " + Text.class.getName());
+        assertThat(take(failures)).hasSize(3);
+    }
+
+    @SuppressWarnings("NullAway") // what a careless answerer does
+    private static Promise<Text> promiseOfNothing() {
+        return Promise.of(null);
+    }
+
+    @SuppressWarnings("NullAway") // what a careless answerer does
+    private static Promise<Text> nothing() {
+        return null;
+    }
+
+    @Test
+    void operation_thatIsAnsweredAlready_orWithoutATimeLimit_isRefused() {
+        var port = far().attach("a");
+        port.answer(SPELL, BusContract::spelt);
+        assertThatThrownBy(() -> port.answer(SPELL, BusContract::spelt))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage(port.address() + " answers spell already");
+        assertThatThrownBy(() -> port.ask(port.address(), SPELL, new Count(1), Duration.ZERO))
+                .hasMessage("the limit for spell is PT0S, expected more than zero");
+    }
+}

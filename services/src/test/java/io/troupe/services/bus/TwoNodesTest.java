@@ -1,0 +1,61 @@
+package io.troupe.services.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import org.junit.jupiter.api.Test;
+
+/** What there is to say only of nodes that exchange bytes. */
+class TwoNodesTest extends BusContract {
+    TwoNodesTest() {
+        super(Wiring.TWO_NODES);
+    }
+
+    @Test
+    void messages_goAsBytes() {
+        near().attach("a").publish(COUNTS, new Count(1));
+        assertThat(bytesCarried()).isZero();
+        test.crank();
+        assertThat(bytesCarried()).isPositive();
+    }
+
+    @Test
+    void wayThatFails_rejectsTheQuestion_andIsToldForAPublication() {
+        var broken = new BusNode("broken", settings(), new Transport() {
+            @Override
+            public boolean reaches(String node) {
+                return true;
+            }
+
+            @Override
+            public void send(String node, Message message) {
+                throw new IllegalStateException("cable cut");
+            }
+
+            @Override
+            public void broadcast(Message publication) {
+                throw new IllegalStateException("cable cut");
+            }
+
+            @Override
+            public void close() {}
+        });
+        var port = broken.attach("a");
+        port.publish(COUNTS, new Count(1));
+        assertThat(refusalOf(port.ask(new Address("far", "b"), SPELL, new Count(1), SECOND)))
+                .isEqualTo("broken/a asked far/b for spell: the way from node broken to node far failed:"
+                        + " java.lang.IllegalStateException: cable cut");
+        assertThat(take(losses)).hasSize(2).allMatch(Loss.Undeliverable.class::isInstance);
+        broken.close();
+    }
+
+    @Test
+    void messages_areTheSame_onBothSidesOfTheBytes() {
+        far().attach("a").answer(SPELL, count -> Promise.of(new Text("x")));
+        test.get(near().attach("b").ask(new Address("far", "a"), SPELL, new Count(1), SECOND));
+        var seen = take(passed);
+        assertThat(seen).hasSize(4);
+        assertThat(seen.get(1)).isEqualTo(seen.get(0)).isNotSameAs(seen.get(0));
+        assertThat(seen.get(3)).isEqualTo(seen.get(2)).isNotSameAs(seen.get(2));
+    }
+}
