@@ -65,7 +65,7 @@ public interface Broker extends AutoCloseable {
     Promise<@Nullable Void> disconnect(Connection connection);
 
     /**
-     * Stops everything that was started here, one after the other in reverse order of their starts, each within its limit. Afterwards everything else is refused.
+     * Tells users that there is nothing any more, then stops everything that was started here, one after the other in reverse order of their starts, each within its limit. Afterwards everything else is refused.
      *
      * @return fulfilled, when that is done, with those that did not stop
      */

@@ -124,7 +124,11 @@ final class BrokerActor extends Actor implements Registry {
             Consumer<Registration> found,
             Consumer<MissingServiceException> none) {
         var best = roster.best(need, each -> !tried.containsKey(each) && (evenFailed || each.health != Health.FAILED));
-        if (best.isEmpty() || lifecycle.isClosing()) {
+        if (lifecycle.isClosing()) {
+            none.accept(Roster.closing(need));
+            return;
+        }
+        if (best.isEmpty()) {
             none.accept(roster.missing(need, tried));
             restarts.consider(roster.meeting(need));
             return;
@@ -163,8 +167,10 @@ final class BrokerActor extends Actor implements Registry {
             var done = new Deferred<List<ServiceRecord>>();
             shutDown = done;
             lifecycle.beginClosing();
-            users.endAll();
-            stopLast(lifecycle.begun(), done);
+            users.endAll().handle((heard, error) -> {
+                stopLast(lifecycle.begun(), done);
+                return null;
+            });
         }
         return shutDown;
     }

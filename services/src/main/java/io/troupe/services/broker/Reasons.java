@@ -6,10 +6,8 @@ final class Reasons {
 
     /** On one line; our own errors by their message alone. */
     static String of(Throwable error) {
-        String text = error instanceof ProviderException && error.getMessage() != null
-                ? error.getMessage()
-                : error.toString();
-        return oneLine(text);
+        boolean ours = error instanceof ProviderException || error instanceof MissingServiceException;
+        return oneLine(String.valueOf(ours ? error.getMessage() : error));
     }
 
     static String oneLine(String text) {

@@ -118,6 +118,13 @@ final class Roster {
         return why == null ? words(it.health) : Reasons.of(why);
     }
 
+    /** What a need is told when nothing is started any more. */
+    static MissingServiceException closing(Need need) {
+        return new MissingServiceException(
+                need,
+                Reasons.oneLine("\"" + need.by() + "\" needs " + what(need) + ", and the broker is being closed"));
+    }
+
     static String what(Need need) {
         if (need.service() == null) {
             return "the capability \"" + need.capability() + "\"";

@@ -180,16 +180,18 @@ final class Users {
                 });
     }
 
-    /** The broker is being closed. */
-    void endAll() {
+    /**
+     * The broker is being closed.
+     *
+     * @return fulfilled when all have heard that there is nothing any more, or do not listen
+     */
+    Promise<?> endAll() {
+        var told = new ArrayList<Promise<@Nullable Void>>();
         for (User user : List.copyOf(users)) {
-            var closed = new MissingServiceException(
-                    user.need,
-                    Reasons.oneLine("\"" + user.need.by() + "\" needs " + Roster.what(user.need)
-                            + ", and the broker is being closed"));
             user.current = null;
-            lose(user, closed);
+            told.add(lose(user, Roster.closing(user.need)));
         }
         users.clear();
+        return Promise.allSettled(told);
     }
 }

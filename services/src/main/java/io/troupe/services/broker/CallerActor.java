@@ -1,0 +1,243 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.lang.reflect.InvocationTargetException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/** Sends calls to whoever provides the service now, and keeps those that wait and those that have no answer yet. */
+final class CallerActor extends Actor implements Caller, Broker.Connection {
+    private final ActorServices services;
+    private final Class<?> type;
+    private final Need need;
+    private final ConnectionSettings settings;
+    private final Deferred<ServiceRecord> first;
+    private final Deque<PendingCall> waiting = new ArrayDeque<>();
+    private final Set<PendingCall> underWay = new LinkedHashSet<>();
+    private ActorProvider.@Nullable Running current;
+    private @Nullable IllegalArgumentException mismatch;
+    private String noProvider = "none has been found yet";
+    private @Nullable Events events;
+
+    CallerActor(
+            ActorServices services,
+            Class<?> type,
+            Need need,
+            ConnectionSettings settings,
+            Deferred<ServiceRecord> first) {
+        this.services = services;
+        this.type = type;
+        this.need = need;
+        this.settings = settings;
+        this.first = first;
+    }
+
+    @Override
+    protected void started() {
+        events = new Events(services.observer(), space());
+        services.broker().connect(need, this).handle((provider, error) -> {
+            if (error != null) {
+                noProvider = Reasons.of(error);
+                return first.reject(error);
+            }
+            return mismatch != null ? first.reject(mismatch) : first.resolve(provider);
+        });
+    }
+
+    // ---- whom to call
+
+    @Override
+    public void use(ServiceRecord provider) {
+        var next = services.running(provider.provider());
+        current = next;
+        mismatch = null;
+        if (next == null) {
+            noProvider = provider.provider() + " has ended, or is not an actor that was published in this process";
+        } else if (!type.isInstance(next.proxy())) {
+            current = null;
+            mismatch = new IllegalArgumentException("\"" + need.by() + "\" calls " + Roster.what(need) + " as "
+                    + type.getName() + ", and its provider " + provider.provider() + " is a "
+                    + interfacesOf(next.proxy()));
+            refuseAllWaiting(mismatch);
+        } else {
+            next.ended().handle((ended, error) -> {
+                hasEnded(next);
+                return null;
+            });
+            sendWaiting();
+        }
+    }
+
+    private static String interfacesOf(Object proxy) {
+        Class<?>[] interfaces = proxy.getClass().getInterfaces();
+        return interfaces.length > 0 ? interfaces[0].getName() : proxy.getClass().getName();
+    }
+
+    @Override
+    public void lost(MissingServiceException why) {
+        current = null;
+        mismatch = null;
+        noProvider = Reasons.of(why);
+    }
+
+    private void hasEnded(ActorProvider.Running life) {
+        if (current == life) {
+            current = null;
+            noProvider = life.address() + " has ended";
+        }
+        for (PendingCall call : List.copyOf(underWay)) {
+            if (call.sentTo == life) {
+                underWay.remove(call);
+                call.reject(ended(call, null));
+            }
+        }
+    }
+
+    private ServiceCallException ended(PendingCall call, @Nullable Throwable cause) {
+        return new ServiceCallException(
+                call.receiver() + " ended while \"" + need.by() + "\" waited for its answer to " + call, true, cause);
+    }
+
+    // ---- calls
+
+    @Override
+    public void tell(Call call) {
+        take(new PendingCall(call, null));
+    }
+
+    @Override
+    public Promise<@Nullable Object> ask(Call call) {
+        var answer = new Deferred<@Nullable Object>();
+        take(new PendingCall(call, answer));
+        return answer;
+    }
+
+    @Override
+    public void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into) {
+        into.callback = callback;
+    }
+
+    private void take(PendingCall call) {
+        if (mismatch != null) {
+            refuse(call, mismatch);
+        } else if (canSend()) {
+            send(call);
+        } else if (waiting.size() >= settings.mostWaiting()) {
+            refuse(call, notSent(call, "was refused: " + waiting.size() + " calls wait already, and " + noProvider));
+        } else {
+            waiting.add(call);
+            call.limit = after(settings.waitLimit(), () -> {
+                waiting.remove(call);
+                refuse(call, notSent(call, "found no provider within " + settings.waitLimit() + ": " + noProvider));
+            });
+        }
+    }
+
+    /** It may have ended a moment ago, which this actor has not heard yet. */
+    private boolean canSend() {
+        return current != null && !current.ended().isDone();
+    }
+
+    private void sendWaiting() {
+        while (canSend() && !waiting.isEmpty()) {
+            PendingCall call = waiting.remove();
+            call.cancelLimit();
+            send(call);
+        }
+    }
+
+    private void send(PendingCall call) {
+        var to = Objects.requireNonNull(current);
+        call.sentTo = to;
+        Object result;
+        try {
+            result = call.call.method().invoke(to.proxy(), call.call.toInvoke());
+        } catch (InvocationTargetException thrown) {
+            refuse(call, notSent(call, "was refused: " + Reasons.of(thrown.getTargetException())));
+            return;
+        } catch (IllegalAccessException impossible) {
+            throw new AssertionError("the connection was made with access to " + call, impossible);
+        }
+        if (result instanceof Promise<?> answer) {
+            underWay.add(call);
+            if (!settings.answerLimit().isZero()) {
+                call.limit = after(settings.answerLimit(), () -> isOverdue(call));
+            }
+            answer.handle((value, error) -> {
+                answered(call, value, error);
+                return null;
+            });
+        }
+    }
+
+    private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
+        if (!underWay.remove(call)) {
+            if (!(error instanceof ActorStoppedException)) { // which is no answer
+                events().tell(new BrokerEvent.Late(call.receiver(), call.toString(), error));
+            }
+        } else if (error == null) {
+            call.resolve(value);
+        } else if (error instanceof ActorStoppedException && call.receiverHasEnded()) {
+            call.reject(ended(call, error));
+        } else {
+            call.reject(error);
+        }
+    }
+
+    private void isOverdue(PendingCall call) {
+        underWay.remove(call);
+        call.reject(new ServiceCallException(
+                call.receiver() + " did not answer " + call + " to \"" + need.by() + "\" within "
+                        + settings.answerLimit(),
+                true,
+                null));
+    }
+
+    private ServiceCallException notSent(PendingCall call, String what) {
+        return new ServiceCallException(
+                call + " of \"" + need.by() + "\", which needs " + Roster.what(need) + ", " + what, false, null);
+    }
+
+    private void refuseAllWaiting(Throwable why) {
+        while (!waiting.isEmpty()) {
+            refuse(waiting.remove(), why);
+        }
+    }
+
+    /** Nobody has got it. */
+    private void refuse(PendingCall call, Throwable why) {
+        if (!call.reject(why)) {
+            events().tell(new BrokerEvent.Undelivered(need, call.toString(), why));
+        }
+    }
+
+    private Events events() {
+        return Objects.requireNonNull(events);
+    }
+
+    @Override
+    protected void stopped() {
+        first.reject(new IllegalStateException("the connection of \"" + need.by() + "\" was closed"));
+        while (!waiting.isEmpty()) {
+            PendingCall call = waiting.remove();
+            refuse(call, notSent(call, "was not sent: the connection is closed"));
+        }
+        for (PendingCall call : underWay) {
+            call.reject(new ServiceCallException(
+                    "the connection of \"" + need.by() + "\" was closed while it waited for the answer of "
+                            + call.receiver() + " to " + call,
+                    true,
+                    null));
+        }
+        services.broker().disconnect(this);
+    }
+}

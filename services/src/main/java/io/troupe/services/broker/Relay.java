@@ -1,0 +1,97 @@
+package io.troupe.services.broker;
+
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.reflect.InaccessibleObjectException;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.lang.reflect.Proxy;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** Stands for a provider: hands every call to the connection's actor. On the caller's thread. */
+final class Relay implements InvocationHandler {
+    private final Class<?> type;
+    private final Need need;
+    private final Caller caller;
+
+    private Relay(Class<?> type, Need need, Caller caller) {
+        this.type = type;
+        this.need = need;
+        this.caller = caller;
+    }
+
+    static <A> A of(Class<A> type, Need need, Caller caller) {
+        return type.cast(Proxy.newProxyInstance(
+                type.getClassLoader(), new Class<?>[] {type}, new Relay(type, need, caller)));
+    }
+
+    static void check(Class<?> type) {
+        if (!type.isInterface()) {
+            throw new IllegalArgumentException(
+                    "a connection is made by an interface, and " + type.getName() + " is a class: publish it by one");
+        }
+        for (Method method : type.getMethods()) {
+            Class<?> result = method.getReturnType();
+            if (Modifier.isAbstract(method.getModifiers()) && result != void.class && result != Promise.class) {
+                throw new IllegalArgumentException(type.getName() + "." + method.getName() + " returns "
+                        + result.getSimpleName() + ", expected void (a one-way message) or Promise (a request)");
+            }
+            try {
+                method.setAccessible(true);
+            } catch (InaccessibleObjectException closed) {
+                throw new IllegalArgumentException(
+                        type.getName() + " cannot be called from here: write \"opens " + type.getPackageName()
+                                + ";\" in the module-info of its module",
+                        closed);
+            }
+        }
+    }
+
+    @Override
+    public @Nullable Object invoke(Object self, Method method, @Nullable Object @Nullable [] given) throws Throwable {
+        @Nullable Object[] arguments = given == null ? new @Nullable Object[0] : given;
+        if (method.getDeclaringClass() == Object.class) {
+            return switch (method.getName()) {
+                case "equals" -> self == arguments[0];
+                case "hashCode" -> System.identityHashCode(self);
+                default -> type.getSimpleName() + " for \"" + need.by() + "\"";
+            };
+        }
+        if (method.isDefault()) {
+            return inherited(method).bindTo(self).invokeWithArguments(arguments);
+        }
+        method.setAccessible(true); // the interface need not be public
+        var call = new Caller.Call(method, adopted(method, arguments));
+        if (method.getReturnType() == Promise.class) {
+            return caller.ask(call);
+        }
+        caller.tell(call);
+        return null;
+    }
+
+    private static MethodHandle inherited(Method method) throws IllegalAccessException {
+        Class<?> owner = method.getDeclaringClass();
+        return MethodHandles.privateLookupIn(owner, MethodHandles.lookup()).unreflectSpecial(method, owner);
+    }
+
+    @SuppressWarnings("unchecked") // what it is sent is what its method declares
+    private List<@Nullable Object> adopted(Method method, @Nullable Object[] arguments) {
+        List<@Nullable Object> all = new ArrayList<>(arguments.length);
+        for (int i = 0; i < arguments.length; i++) {
+            Object argument = arguments[i];
+            if (method.getParameterTypes()[i] == Callback.class && argument instanceof Callback<?> callback) {
+                var place = new Caller.Adopted();
+                caller.adopt((Callback<@Nullable Object>) callback, place);
+                argument = place;
+            }
+            all.add(argument);
+        }
+        return Collections.unmodifiableList(all);
+    }
+}

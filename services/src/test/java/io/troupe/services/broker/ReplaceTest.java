@@ -1,0 +1,230 @@
+package io.troupe.services.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Replacing, withdrawing and closing, while everything runs. */
+class ReplaceTest {
+    private static Promise<ServiceRecord> replace(BrokerBench bench, String old, FakeProvider by, String name) {
+        return bench.broker.replace(
+                BrokerBench.at(old), "player", List.of("better"), BrokerBench.at(name), by);
+    }
+
+    @Test
+    void replace_startsTheNew_tellsTheUsers_stopsTheOld_inThisOrder() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            bench.offer("player", "z");
+            var heard = bench.connect("robot 1", "player");
+            bench.connect("robot 2", "player");
+            var record = bench.test.get(replace(bench, "a", bench.provider("b"), "b"));
+            assertThat(record.health()).isEqualTo(Health.WELL);
+            assertThat(record.capabilities()).containsExactly("better");
+            assertThat(heard).containsExactly("use a", "use b");
+            assertThat(bench.diary)
+                    .containsExactly(
+                            "start a",
+                            "robot 1 hears of a",
+                            "robot 2 hears of a",
+                            "start b",
+                            "robot 1 hears of b",
+                            "robot 2 hears of b",
+                            "stop a");
+            assertThat(bench.test.get(bench.broker.registered()))
+                    .extracting(each -> each.provider().name())
+                    .containsExactly("b", "z");
+        }
+    }
+
+    @Test
+    void replacement_mayHaveTheAddressOfTheOld() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            var heard = bench.connect("robot 1", "player");
+            bench.test.get(replace(bench, "a", bench.provider("a'"), "a"));
+            assertThat(heard).containsExactly("use a", "use a");
+            assertThat(bench.diary)
+                    .containsExactly("start a", "robot 1 hears of a", "start a'", "robot 1 hears of a", "stop a");
+        }
+    }
+
+    @Test
+    void replacementThatDoesNotStart_isRefused_andTheOldStaysInUse() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            var heard = bench.connect("robot 1", "player");
+            var b = bench.provider("b");
+            b.start = b::fail;
+            assertThat(bench.test.error(replace(bench, "a", b, "b")))
+                    .isInstanceOf(ProviderException.class)
+                    .hasMessage("node/b could not be started in the place of node/a, which stays in use: "
+                            + "java.lang.IllegalStateException: b is broken");
+            b.start = b::hang;
+            var second = replace(bench, "a", b, "b");
+            bench.seconds(10);
+            assertThat(bench.test.error(second)).hasMessageEndingWith("node/b did not start within PT10S");
+            assertThat(heard).containsExactly("use a");
+            assertThat(bench.health("a")).isEqualTo(Health.WELL);
+            assertThat(bench.test.get(bench.broker.registered())).hasSize(1);
+            b.start = Promise::done;
+            bench.test.get(replace(bench, "a", b, "b")); // its address is free again
+        }
+    }
+
+    @Test
+    void oldThatDoesNotStop_isTold_andTheReplacementHolds() {
+        try (var bench = new BrokerBench()) {
+            var a = bench.offer("player", "a");
+            var heard = bench.connect("robot 1", "player");
+            a.stop = a::hang;
+            var replaced = replace(bench, "a", bench.provider("b"), "b");
+            bench.seconds(5);
+            assertThat(bench.test.get(replaced).provider().name()).isEqualTo("b");
+            assertThat(heard).containsExactly("use a", "use b");
+            assertThat(bench.events(BrokerEvent.StopFailed.class))
+                    .extracting(event -> event.provider().provider().name())
+                    .containsExactly("a");
+            a.unanswered.remove().resolve(null);
+            bench.test.crank();
+            assertThat(bench.events(BrokerEvent.Late.class))
+                    .containsExactly(new BrokerEvent.Late("node/a", "stop", null));
+        }
+    }
+
+    @Test
+    void userThatThrows_orDoesNotHear_doesNotHoldUpTheOthers() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            bench.broker.connect(Need.ofService("bad", "player"), new Broker.Connection() {
+                @Override
+                public void use(ServiceRecord provider) {
+                    throw new IllegalStateException("no, thanks");
+                }
+
+                @Override
+                public void lost(MissingServiceException why) {}
+            });
+            var heard = bench.connect("good", "player");
+            bench.test.get(replace(bench, "a", bench.provider("b"), "b"));
+            assertThat(heard).containsExactly("use a", "use b");
+            assertThat(bench.events(BrokerEvent.UserFailed.class))
+                    .extracting(event -> event.need().by() + ": " + event.why().getMessage())
+                    .containsExactly("bad: no, thanks", "bad: no, thanks");
+        }
+    }
+
+    @Test
+    void withdraw_givesUsersTheNext_thenStops_andTellsThoseForWhomThereIsNone() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            bench.offer("player", "b");
+            var heard = bench.connect("robot 1", "player");
+            bench.test.get(bench.broker.withdraw(BrokerBench.at("a")));
+            bench.test.get(bench.broker.withdraw(BrokerBench.at("b")));
+            assertThat(heard).containsExactly("use a", "use b", "lost");
+            assertThat(bench.diary)
+                    .containsExactly(
+                            "start a",
+                            "robot 1 hears of a",
+                            "start b",
+                            "robot 1 hears of b",
+                            "stop a",
+                            "robot 1 hears of the loss",
+                            "stop b");
+            bench.offer("player", "c");
+            bench.test.crank();
+            assertThat(heard).endsWith("use c");
+        }
+    }
+
+    @Test
+    void withdraw_ofWhatDoesNotStop_isRejected() {
+        try (var bench = new BrokerBench()) {
+            var a = bench.offer("player", "a");
+            bench.require("player");
+            a.stop = a::hang;
+            var withdrawn = bench.broker.withdraw(BrokerBench.at("a"));
+            bench.seconds(5);
+            assertThat(bench.test.error(withdrawn))
+                    .hasMessage("node/a has not stopped: node/a did not stop within PT5S");
+            a.stop = Promise::done;
+        }
+    }
+
+    @Test
+    void disconnected_hearsNothingAnyMore() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            var uses = new int[1];
+            var connection = new Broker.Connection() {
+                @Override
+                public void use(ServiceRecord provider) {
+                    uses[0]++;
+                }
+
+                @Override
+                public void lost(MissingServiceException why) {}
+            };
+            bench.test.get(bench.broker.connect(Need.ofService("x", "player"), connection));
+            bench.test.get(bench.broker.disconnect(connection));
+            bench.test.get(replace(bench, "a", bench.provider("b"), "b"));
+            assertThat(uses[0]).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void shutDown_stopsInReverseOrderOfStarts_andSaysWhatDidNotStop() {
+        var bench = new BrokerBench();
+        bench.offer("one", "a");
+        var b = bench.offer("two", "b");
+        bench.offer("three", "c");
+        bench.offer("four", "d");
+        bench.require("three");
+        bench.require("two");
+        bench.require("one");
+        b.stop = b::hang;
+        var heard = bench.connect("robot 1", "one");
+        bench.diary.clear();
+        var left = bench.broker.shutDown();
+        bench.test.crank();
+        assertThat(bench.diary).containsExactly("robot 1 hears of the loss", "stop a", "stop b");
+        bench.seconds(5);
+        assertThat(bench.test.get(left)).extracting(each -> each.provider().name()).containsExactly("b");
+        assertThat(bench.diary).containsExactly("robot 1 hears of the loss", "stop a", "stop b", "stop c");
+        assertThat(heard).containsExactly("use a", "lost");
+        assertThat(bench.test.error(bench.broker.require(Need.ofService("x", "four"))))
+                .hasMessage("the broker is closed");
+        bench.test.close();
+    }
+
+    @Test
+    void shutDown_whileSomethingStarts_stopsThatToo() {
+        var bench = new BrokerBench();
+        var a = bench.offer("one", "a");
+        a.start = a::hang;
+        var need = bench.broker.require(Need.ofService("x", "one"));
+        bench.test.crank();
+        bench.broker.close();
+        bench.test.crank();
+        a.unanswered.remove().resolve(null);
+        assertThat(bench.test.get(bench.broker.shutDown())).isEmpty();
+        assertThat(bench.diary).containsExactly("start a", "stop a");
+        assertThat(bench.missing(need))
+                .isEqualTo("\"x\" needs the service \"one\", and the broker is being closed");
+        bench.test.close();
+    }
+
+    @Test
+    void spaceThatIsClosedBeforeItsBroker_tellsWhatMayGoOn() {
+        var bench = new BrokerBench();
+        bench.offer("one", "a");
+        bench.require("one");
+        bench.test.close();
+        assertThat(bench.events(BrokerEvent.Abandoned.class))
+                .extracting(event -> event.provider().provider().name())
+                .containsExactly("a");
+    }
+}
