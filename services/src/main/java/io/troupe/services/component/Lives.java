@@ -4,6 +4,7 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.services.broker.ProviderException;
 import io.troupe.services.bus.Address;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -115,7 +116,7 @@ final class Lives<I, O> {
             return change;
         }
         if (state == Lifecycle.INVOKING) {
-            change.reject(new ComponentException(owner + " was terminated while it was being invoked"));
+            change.reject(new ProviderException(owner + " was terminated while it was being invoked"));
         }
         var stopped = new Deferred<@Nullable Void>();
         change = stopped;
@@ -137,8 +138,8 @@ final class Lives<I, O> {
     }
 
     /** Why nothing can be had of it now. */
-    ComponentException notRunning() {
-        return new ComponentException(
+    ProviderException notRunning() {
+        return new ProviderException(
                 owner + " " + state.words() + (failure == null ? "" : ": " + words(failure)), failure);
     }
 

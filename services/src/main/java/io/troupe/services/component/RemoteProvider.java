@@ -2,6 +2,7 @@ package io.troupe.services.component;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.broker.Provider;
+import io.troupe.services.broker.ProviderException;
 import io.troupe.services.bus.Address;
 import io.troupe.services.bus.BusPort;
 import java.time.Duration;
@@ -11,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * A component that is controlled by messages over the bus: its interface may be in another process.
  *
  * <p><b>Role.</b> Register it with a broker in place of the interface itself.
- * <p><b>Errors.</b> Those of {@link BusPort#ask}, and a {@link ComponentException} with the component's own report when it is not well.
+ * <p><b>Errors.</b> Those of {@link BusPort#ask}, and a {@link ProviderException} with the component's own report when it is not well.
  */
 public final class RemoteProvider implements Provider {
     private final BusPort port;
@@ -45,7 +46,7 @@ public final class RemoteProvider implements Provider {
         return port.ask(component, Control.HEALTH, new Control.AskHealth(port.address().toString()), limit)
                 .thenAccept(report -> {
                     if (!report.isWell()) {
-                        throw new ComponentException(report.problem());
+                        throw new ProviderException(report.problem());
                     }
                 });
     }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.services.broker.ProviderException;
 import io.troupe.services.bus.Address;
 import io.troupe.services.bus.BusPort;
 import io.troupe.services.bus.BusSettings;
@@ -109,7 +110,7 @@ class ComponentInterfaceTest {
         test.get(remote.start().thenApply(runs -> true));
         test.get(remote.check().thenApply(well -> true));
         script.health = () -> Promise.failed(new IllegalStateException("out of numbers"));
-        assertThat(test.error(remote.check())).isInstanceOf(ComponentException.class).hasMessage("out of numbers");
+        assertThat(test.error(remote.check())).isInstanceOf(ProviderException.class).hasMessage("out of numbers");
         test.get(remote.stop().thenApply(ended -> true));
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
     }
@@ -201,7 +202,7 @@ class ComponentInterfaceTest {
         };
         var face = open(script.component());
         assertThat(test.error(face.start()))
-                .isInstanceOf(ComponentException.class)
+                .isInstanceOf(ProviderException.class)
                 .hasMessage("here/counter has failed: no power");
         assertThat(test.error(face.check())).hasMessage("here/counter has failed: no power");
         assertThat(script.calls).containsExactly("invoke", "terminate");

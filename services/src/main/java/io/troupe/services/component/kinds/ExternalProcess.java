@@ -1,8 +1,8 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.services.broker.ProviderException;
 import io.troupe.services.component.ComponentCommunication;
-import io.troupe.services.component.ComponentException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -41,7 +41,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                     .directory(settings.directory().toFile())
                     .start();
         } catch (IOException e) {
-            return Promise.failed(new ComponentException(words() + " cannot be started: " + e.getMessage(), e));
+            return Promise.failed(new ProviderException(words() + " cannot be started: " + e.getMessage(), e));
         }
         process = begun;
         signals.tell("process " + begun.pid() + ": " + words());
@@ -54,9 +54,9 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         begun.onExit().thenRunAsync(() -> ended(begun, signals, readErrors, readOutput), task -> thread("exit", task));
         return Promise.from(firstLine.orTimeout(settings.startLimit().toMillis(), TimeUnit.MILLISECONDS)
                 .exceptionally(error -> {
-                    throw error instanceof ComponentException said
+                    throw error instanceof ProviderException said
                             ? said
-                            : new ComponentException(words() + " has written no line in " + settings.startLimit()
+                            : new ProviderException(words() + " has written no line in " + settings.startLimit()
                                     + ", expected one when it is ready" + said());
                 }));
     }
@@ -69,7 +69,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                 Thread.currentThread().interrupt();
             }
         }
-        var why = new ComponentException(words() + " ended with status " + past.exitValue() + said());
+        var why = new ProviderException(words() + " ended with status " + past.exitValue() + said());
         firstLine.completeExceptionally(why);
         if (!ending) {
             signals.failed(why);
@@ -119,7 +119,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     @Override
     public void data(String line) {
         if (!input.offer(line)) {
-            throw new ComponentException(words() + " does not read its standard input: " + input.size() + " lines wait");
+            throw new ProviderException(words() + " does not read its standard input: " + input.size() + " lines wait");
         }
     }
 
@@ -146,6 +146,6 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         Process asked = process;
         return asked != null && asked.isAlive()
                 ? Promise.done()
-                : Promise.failed(new ComponentException(words() + " does not run" + said()));
+                : Promise.failed(new ProviderException(words() + " does not run" + said()));
     }
 }
