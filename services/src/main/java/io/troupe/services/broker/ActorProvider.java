@@ -45,16 +45,18 @@ final class ActorProvider<A> implements Provider {
         var life = new Running(address, proxy, space.whenStopped(proxy));
         running = life;
         var started = new Deferred<@Nullable Void>(null);
-        space.execute(() -> { // behind the entry that starts it
-            if (life.ended().isDone()) {
-                Throwable why = failure.get();
-                started.reject(new ProviderException(
-                        address + " stopped when it was started" + (why == null ? "" : ": " + Reasons.of(why)), why));
-            } else {
-                directory.put(address, life);
-                started.resolve(null);
-            }
-        });
+        space.execute(
+                () -> { // behind the entry that starts it
+                    if (life.ended().isDone()) {
+                        Throwable why = failure.get();
+                        started.reject(new ProviderException(
+                                address + " stopped when it was started" + (why == null ? "" : ": " + Reasons.of(why)),
+                                why));
+                    } else {
+                        directory.put(address, life);
+                        started.resolve(null);
+                    }
+                });
         return started;
     }
 
@@ -86,8 +88,7 @@ final class ActorProvider<A> implements Provider {
     /** An entry of the space's mailbox queue: it comes back when all that the space has been sent before is done. */
     static Promise<@Nullable Void> check(ActorSpace space, @Nullable Running life) {
         if (life == null || life.ended().isDone()) {
-            return Promise.failed(
-                    new ProviderException((life == null ? "it" : life.address()) + " has stopped", null));
+            return Promise.failed(new ProviderException((life == null ? "it" : life.address()) + " has stopped", null));
         }
         var back = new Deferred<@Nullable Void>(null);
         space.execute(() -> back.resolve(null));

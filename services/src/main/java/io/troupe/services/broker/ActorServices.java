@@ -52,11 +52,7 @@ public final class ActorServices {
      * @param factory makes it, on its space, at each start
      */
     public <A> Promise<ServiceRecord> publish(
-            ActorSpace space,
-            Class<A> type,
-            String service,
-            List<String> capabilities,
-            Supplier<? extends A> factory) {
+            ActorSpace space, Class<A> type, String service, List<String> capabilities, Supplier<? extends A> factory) {
         Address address = nextAddress(service);
         return broker.register(service, capabilities, address, provider(address, space, type, factory, named(address)));
     }
@@ -65,8 +61,7 @@ public final class ActorServices {
     public <A> Promise<ServiceRecord> publishSpawned(
             ActorSpace space, String service, List<String> capabilities, A proxy) {
         Address address = nextAddress(service);
-        return broker.register(
-                service, capabilities, address, new SpawnedProvider(address, space, proxy, directory));
+        return broker.register(service, capabilities, address, new SpawnedProvider(address, space, proxy, directory));
     }
 
     /** Publishes an actor in another's place, while others call it; see {@link Broker#replace}. */
@@ -84,11 +79,7 @@ public final class ActorServices {
 
     /** What a broker needs to run an actor, for an address and settings of one's own choice. */
     public <A> Provider provider(
-            Address address,
-            ActorSpace space,
-            Class<A> type,
-            Supplier<? extends A> factory,
-            ActorSettings settings) {
+            Address address, ActorSpace space, Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
         return new ActorProvider<>(address, space, type, factory, settings, directory);
     }
 

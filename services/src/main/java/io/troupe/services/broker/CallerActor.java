@@ -79,7 +79,9 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private static String interfacesOf(Object proxy) {
         Class<?>[] interfaces = proxy.getClass().getInterfaces();
-        return interfaces.length > 0 ? interfaces[0].getName() : proxy.getClass().getName();
+        return interfaces.length > 0
+                ? interfaces[0].getName()
+                : proxy.getClass().getName();
     }
 
     @Override

@@ -27,8 +27,8 @@ final class Relay implements InvocationHandler {
     }
 
     static <A> A of(Class<A> type, Need need, Caller caller) {
-        return type.cast(Proxy.newProxyInstance(
-                type.getClassLoader(), new Class<?>[] {type}, new Relay(type, need, caller)));
+        return type.cast(
+                Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, new Relay(type, need, caller)));
     }
 
     static void check(Class<?> type) {

@@ -13,10 +13,7 @@ final class SpawnedProvider implements Provider {
     private final ConcurrentMap<Address, ActorProvider.Running> directory;
 
     SpawnedProvider(
-            Address address,
-            ActorSpace space,
-            Object proxy,
-            ConcurrentMap<Address, ActorProvider.Running> directory) {
+            Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, ActorProvider.Running> directory) {
         this.space = space;
         this.life = new ActorProvider.Running(address, proxy, space.whenStopped(proxy));
         this.directory = directory;

@@ -165,10 +165,11 @@ class AccountingTest {
                 case 2 -> kill();
                 case 3 -> withdraw();
                 case 4 -> replace();
-                case 5 -> later.stream()
-                        .filter(each -> !each.answer().isDone())
-                        .findFirst()
-                        .ifPresent(Late::give);
+                case 5 ->
+                    later.stream()
+                            .filter(each -> !each.answer().isDone())
+                            .findFirst()
+                            .ifPresent(Late::give);
                 case 6 -> {
                     test.crank();
                     test.advance(Duration.ofSeconds(random.nextInt(3)));
@@ -271,12 +272,18 @@ class AccountingTest {
         void check() {
             String what = "seed " + seed;
             asked.forEach((id, promise) -> {
-                assertThat(promise.isDone()).as("%s: call %d has ended", what, id).isTrue();
+                assertThat(promise.isDone())
+                        .as("%s: call %d has ended", what, id)
+                        .isTrue();
                 var by = done.getOrDefault(id, List.of());
-                assertThat(by.size()).as("%s: call %d was done once at most", what, id).isLessThanOrEqualTo(1);
+                assertThat(by.size())
+                        .as("%s: call %d was done once at most", what, id)
+                        .isLessThanOrEqualTo(1);
                 Throwable error = promise.error();
                 if (error == null) {
-                    assertThat(by).as("%s: call %d was answered, so it was done", what, id).hasSize(1);
+                    assertThat(by)
+                            .as("%s: call %d was answered, so it was done", what, id)
+                            .hasSize(1);
                     assertThat(promise.getNow()).as("%s: call %d", what, id).isEqualTo(by.getFirst());
                 } else {
                     assertThat(error).as("%s: call %d", what, id).isInstanceOf(ServiceCallException.class);
@@ -296,8 +303,10 @@ class AccountingTest {
             assertThat(noted + undelivered + deadLetters)
                     .as("%s: one-way calls done, undelivered and dead", what)
                     .isEqualTo(notes.size());
-            assertThat(notes.keySet()).as(what).allSatisfy(id ->
-                    assertThat(done.getOrDefault(id, List.of()).size()).isLessThanOrEqualTo(1));
+            assertThat(notes.keySet())
+                    .as(what)
+                    .allSatisfy(id ->
+                            assertThat(done.getOrDefault(id, List.of()).size()).isLessThanOrEqualTo(1));
             assertThat(test.takeProblems()).as(what).isEmpty();
             test.close();
         }

@@ -18,8 +18,7 @@ class ActorServicesTest {
 
     private static final class Stage implements AutoCloseable {
         final BrokerBench bench = new BrokerBench(BrokerSettings.DEFAULT.withoutRestart());
-        final ActorServices services =
-                new ActorServices(bench.broker, "node", bench.test.space(), bench.events::add);
+        final ActorServices services = new ActorServices(bench.broker, "node", bench.test.space(), bench.events::add);
         final List<String> diary = bench.diary;
         Parrot.@Nullable Grey last;
 
@@ -29,8 +28,8 @@ class ActorServicesTest {
         }
 
         void publish(String name) {
-            bench.test.get(services.publish(
-                    bench.test.space(), Parrot.class, "parrot", List.of("talks"), () -> parrot(name)));
+            bench.test.get(
+                    services.publish(bench.test.space(), Parrot.class, "parrot", List.of("talks"), () -> parrot(name)));
         }
 
         void kill(String address) {
@@ -135,8 +134,9 @@ class ActorServicesTest {
                             + "was refused: 2 calls wait already, and ");
             stage.bench.seconds(2);
             assertThat(stage.bench.test.error(answer))
-                    .hasMessage("Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", found no provider within PT2S: "
-                            + "\"robot 1\" needs the service \"parrot\", which nobody offers; registered: nothing");
+                    .hasMessage(
+                            "Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", found no provider within PT2S: "
+                                    + "\"robot 1\" needs the service \"parrot\", which nobody offers; registered: nothing");
             assertThat(((ServiceCallException) stage.bench.test.error(answer)).wasSent())
                     .isFalse();
             assertThat(stage.bench.events(BrokerEvent.Undelivered.class))
@@ -156,8 +156,7 @@ class ActorServicesTest {
             stage.kill("parrot");
             assertThat(stage.bench.test.error(answer))
                     .isInstanceOf(ServiceCallException.class)
-                    .hasMessage(
-                            "node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
+                    .hasMessage("node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
             assertThat(((ServiceCallException) stage.bench.test.error(answer)).wasSent())
                     .isTrue();
             assertThat(stage.diary).containsExactly("a begins hello"); // and nobody else does it again

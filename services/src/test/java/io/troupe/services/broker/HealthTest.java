@@ -26,7 +26,8 @@ class HealthTest {
             assertThat(bench.diary)
                     .containsExactly("start a", "robot 1 hears of a", "stop a", "start b", "robot 1 hears of b");
             assertThat(bench.events(BrokerEvent.FailedOver.class))
-                    .extracting(event -> event.from().provider() + " > " + event.to().provider())
+                    .extracting(event ->
+                            event.from().provider() + " > " + event.to().provider())
                     .containsExactly("node/a > node/b");
         }
     }
@@ -78,7 +79,8 @@ class HealthTest {
             bench.seconds(1);
             assertThat(heard).containsExactly("use a", "use b", "use c");
             assertThat(bench.events(BrokerEvent.Failed.class))
-                    .extracting(event -> event.provider().provider().name() + ": " + event.why().getMessage())
+                    .extracting(event -> event.provider().provider().name() + ": "
+                            + event.why().getMessage())
                     .containsExactly("a: a is broken", "b: b exploded");
         }
     }
@@ -110,8 +112,8 @@ class HealthTest {
 
     @Test
     void failedProvider_isStartedAgainWhileAConnectionWaits_afterPausesThatGrow() {
-        try (var bench = new BrokerBench(
-                BrokerSettings.DEFAULT.withRestart(Duration.ofSeconds(1), Duration.ofSeconds(4)))) {
+        try (var bench =
+                new BrokerBench(BrokerSettings.DEFAULT.withRestart(Duration.ofSeconds(1), Duration.ofSeconds(4)))) {
             var a = bench.offer("player", "a");
             var heard = bench.connect("robot 1", "player");
             a.start = a::fail;
@@ -173,8 +175,7 @@ class HealthTest {
             throw new IllegalStateException("observer");
         }));
         var diary = new java.util.ArrayList<String>();
-        test.get(broker.register(
-                "player", java.util.List.of(), BrokerBench.at("p"), new FakeProvider("p", diary)));
+        test.get(broker.register("player", java.util.List.of(), BrokerBench.at("p"), new FakeProvider("p", diary)));
         assertThat(test.get(broker.require(Need.ofService("x", "player"))).health())
                 .isEqualTo(Health.WELL);
         assertThat(test.takeProblems()).hasSize(3); // registered, starting, started

@@ -26,11 +26,13 @@ class MissingServiceTest {
         try (var bench = new BrokerBench()) {
             bench.offer("player", "p", "senses", "drives");
             assertThat(bench.missing(bench.broker.require(Need.ofCapability("robot 2", "drive"))))
-                    .isEqualTo("\"robot 2\" needs the capability \"drive\", which nobody offers; did you mean \"drives\"? "
-                            + "registered: player (senses, drives; not started)");
+                    .isEqualTo(
+                            "\"robot 2\" needs the capability \"drive\", which nobody offers; did you mean \"drives\"? "
+                                    + "registered: player (senses, drives; not started)");
             assertThat(bench.missing(bench.broker.require(new Need("robot 2", "player", "flies"))))
-                    .isEqualTo("\"robot 2\" needs the service \"player\" with the capability \"flies\", which nobody offers; "
-                            + "registered: player (senses, drives; not started)");
+                    .isEqualTo(
+                            "\"robot 2\" needs the service \"player\" with the capability \"flies\", which nobody offers; "
+                                    + "registered: player (senses, drives; not started)");
         }
     }
 

@@ -9,8 +9,7 @@ import org.junit.jupiter.api.Test;
 /** Replacing, withdrawing and closing, while everything runs. */
 class ReplaceTest {
     private static Promise<ServiceRecord> replace(BrokerBench bench, String old, FakeProvider by, String name) {
-        return bench.broker.replace(
-                BrokerBench.at(old), "player", List.of("better"), BrokerBench.at(name), by);
+        return bench.broker.replace(BrokerBench.at(old), "player", List.of("better"), BrokerBench.at(name), by);
     }
 
     @Test
@@ -192,7 +191,9 @@ class ReplaceTest {
         bench.test.crank();
         assertThat(bench.diary).containsExactly("robot 1 hears of the loss", "stop a", "stop b");
         bench.seconds(5);
-        assertThat(bench.test.get(left)).extracting(each -> each.provider().name()).containsExactly("b");
+        assertThat(bench.test.get(left))
+                .extracting(each -> each.provider().name())
+                .containsExactly("b");
         assertThat(bench.diary).containsExactly("robot 1 hears of the loss", "stop a", "stop b", "stop c");
         assertThat(heard).containsExactly("use a", "lost");
         assertThat(bench.test.error(bench.broker.require(Need.ofService("x", "four"))))
@@ -212,8 +213,7 @@ class ReplaceTest {
         a.unanswered.remove().resolve(null);
         assertThat(bench.test.get(bench.broker.shutDown())).isEmpty();
         assertThat(bench.diary).containsExactly("start a", "stop a");
-        assertThat(bench.missing(need))
-                .isEqualTo("\"x\" needs the service \"one\", and the broker is being closed");
+        assertThat(bench.missing(need)).isEqualTo("\"x\" needs the service \"one\", and the broker is being closed");
         bench.test.close();
     }
 

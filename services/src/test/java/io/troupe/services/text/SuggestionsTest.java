@@ -38,7 +38,8 @@ class SuggestionsTest {
 
     @Test
     void longText_isNobodysName() {
-        assertThat(Suggestions.nearest("a".repeat(101), List.of("a".repeat(101)))).isEmpty();
+        assertThat(Suggestions.nearest("a".repeat(101), List.of("a".repeat(101))))
+                .isEmpty();
         assertThat(Suggestions.nearest("", List.of())).isEmpty();
     }
 }
