@@ -35,9 +35,8 @@ final class Questions {
         node.counters.asked.increment();
         pending.put(number, waiting);
         String closed =
-                asker
-                        .whyClosed(); // asked after the question is in the table, so that either it or close() sees the
-                                      // other
+                asker.whyClosed(); // asked after the question is in the table, so that either it or close() sees the
+        // other
         if (closed != null) {
             refuse(number, "the asker has left: " + closed);
         } else {

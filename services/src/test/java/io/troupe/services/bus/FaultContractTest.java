@@ -1,6 +1,7 @@
 package io.troupe.services.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
+
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;

@@ -2,6 +2,7 @@ package io.troupe.services.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Deferred;
@@ -93,7 +94,6 @@ class LifeContractTest extends BusContract {
         take(losses);
         other.close();
     }
-
 
     @Test
     void name_canBeTakenOnce_andIsFreeAgainWhenItsPortIsClosed() {

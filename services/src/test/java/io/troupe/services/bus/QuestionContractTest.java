@@ -2,6 +2,7 @@ package io.troupe.services.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
