@@ -121,6 +121,11 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         return onSpace(lives::health);
     }
 
+    @Override
+    public Promise<@Nullable Void> whenEnded() {
+        return onSpace(lives::whenEnded);
+    }
+
     private Promise<@Nullable Void> onSpace(Supplier<Promise<@Nullable Void>> action) {
         if (ActorSpace.current() == space) {
             return action.get();

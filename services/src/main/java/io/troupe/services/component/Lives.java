@@ -35,6 +35,9 @@ final class Lives<I, O> {
     private Lifecycle state = Lifecycle.NOT_INVOKED;
     private @Nullable Life<I, O> life;
     private @Nullable Throwable failure;
+    /** Settled when the life of now is over; made when somebody asks for it. */
+    private @Nullable Deferred<@Nullable Void> end;
+
     /** Settled when the newest invocation or termination is over. */
     private Deferred<@Nullable Void> change = new Deferred<>();
 
@@ -137,6 +140,17 @@ final class Lives<I, O> {
         return life == null || state != Lifecycle.RUNNING ? Promise.failed(notRunning()) : life.health();
     }
 
+    /** Settled when what runs now ends: fulfilled if it was terminated, rejected if it has failed. */
+    Promise<@Nullable Void> whenEnded() {
+        if (life == null) {
+            return Promise.failed(notRunning());
+        }
+        if (end == null) {
+            end = new Deferred<>();
+        }
+        return end;
+    }
+
     /** Why nothing can be had of it now. */
     ProviderException notRunning() {
         return new ProviderException(
@@ -176,12 +190,19 @@ final class Lives<I, O> {
         }
     }
 
-    private void close(Lifecycle end) {
-        become(end);
+    private void close(Lifecycle last) {
+        become(last);
         turns.ends();
         if (life != null) {
             life.end();
             life = null;
+        }
+        var asked = end;
+        end = null;
+        if (asked != null && last == Lifecycle.FAILED) {
+            asked.reject(notRunning());
+        } else if (asked != null) {
+            asked.resolve(null);
         }
     }
 

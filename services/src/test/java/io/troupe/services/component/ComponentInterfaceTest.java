@@ -223,14 +223,18 @@ class ComponentInterfaceTest {
     }
 
     @Test
-    void componentThatDies_hasFailed_itsLastWordsAreStillPublished() {
+    void componentThatDies_hasFailed_andSaysSoAtOnce_itsLastWordsAreStillPublished() {
         var face = running();
+        var end = face.whenEnded();
+        end.handle((ended, error) -> null);
+        test.crank();
         test.run(() -> {
             script.signals().data("7");
             script.signals().failed(new IllegalStateException("burnt out"));
         });
         assertThat(heard).containsExactly(7);
         assertThat(test.error(face.check())).hasMessage("here/counter has failed: burnt out");
+        assertThat(test.error(end)).hasMessage("here/counter has failed: burnt out");
         test.get(face.stop().thenApply(ended -> true));
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
     }
