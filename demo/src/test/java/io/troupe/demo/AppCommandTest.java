@@ -57,12 +57,16 @@ class AppCommandTest {
         String missing = Files.readString(Path.of("applications", "two-robots.app"))
                 .replace("needs service wallFollower", "needs service wallFolower");
         assertThat(app(file(missing))).isEqualTo(3);
-        assertThat(err.toString().lines()).singleElement().asString().startsWith("troupe: ").contains(
-                "\"robot1\"",
-                "\"wallFolower\"",
-                "did you mean \"wallFollower\"?",
-                "registered: player",
-                "spaceWanderer");
+        assertThat(err.toString().lines())
+                .singleElement()
+                .asString()
+                .startsWith("troupe: ")
+                .contains(
+                        "\"robot1\"",
+                        "\"wallFolower\"",
+                        "did you mean \"wallFollower\"?",
+                        "registered: player",
+                        "spaceWanderer");
         assertThat(out.toString()).contains("started    robots", "stopped    robots");
     }
 
@@ -71,7 +75,8 @@ class AppCommandTest {
         String file = file("application a\ncomponent r is plyer\n");
         assertThat(app(file)).isEqualTo(2);
         assertThat(err.toString())
-                .startsWith("troupe: " + file + ":2:16: there is no kind of component \"plyer\"; did you mean \"player\"?");
+                .startsWith(
+                        "troupe: " + file + ":2:16: there is no kind of component \"plyer\"; did you mean \"player\"?");
     }
 
     @Test
@@ -82,8 +87,7 @@ class AppCommandTest {
 
     @Test
     void robotThatTwoDrive_isStatus1() throws IOException {
-        assertThat(app(file(
-                        """
+        assertThat(app(file("""
                         application quarrel
                         component robots is player port=${port}
                         component a is wallFollower
@@ -91,8 +95,7 @@ class AppCommandTest {
                         quarrel needs service player
                         robot1 needs service wallFollower
                         robot1 needs service spaceWanderer
-                        """)))
-                .isEqualTo(1);
+                        """))).isEqualTo(1);
         assertThat(err.toString()).startsWith("troupe: robot1/velocity would be fed twice");
     }
 

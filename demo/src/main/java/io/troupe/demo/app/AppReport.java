@@ -68,11 +68,16 @@ final class AppReport implements ComponentObserver {
             case BrokerEvent.Registered it -> say("offered", words(it.provider()));
             case BrokerEvent.Started it -> say("started", words(it.provider()));
             case BrokerEvent.Stopped it -> say("stopped", words(it.provider()));
-            case BrokerEvent.StartFailed it -> say("not started", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.Failed it -> say("failed", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.Suspect it -> say("suspect", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.StopFailed it -> say("not stopped", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.UserFailed it -> say("trouble", it.need().by() + ": " + it.why().getMessage());
+            case BrokerEvent.StartFailed it ->
+                say("not started", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.Failed it ->
+                say("failed", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.Suspect it ->
+                say("suspect", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.StopFailed it ->
+                say("not stopped", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.UserFailed it ->
+                say("trouble", it.need().by() + ": " + it.why().getMessage());
             default -> {
                 // told by the application, or nothing that people need to know
             }

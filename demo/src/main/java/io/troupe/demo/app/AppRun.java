@@ -77,7 +77,11 @@ final class AppRun {
             try {
                 await(application.started().toCompletableFuture(), START_LIMIT, "to start");
                 application.ended().handle((ended, error) -> error == null || failure.compareAndSet(null, error));
-                move(simulation, StrictMath.round(seconds * 1e6), realtime, () -> stop.getAsBoolean() || failure.get() != null);
+                move(
+                        simulation,
+                        StrictMath.round(seconds * 1e6),
+                        realtime,
+                        () -> stop.getAsBoolean() || failure.get() != null);
             } finally {
                 space.execute(application::stop);
                 await(application.ended().handle((ended, error) -> true).toCompletableFuture(), STOP_LIMIT, "to stop");
@@ -108,8 +112,8 @@ final class AppRun {
         for (var component : plan.components().values()) {
             component.publishes().stream()
                     .filter(topic -> topic.type().equals(ColourSeen.class))
-                    .forEach(topic -> listener.subscribe(
-                            topic, (seen, from) -> report.saw(from.name(), (ColourSeen) seen)));
+                    .forEach(topic ->
+                            listener.subscribe(topic, (seen, from) -> report.saw(from.name(), (ColourSeen) seen)));
         }
         var started = new CompletableFuture<Application>();
         space.execute(() -> {

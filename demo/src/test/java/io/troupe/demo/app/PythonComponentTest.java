@@ -82,13 +82,14 @@ class PythonComponentTest {
 
     private void note(BrokerEvent event) {
         if (event instanceof BrokerEvent.Failed failed) {
-            events.add("failed: " + failed.provider().provider().name() + " " + failed.provider().health());
+            events.add("failed: " + failed.provider().provider().name() + " "
+                    + failed.provider().health());
         }
     }
 
     private Application start(ActorSpace space, int tcpPort, BrokerSettings brokerSettings) throws Exception {
-        var plan = ApplicationReader.read(
-                FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
+        var plan =
+                ApplicationReader.read(FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(
                 plan,
@@ -106,8 +107,7 @@ class PythonComponentTest {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
-                var space = ActorSpace.create(
-                        SpaceSettings.named("application").withClock(simulation.clock()))) {
+                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
             var application = start(space, tcp.port(), BrokerSettings.DEFAULT.withoutRestart());
             var before = simulation.latest().robots();
             for (int tick = 0; tick < 100; tick++) {
@@ -129,9 +129,10 @@ class PythonComponentTest {
                     .isInstanceOf(MissingServiceException.class)
                     .hasMessageContainingAll("two-languages", "pythonWanderer");
             assertThat(events).contains("failed: snake FAILED");
-            assertThat(events).anySatisfy(event -> assertThat(event)
-                    .startsWith("lost: \"two-languages\" needs the service \"pythonWanderer\"")
-                    .contains("wanderer.py"));
+            assertThat(events)
+                    .anySatisfy(event -> assertThat(event)
+                            .startsWith("lost: \"two-languages\" needs the service \"pythonWanderer\"")
+                            .contains("wanderer.py"));
             assertThat(processes).hasSize(1);
         }
         assertThat(ProcessHandle.of(processes.getFirst()).filter(ProcessHandle::isAlive))
@@ -154,14 +155,13 @@ class PythonComponentTest {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
-                var space = ActorSpace.create(
-                        SpaceSettings.named("application").withClock(simulation.clock()))) {
+                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
             var application = start(space, tcp.port(), BrokerSettings.DEFAULT);
             for (int tick = 0; tick < ticks; tick++) {
                 simulation.tick();
             }
-            String poses = simulation.latest().robots().get(0).pose()
-                    + " " + simulation.latest().robots().get(1).pose();
+            String poses = simulation.latest().robots().get(0).pose() + " "
+                    + simulation.latest().robots().get(1).pose();
             space.execute(application::stop);
             application.ended().get(Duration.ofSeconds(20));
             return poses;

@@ -35,13 +35,11 @@ public record Component<I, O>(
 
     /** The same under another name, with other capabilities. */
     public Component<I, O> offering(String newService, List<String> newCapabilities) {
-        return new Component<>(
-                newService, newCapabilities, hears, publishes, communication, conversion, input, output);
+        return new Component<>(newService, newCapabilities, hears, publishes, communication, conversion, input, output);
     }
 
     /** The same with other buffers. */
     public Component<I, O> buffered(Buffering newInput, Buffering newOutput) {
-        return new Component<>(
-                service, capabilities, hears, publishes, communication, conversion, newInput, newOutput);
+        return new Component<>(service, capabilities, hears, publishes, communication, conversion, newInput, newOutput);
     }
 }

@@ -31,19 +31,31 @@ public final class RemoteProvider implements Provider {
 
     @Override
     public Promise<@Nullable Void> start() {
-        return port.ask(component, Control.INVOKE, new Control.Invoke(port.address().toString()), limit)
+        return port.ask(
+                        component,
+                        Control.INVOKE,
+                        new Control.Invoke(port.address().toString()),
+                        limit)
                 .thenAccept(done -> {});
     }
 
     @Override
     public Promise<@Nullable Void> stop() {
-        return port.ask(component, Control.TERMINATE, new Control.Terminate(port.address().toString()), limit)
+        return port.ask(
+                        component,
+                        Control.TERMINATE,
+                        new Control.Terminate(port.address().toString()),
+                        limit)
                 .thenAccept(done -> {});
     }
 
     @Override
     public Promise<@Nullable Void> check() {
-        return port.ask(component, Control.HEALTH, new Control.AskHealth(port.address().toString()), limit)
+        return port.ask(
+                        component,
+                        Control.HEALTH,
+                        new Control.AskHealth(port.address().toString()),
+                        limit)
                 .thenAccept(report -> {
                     if (!report.isWell()) {
                         throw new ProviderException(report.problem());

@@ -110,7 +110,9 @@ class ComponentInterfaceTest {
         test.get(remote.start().thenApply(runs -> true));
         test.get(remote.check().thenApply(well -> true));
         script.health = () -> Promise.failed(new IllegalStateException("out of numbers"));
-        assertThat(test.error(remote.check())).isInstanceOf(ProviderException.class).hasMessage("out of numbers");
+        assertThat(test.error(remote.check()))
+                .isInstanceOf(ProviderException.class)
+                .hasMessage("out of numbers");
         test.get(remote.stop().thenApply(ended -> true));
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
     }
@@ -173,7 +175,8 @@ class ComponentInterfaceTest {
     void burstFromTheComponent_overflowsItsOwnBufferOnly() {
         var face = open(script.component().buffered(Buffering.STREAM, new Buffering(2, WhenFull.DROP_OLDEST)));
         test.get(face.start().thenApply(runs -> true));
-        test.run(() -> List.of("1", "2", "3", "4").forEach(each -> script.signals().data(each)));
+        test.run(() ->
+                List.of("1", "2", "3", "4").forEach(each -> script.signals().data(each)));
         assertThat(heard).containsExactly(3, 4);
         assertThat(face.conversion().losses().dropped()).isEqualTo(2);
     }
@@ -182,7 +185,8 @@ class ComponentInterfaceTest {
     void conversionThatFails_costsThatValueOnly_andIsTold() {
         var face = running();
         publish(1, -1, 2);
-        test.run(() -> List.of("3", "four", "5").forEach(each -> script.signals().data(each)));
+        test.run(
+                () -> List.of("3", "four", "5").forEach(each -> script.signals().data(each)));
         assertThat(script.calls).containsExactly("invoke", "1", "2");
         assertThat(heard).containsExactly(3, 5);
         assertThat(notes.take())
@@ -258,7 +262,8 @@ class ComponentInterfaceTest {
         notes.take();
         test.run(() -> late.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate");
-        assertThat(notes.take()).containsExactly("counter ran only after it had been given up, and is terminated again");
+        assertThat(notes.take())
+                .containsExactly("counter ran only after it had been given up, and is terminated again");
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
     }
 

@@ -86,8 +86,9 @@ public record ApplicationPlan(
     public ApplicationPlan needing(Need need) {
         List<String> users = users();
         if (!users.contains(need.by())) {
-            throw new IllegalArgumentException("\"" + need.by()
-                    + "\" is neither the application nor a component nor a robot of one; " + Hints.of(need.by(), users));
+            throw new IllegalArgumentException(
+                    "\"" + need.by() + "\" is neither the application nor a component nor a robot of one; "
+                            + Hints.of(need.by(), users));
         }
         return new ApplicationPlan(name, components, plus(needs, need), wires, replacements);
     }
@@ -128,8 +129,8 @@ public record ApplicationPlan(
     public ApplicationPlan replacing(Duration after, String old, String by) {
         for (String each : List.of(old, by)) {
             if (!components.containsKey(each)) {
-                throw new IllegalArgumentException("\"" + each + "\" is no component of " + name + "; "
-                        + Hints.of(each, components.keySet()));
+                throw new IllegalArgumentException(
+                        "\"" + each + "\" is no component of " + name + "; " + Hints.of(each, components.keySet()));
             }
         }
         if (replacements.stream().anyMatch(each -> each.by().equals(by)) || old.equals(by)) {

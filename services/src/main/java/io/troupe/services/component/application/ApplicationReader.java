@@ -78,7 +78,8 @@ public final class ApplicationReader {
             }
         }
         if (!reader.named) {
-            throw new ApplicationFileException(file + ":1:1: the application has no name, expected a line \"application NAME\"");
+            throw new ApplicationFileException(
+                    file + ":1:1: the application has no name, expected a line \"application NAME\"");
         }
         return reader.plan;
     }
@@ -120,7 +121,9 @@ public final class ApplicationReader {
                 .orElseThrow(() -> words.problem(
                         kindWord,
                         "there is no kind of component \"" + kindWord.text() + "\"; "
-                                + Hints.of(kindWord.text(), kinds.all().stream().map(Kind::name).toList())));
+                                + Hints.of(
+                                        kindWord.text(),
+                                        kinds.all().stream().map(Kind::name).toList())));
         Map<String, Word> arguments = arguments(kind, words);
         Map<String, String> given = new LinkedHashMap<>();
         arguments.forEach((key, word) -> given.put(key, word.text()));
@@ -129,9 +132,11 @@ public final class ApplicationReader {
         Component<?, ?> made;
         try {
             made = kind.maker().make(name, new Arguments(kind, given, directory()));
-            plan = plan.with(name, made.offering(
-                    service == null ? made.service() : service,
-                    capabilities == null ? made.capabilities() : Arrays.asList(capabilities.split(","))));
+            plan = plan.with(
+                    name,
+                    made.offering(
+                            service == null ? made.service() : service,
+                            capabilities == null ? made.capabilities() : Arrays.asList(capabilities.split(","))));
         } catch (ArgumentException wrong) {
             throw words.problem(arguments.getOrDefault(wrong.parameter(), kindWord), wrong.getMessage());
         } catch (IllegalArgumentException twice) {
@@ -146,8 +151,7 @@ public final class ApplicationReader {
 
     private static Map<String, Word> arguments(Kind kind, Words words) {
         List<String> known = Stream.concat(
-                        kind.parameters().stream().map(Kind.Parameter::name),
-                        Stream.of("service", "capabilities"))
+                        kind.parameters().stream().map(Kind.Parameter::name), Stream.of("service", "capabilities"))
                 .toList();
         Map<String, Word> arguments = new LinkedHashMap<>();
         while (words.hasNext()) {
@@ -173,7 +177,8 @@ public final class ApplicationReader {
             throw words.problem(
                     user,
                     "found \"" + user.text() + "\", expected " + STATEMENT
-                            + meant.map(word -> "; did you mean \"" + word + "\"?").orElse(""));
+                            + meant.map(word -> "; did you mean \"" + word + "\"?")
+                                    .orElse(""));
         }
         words.expect("needs");
         String service = null;
@@ -185,7 +190,8 @@ public final class ApplicationReader {
             } else if (what.text().equals("capability") && capability == null) {
                 capability = words.next("a capability").text();
             } else {
-                throw words.problem(what, "found \"" + what.text() + "\", expected \"service\" or \"capability\", each once");
+                throw words.problem(
+                        what, "found \"" + what.text() + "\", expected \"service\" or \"capability\", each once");
             }
         } while (words.hasNext());
         try {

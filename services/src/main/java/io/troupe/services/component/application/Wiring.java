@@ -14,7 +14,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
-
 /**
  * Connects topics: of a user and its provider those that have the same last name and type.
  *

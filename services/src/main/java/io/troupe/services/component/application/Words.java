@@ -67,7 +67,10 @@ final class Words {
                         line,
                         column,
                         "${" + name + "} has no value here, expected one of "
-                                + values.keySet().stream().sorted().map(each -> "${" + each + "}").toList());
+                                + values.keySet().stream()
+                                        .sorted()
+                                        .map(each -> "${" + each + "}")
+                                        .toList());
             }
             done.append(text, at, begin).append(values.get(name));
             at = end + 1;

@@ -46,13 +46,16 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         process = begun;
         signals.tell("process " + begun.pid() + ": " + words());
         Thread readErrors = thread("stderr", () -> read(begun.getErrorStream(), errors::add));
-        Thread readOutput = thread("stdout", () -> read(begun.getInputStream(), line -> {
-            firstLine.complete(null);
-            signals.data(line);
-        }));
+        Thread readOutput = thread(
+                "stdout",
+                () -> read(begun.getInputStream(), line -> {
+                    firstLine.complete(null);
+                    signals.data(line);
+                }));
         thread("stdin", () -> write(begun));
         begun.onExit().thenRunAsync(() -> ended(begun, signals, readErrors, readOutput), task -> thread("exit", task));
-        return Promise.from(firstLine.orTimeout(settings.startLimit().toMillis(), TimeUnit.MILLISECONDS)
+        return Promise.from(firstLine
+                .orTimeout(settings.startLimit().toMillis(), TimeUnit.MILLISECONDS)
                 .exceptionally(error -> {
                     throw error instanceof ProviderException said
                             ? said

@@ -63,7 +63,9 @@ public final class Kinds {
                         arguments.text("host"),
                         arguments.integer("port", 1, LAST_PORT),
                         arguments.integers("robots", 1, MOST_ROBOTS),
-                        arguments.oneOf("camera", List.of("yes", "no"), word -> word).equals("yes"))));
+                        arguments
+                                .oneOf("camera", List.of("yes", "no"), word -> word)
+                                .equals("yes"))));
     }
 
     private static Kind wallFollower() {
@@ -72,9 +74,10 @@ public final class Kinds {
                 "follows the wall on the left",
                 List.of(new Parameter("corners", "forward or backward: which way it moves at a wall ahead", "forward")),
                 (name, arguments) -> {
-                    CornerStyle corners =
-                            arguments.oneOf("corners", List.of(CornerStyle.values()), style -> style.name()
-                                    .toLowerCase(Locale.ROOT));
+                    CornerStyle corners = arguments.oneOf(
+                            "corners",
+                            List.of(CornerStyle.values()),
+                            style -> style.name().toLowerCase(Locale.ROOT));
                     return BehaviourComponent.of(
                             name,
                             "wallFollower",
@@ -118,7 +121,6 @@ public final class Kinds {
         if (command.getFirst().isEmpty()) {
             throw new ArgumentException("run", "run is empty, expected a command line");
         }
-        return ProcessComponent.of(
-                name, name, ProcessComponent.Settings.of(command, arguments.directory()));
+        return ProcessComponent.of(name, name, ProcessComponent.Settings.of(command, arguments.directory()));
     }
 }

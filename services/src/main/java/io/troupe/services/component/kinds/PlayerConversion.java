@@ -35,7 +35,8 @@ final class PlayerConversion implements Conversion<SetSpeed, Reading> {
                     case Sonar sonar ->
                         new ApplicationData<>(
                                 RobotTopics.sonar(robot),
-                                new SonarReading(timeSeconds, metres(sonar.data().getRanges())));
+                                new SonarReading(
+                                        timeSeconds, metres(sonar.data().getRanges())));
                     case Position position ->
                         new ApplicationData<>(RobotTopics.position(robot), position(timeSeconds, position));
                     case Blobs blobs ->
@@ -44,7 +45,8 @@ final class PlayerConversion implements Conversion<SetSpeed, Reading> {
                                 new BlobsReading(
                                         timeSeconds,
                                         Arrays.stream(blobs.data().getBlobs())
-                                                .map(blob -> new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()))
+                                                .map(blob ->
+                                                        new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()))
                                                 .toList()));
                 });
     }

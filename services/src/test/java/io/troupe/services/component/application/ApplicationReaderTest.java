@@ -21,8 +21,7 @@ class ApplicationReaderTest {
 
     @Test
     void declaration_isReadAsItStands() {
-        var plan = read(
-                """
+        var plan = read("""
                 # what it is
                 application demo          # and a comment
 
@@ -40,8 +39,7 @@ class ApplicationReaderTest {
         assertThat(plan.components().get("finder").service()).isEqualTo("eyes");
         assertThat(plan.components().get("finder").capabilities()).containsExactly("sees", "looks");
         assertThat(plan.components().get("script").service()).isEqualTo("script");
-        assertThat(plan.needs())
-                .containsExactly(Need.ofService("robot2", "eyes"), new Need("demo", "eyes", "sees"));
+        assertThat(plan.needs()).containsExactly(Need.ofService("robot2", "eyes"), new Need("demo", "eyes", "sees"));
         assertThat(plan.wires()).extracting(Object::toString).containsExactly("robot1/blobs -> finder/blobs");
         assertThat(plan.replacements()).containsExactly(new Replacement(Duration.ofMillis(1500), "finder", "other"));
     }
@@ -83,7 +81,8 @@ class ApplicationReaderTest {
 
     @Test
     void topicsOfDifferentTypes_cannotBeConnected() {
-        assertThatThrownBy(() -> read("application demo\ncomponent r is player\nconnect robot1/sonar to robot1/velocity\n"))
+        assertThatThrownBy(() ->
+                        read("application demo\ncomponent r is player\nconnect robot1/sonar to robot1/velocity\n"))
                 .hasMessageStartingWith(
                         "my.app:3:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
     }

@@ -29,8 +29,7 @@ class ApplicationTest {
     private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
     private static final DeviceCommand.Velocity FOLLOWER_AHEAD = new DeviceCommand.Velocity(0.2, 0, 0, true);
     private static final DeviceCommand.Velocity WANDERER_AHEAD = new DeviceCommand.Velocity(0.5, 0, 0, true);
-    private static final String TWO_ROBOTS =
-            """
+    private static final String TWO_ROBOTS = """
             application two-robots
             component robots   is player port=7101 robots=1,2
             component follower is wallFollower
@@ -81,7 +80,8 @@ class ApplicationTest {
             case ApplicationEvent.Carried it -> {}
             case ApplicationEvent.Replaced it ->
                 events.add(it.what().by() + " in the place of " + it.what().old());
-            case ApplicationEvent.NotReplaced it -> events.add("not replaced: " + it.why().getMessage());
+            case ApplicationEvent.NotReplaced it ->
+                events.add("not replaced: " + it.why().getMessage());
         }
     }
 
@@ -112,7 +112,9 @@ class ApplicationTest {
         for (var component : plan(TWO_ROBOTS).components().entrySet()) {
             inCode = inCode.with(component.getKey(), component.getValue());
         }
-        start(inCode.needing("two-robots", "player").needing("robot1", "wallFollower").needing("robot2", "spaceWanderer"));
+        start(inCode.needing("two-robots", "player")
+                .needing("robot1", "wallFollower")
+                .needing("robot2", "spaceWanderer"));
         test.get(application.started().thenApply(runs -> true));
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
@@ -138,7 +140,12 @@ class ApplicationTest {
         assertThat(error)
                 .isInstanceOf(MissingServiceException.class)
                 .hasMessageContainingAll(
-                        "robot1", "wallFolower", "did you mean \"wallFollower\"", "registered:", "player", "spaceWanderer");
+                        "robot1",
+                        "wallFolower",
+                        "did you mean \"wallFollower\"",
+                        "registered:",
+                        "player",
+                        "spaceWanderer");
         assertThat(error.getMessage()).doesNotContain("\n");
         assertThat(state("robots")).isEqualTo(Lifecycle.TERMINATED);
         assertThat(robots.connections()).isZero();
@@ -164,7 +171,9 @@ class ApplicationTest {
             int commands = robots.commands(0).size();
             test.advance(Duration.ofMillis(100));
             robots.tick(100);
-            assertThat(robots.commands(0).size()).as("commands at tick %d", tick).isEqualTo(commands + 1);
+            assertThat(robots.commands(0).size())
+                    .as("commands at tick %d", tick)
+                    .isEqualTo(commands + 1);
             assertThat(robots.lastCommand(0)).as("command at tick %d", tick).isNotEqualTo(STOP);
         }
         assertThat(robots.commands(0).subList(0, 4)).containsOnly(FOLLOWER_AHEAD);
@@ -173,7 +182,9 @@ class ApplicationTest {
         assertThat(state("follower")).isEqualTo(Lifecycle.TERMINATED);
         for (String component : List.of("robots", "follower", "other")) {
             var losses = application.face(component).conversion().losses();
-            assertThat(losses.dropped() + losses.superseded() + losses.refused()).as("lost by " + component).isZero();
+            assertThat(losses.dropped() + losses.superseded() + losses.refused())
+                    .as("lost by " + component)
+                    .isZero();
         }
     }
 

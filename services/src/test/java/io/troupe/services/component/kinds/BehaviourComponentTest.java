@@ -46,8 +46,9 @@ class BehaviourComponentTest {
         var opened = new ArrayList<ComponentInterface<?, ?>>();
         test.run(() -> {
             user.subscribe(RobotTopics.velocity("driver"), (velocity, from) -> velocities.add(velocity));
-            user.subscribe(RobotTopics.colours("driver"), (seen, from) -> colours.add(
-                    seen.timeSeconds() + " " + Colours.name(seen.colour())));
+            user.subscribe(
+                    RobotTopics.colours("driver"),
+                    (seen, from) -> colours.add(seen.timeSeconds() + " " + Colours.name(seen.colour())));
             opened.add(ComponentInterface.open(bus, "driver", component, notes));
         });
         test.get(opened.getFirst().start().thenApply(runs -> true));
@@ -75,7 +76,8 @@ class BehaviourComponentTest {
 
     @Test
     void behaviour_knowsThePoseThatCameBefore() {
-        start(() -> senses -> Optional.of(new Velocity(senses.pose().xM(), senses.pose().headingRad())));
+        start(() -> senses ->
+                Optional.of(new Velocity(senses.pose().xM(), senses.pose().headingRad())));
         test.run(() -> user.publish(RobotTopics.position("driver"), new PositionReading(0.1, 3, 4, 0.5, false)));
         ranges(0.1, 5);
         assertThat(velocities).containsExactly(new Velocity(3, 0.5));
@@ -87,8 +89,7 @@ class BehaviourComponentTest {
         for (int millis = 0; millis <= 200; millis += 50) {
             ranges(millis / 1000.0, 5);
         }
-        assertThat(velocities)
-                .containsExactly(new Velocity(0, 0), new Velocity(0.1, 0), new Velocity(0.2, 0));
+        assertThat(velocities).containsExactly(new Velocity(0, 0), new Velocity(0.1, 0), new Velocity(0.2, 0));
     }
 
     @Test
@@ -112,7 +113,11 @@ class BehaviourComponentTest {
     void ringWithTooFewSonars_isRefused_andTheBehaviourGoesOn() {
         start(() -> senses -> Optional.of(new Velocity(0.1, 0)));
         test.run(() -> user.publish(RobotTopics.sonar("driver"), new SonarReading(0.1, List.of(1.0))));
-        assertThat(notes.take()).hasSize(1).first().asString().endsWith("a sonar ring has 1 readings, expected 8 or more");
+        assertThat(notes.take())
+                .hasSize(1)
+                .first()
+                .asString()
+                .endsWith("a sonar ring has 1 readings, expected 8 or more");
         ranges(0.2, 5);
         assertThat(velocities).containsExactly(new Velocity(0.1, 0));
     }

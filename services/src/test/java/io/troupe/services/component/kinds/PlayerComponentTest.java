@@ -34,8 +34,7 @@ class PlayerComponentTest {
         test.run(() -> face = ComponentInterface.open(
                 bus,
                 "robots",
-                PlayerComponent.of(
-                        new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(1, 2), true)),
+                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(1, 2), true)),
                 notes));
     }
 
@@ -61,8 +60,10 @@ class PlayerComponentTest {
     @Test
     void robots_saySonarPositionAndBlobs_underTheirNames_andOnceForEachReading() {
         test.run(() -> {
-            user.subscribe(RobotTopics.sonar("robot1"), (reading, from) -> heard.add("1 at " + reading.timeSeconds()
-                    + " sonar 3 " + reading.rangesM().get(3)));
+            user.subscribe(
+                    RobotTopics.sonar("robot1"),
+                    (reading, from) -> heard.add("1 at " + reading.timeSeconds() + " sonar 3 "
+                            + reading.rangesM().get(3)));
             user.subscribe(RobotTopics.position("robot2"), (reading, from) -> heard.add("2 at " + reading.xM()));
             user.subscribe(
                     RobotTopics.blobs("robot2"),
@@ -138,6 +139,8 @@ class PlayerComponentTest {
                 "robots",
                 PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(3), true)),
                 notes));
-        assertThat(test.error(face.start())).hasMessageContaining("here/robots has failed").hasMessageContaining("2");
+        assertThat(test.error(face.start()))
+                .hasMessageContaining("here/robots has failed")
+                .hasMessageContaining("2");
     }
 }
