@@ -106,13 +106,17 @@ def main(host, port, index):
     player.subscribe(SONAR, index)
     player.subscribe(POSITION2D, index)
     print(f"ready: robot {index + 1} of {host}:{port}", flush=True)
-    while True:
-        newest = None
-        for interface, device, subtype, body in player.next_frame():
-            if (interface, device, subtype) == (SONAR, index, 1):
-                newest = ranges(body)
-        if newest is not None:
-            player.drive(index, *steer(newest))
+    try:
+        while True:
+            newest = None
+            for interface, device, subtype, body in player.next_frame():
+                if (interface, device, subtype) == (SONAR, index, 1):
+                    newest = ranges(body)
+            if newest is not None:
+                player.drive(index, *steer(newest))
+    except SystemExit:  # terminated: a Player server keeps the last command for ever
+        player.drive(index, 0.0, 0.0)
+        raise
 
 
 if __name__ == "__main__":

@@ -6,8 +6,10 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.services.broker.Broker;
 import io.troupe.services.broker.MissingServiceException;
 import io.troupe.services.broker.Need;
+import io.troupe.services.broker.ServiceRecord;
 import io.troupe.services.bus.Bus;
 import io.troupe.services.bus.BusPort;
+import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
@@ -189,7 +191,20 @@ public final class Application {
                 .thenAccept(replaced -> {});
     }
 
-    /** The interface of a component of the plan. */
+    /**
+     * Connects one more component on the fly: it is registered, and started as soon as somebody needs it.
+     *
+     * @param name as the component's maker was given
+     * @throws IllegalArgumentException if there is a component of that name
+     */
+    public Promise<ServiceRecord> add(String name, Component<?, ?> component) {
+        var face = ComponentInterface.open(bus, name, component, settings.components());
+        interfaces.put(name, face);
+        wiring.know(name, component);
+        return broker.register(component.service(), component.capabilities(), face.address(), face);
+    }
+
+    /** The interface of a component. */
     public ComponentInterface<?, ?> face(String component) {
         var face = interfaces.get(component);
         if (face == null) {

@@ -8,6 +8,7 @@ import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -27,8 +28,12 @@ final class Wiring {
 
     Wiring(BusPort port, Map<String, Component<?, ?>> components, Consumer<ApplicationEvent> observer) {
         this.port = port;
-        this.components = components;
+        this.components = new LinkedHashMap<>(components);
         this.observer = observer;
+    }
+
+    void know(String name, Component<?, ?> component) {
+        components.put(name, component);
     }
 
     /** By which need a topic is fed. */

@@ -229,6 +229,23 @@ class ApplicationTest {
         assertThat(state("robots")).isEqualTo(Lifecycle.TERMINATED);
     }
 
+    @Test
+    void componentThatIsAddedOnTheFly_takesOverFromOneThatDied() {
+        var deaths = new ArrayList<Integer>(List.of(1, 2, 3, 4, 5, 6, 7, 8, 9));
+        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
+        test.get(application.started().thenApply(runs -> true));
+        robots.tick(100);
+        assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
+        test.run(() -> application.add(
+                "heir",
+                BehaviourComponent.of("heir", "dying", List.of(), () -> senses -> Optional.of(new Velocity(0.3, 0)))));
+        assertThat(events.getLast()).startsWith("robot1 uses heir [robot1/position -> heir/position");
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0.3, 0, 0, true));
+        test.advance(Duration.ofSeconds(10));
+        assertThat(application.ended().isDone()).isFalse();
+    }
+
     /** Fails at its first reading, as often as there are deaths; while more than one is left it does not even start again. */
     private static Component<?, ?> mortal(List<Integer> deaths) {
         var lives = new ArrayList<Integer>();
