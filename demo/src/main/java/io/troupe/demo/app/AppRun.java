@@ -11,6 +11,7 @@ import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationPlan;
 import io.troupe.services.component.application.ApplicationReader;
+import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.sim.Simulation;
@@ -107,7 +108,7 @@ final class AppRun {
     private Application start(ActorSpace space, ApplicationPlan plan) throws InterruptedException {
         var bus = InProcessBus.open("troupe", BusSettings.on(space));
         var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
-        var settings = Application.Settings.DEFAULT.withObservers(report, report::onApplication);
+        var settings = ApplicationSettings.DEFAULT.withObservers(report, report::onApplication);
         var listener = bus.attach("report");
         for (var component : plan.components().values()) {
             component.publishes().stream()

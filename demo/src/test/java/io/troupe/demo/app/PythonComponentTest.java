@@ -19,6 +19,7 @@ import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationEvent;
 import io.troupe.services.component.application.ApplicationReader;
+import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
@@ -95,7 +96,7 @@ class PythonComponentTest {
                 plan,
                 InProcessBus.open("here", BusSettings.on(space)),
                 ServiceBroker.open(space, brokerSettings.withObserver(this::note)),
-                Application.Settings.DEFAULT.withObservers(observer, this::note))));
+                ApplicationSettings.DEFAULT.withObservers(observer, this::note))));
         Application begun = application.get(20, TimeUnit.SECONDS);
         begun.started().get(Duration.ofSeconds(60));
         return begun;

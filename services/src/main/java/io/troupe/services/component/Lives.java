@@ -1,7 +1,6 @@
 package io.troupe.services.component;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.broker.ProviderException;
@@ -83,7 +82,8 @@ final class Lives<I, O> {
             fail(refusal);
             return started;
         }
-        mine.invoke(new LifeSignals(mine)).handle((runs, error) -> {
+        mine.invoke(new LifeSignals<>(mine, space, owner, observer, turns::output, why -> failed(mine, why)))
+                .handle((runs, error) -> {
             if (mine != life || state != Lifecycle.INVOKING) {
                 late(mine, error);
             } else if (error != null) {
@@ -218,47 +218,9 @@ final class Lives<I, O> {
         observer.changed(owner, next);
     }
 
-    private void onSpace(Runnable task) {
-        try {
-            space.execute(task);
-        } catch (ActorStoppedException closed) {
-            observer.told(owner, "spoke after its space had been closed");
-        }
-    }
-
-    /** What the component says in one of its lives. */
-    private final class LifeSignals implements ComponentCommunication.Signals<O> {
-        private final Life<I, O> speaker;
-
-        LifeSignals(Life<I, O> speaker) {
-            this.speaker = speaker;
-        }
-
-        @Override
-        public void data(O output) {
-            if (speaker.isOver()) {
-                observer.told(owner, "gave data after its end: " + output);
-                return;
-            }
-            try {
-                turns.output(output);
-            } catch (ActorStoppedException closed) {
-                observer.told(owner, "gave data after its space had been closed: " + output);
-            }
-        }
-
-        @Override
-        public void failed(Throwable why) {
-            onSpace(() -> {
-                if (speaker == life && state != Lifecycle.TERMINATING) {
-                    fail(why);
-                }
-            });
-        }
-
-        @Override
-        public void tell(String what) {
-            observer.told(owner, what);
+    private void failed(Life<I, O> speaker, Throwable why) {
+        if (speaker == life && state != Lifecycle.TERMINATING) {
+            fail(why);
         }
     }
 }

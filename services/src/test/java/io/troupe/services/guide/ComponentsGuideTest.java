@@ -28,6 +28,7 @@ import io.troupe.services.component.Control;
 import io.troupe.services.component.Conversion;
 import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationPlan;
+import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.FakePlayer;
 import io.troupe.services.component.kinds.PlayerComponent;
@@ -170,7 +171,7 @@ class ComponentsGuideTest {
                     .needing("two-robots", "player")
                     .needing("robot1", "wallFollower")
                     .needing("robot2", "spaceWanderer");
-            var application = Application.start(plan, bus, broker, Application.Settings.DEFAULT);
+            var application = Application.start(plan, bus, broker, ApplicationSettings.DEFAULT);
 
             started.add(application);
         });

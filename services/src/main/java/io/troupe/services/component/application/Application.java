@@ -11,15 +11,12 @@ import io.troupe.services.bus.Bus;
 import io.troupe.services.bus.BusPort;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentInterface;
-import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -36,31 +33,11 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
 public final class Application {
-    /**
-     * How an application is run.
-     *
-     * @param patience how long a user may be without a provider that it had
-     * @param components hears what becomes of components
-     * @param events hears what happens in the application
-     */
-    public record Settings(Duration patience, ComponentObserver components, Consumer<ApplicationEvent> events) {
-        /** 3 s of patience, enough for the broker to start a provider again; problems are logged. */
-        public static final Settings DEFAULT = new Settings(Duration.ofSeconds(3), ComponentObserver.LOG, event -> {});
-
-        public Settings withPatience(Duration newPatience) {
-            return new Settings(newPatience, components, events);
-        }
-
-        public Settings withObservers(ComponentObserver newComponents, Consumer<ApplicationEvent> newEvents) {
-            return new Settings(patience, newComponents, newEvents);
-        }
-    }
-
     private final ActorSpace space;
     private final ApplicationPlan plan;
     private final Bus bus;
     private final Broker broker;
-    private final Settings settings;
+    private final ApplicationSettings settings;
     private final BusPort port;
     private final Wiring wiring;
     private final Map<String, ComponentInterface<?, ?>> interfaces = new LinkedHashMap<>();
@@ -70,7 +47,7 @@ public final class Application {
     private final Losses losses = new Losses();
     private boolean ending;
 
-    private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, Settings settings) {
+    private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
         this.space = space;
         this.plan = plan;
         this.bus = bus;
@@ -85,7 +62,7 @@ public final class Application {
      *
      * @throws IllegalStateException on any thread but that of an actor space
      */
-    public static Application start(ApplicationPlan plan, Bus bus, Broker broker, Settings settings) {
+    public static Application start(ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
         ActorSpace space = ActorSpace.current();
         if (space == null) {
             throw new IllegalStateException("application " + plan.name()

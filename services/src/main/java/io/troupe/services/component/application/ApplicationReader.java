@@ -2,12 +2,8 @@ package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
 import io.troupe.services.bus.Topic;
-import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.application.Words.Word;
-import io.troupe.services.component.kinds.ArgumentException;
-import io.troupe.services.component.kinds.Arguments;
-import io.troupe.services.component.kinds.Kind;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.services.text.Suggestions;
 import java.io.IOException;
@@ -15,12 +11,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * Reads the declaration of an application.
@@ -37,7 +30,6 @@ import java.util.stream.Stream;
  * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first mistake.
  */
 public final class ApplicationReader {
-    private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
     private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
@@ -101,74 +93,21 @@ public final class ApplicationReader {
             throw words.problem(first, "the name of the application stands here, expected it once, on the first line");
         }
         named = true;
-        plan = ApplicationPlan.named(name(words, "the application's name"));
-    }
-
-    private String name(Words words, String what) {
-        Word word = words.next(what);
-        if (!NAME.matcher(word.text()).matches()) {
-            throw words.problem(
-                    word, "\"" + word.text() + "\" is no name, expected " + what + ": letters, digits, . _ and -");
-        }
-        return word.text();
+        plan = ApplicationPlan.named(words.name("the application's name"));
     }
 
     private void component(Words words) {
-        String name = name(words, "the component's name");
-        words.expect("is");
-        Word kindWord = words.next("a kind of component");
-        Kind kind = kinds.find(kindWord.text())
-                .orElseThrow(() -> words.problem(
-                        kindWord,
-                        "there is no kind of component \"" + kindWord.text() + "\"; "
-                                + Hints.of(
-                                        kindWord.text(),
-                                        kinds.all().stream().map(Kind::name).toList())));
-        Map<String, Word> arguments = arguments(kind, words);
-        Map<String, String> given = new LinkedHashMap<>();
-        arguments.forEach((key, word) -> given.put(key, word.text()));
-        String service = given.remove("service");
-        String capabilities = given.remove("capabilities");
-        Component<?, ?> made;
+        var read = ComponentStatement.read(words, kinds, directory());
         try {
-            made = kind.maker().make(name, new Arguments(kind, given, directory()));
-            plan = plan.with(
-                    name,
-                    made.offering(
-                            service == null ? made.service() : service,
-                            capabilities == null ? made.capabilities() : Arrays.asList(capabilities.split(","))));
-        } catch (ArgumentException wrong) {
-            throw words.problem(arguments.getOrDefault(wrong.parameter(), kindWord), wrong.getMessage());
+            plan = plan.with(read.name(), read.component());
         } catch (IllegalArgumentException twice) {
-            throw words.problem(kindWord, twice.getMessage());
+            throw words.problem(read.kind(), twice.getMessage());
         }
     }
 
     private Path directory() {
         Path parent = file.toAbsolutePath().getParent();
         return parent == null ? Path.of("") : parent;
-    }
-
-    private static Map<String, Word> arguments(Kind kind, Words words) {
-        List<String> known = Stream.concat(
-                        kind.parameters().stream().map(Kind.Parameter::name), Stream.of("service", "capabilities"))
-                .toList();
-        Map<String, Word> arguments = new LinkedHashMap<>();
-        while (words.hasNext()) {
-            Word word = words.next("");
-            int equals = word.text().indexOf('=');
-            String key = equals < 0 ? word.text() : word.text().substring(0, equals);
-            if (equals < 1) {
-                throw words.problem(word, "found \"" + word.text() + "\", expected PARAMETER=VALUE");
-            }
-            if (!known.contains(key)) {
-                throw words.problem(word, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
-            }
-            if (arguments.put(key, new Word(word.text().substring(equals + 1), word.column())) != null) {
-                throw words.problem(word, "\"" + key + "\" is given twice, expected it once");
-            }
-        }
-        return arguments;
     }
 
     private void need(Word user, Words words) {

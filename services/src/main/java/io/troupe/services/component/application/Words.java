@@ -3,6 +3,7 @@ package io.troupe.services.component.application;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Pattern;
 
 /**
  * The words of one line of a declaration, read one after the other.
@@ -13,6 +14,8 @@ import java.util.Map;
 final class Words {
     /** One of them, without its quotes. */
     record Word(String text, int column) {}
+
+    private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
 
     private final String file;
     private final int line;
@@ -96,6 +99,16 @@ final class Words {
             throw problem(endColumn, "the line ends here, expected " + expected);
         }
         return words.get(next++);
+    }
+
+    /** The next word, which has to be a name. */
+    String name(String expected) {
+        Word word = next(expected);
+        if (!NAME.matcher(word.text()).matches()) {
+            throw problem(
+                    word, "\"" + word.text() + "\" is no name, expected " + expected + ": letters, digits, . _ and -");
+        }
+        return word.text();
     }
 
     /** The next word, which has to be that one. */

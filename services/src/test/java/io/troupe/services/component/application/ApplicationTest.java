@@ -67,7 +67,7 @@ class ApplicationTest {
                     plan,
                     InProcessBus.open("here", BusSettings.on(test.space())),
                     ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
-                    Application.Settings.DEFAULT.withObservers(notes, this::note));
+                    ApplicationSettings.DEFAULT.withObservers(notes, this::note));
             application.started().handle((runs, error) -> error); // the test asks for it later
         });
     }
