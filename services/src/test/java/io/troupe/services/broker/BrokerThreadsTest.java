@@ -35,7 +35,7 @@ class BrokerThreadsTest {
             var broker = ServiceBroker.open(
                     brokers,
                     BrokerSettings.DEFAULT
-                            .withChecks(Duration.ofMillis(10), Duration.ofMillis(500), 2)
+                            .withChecks(Duration.ofMillis(10), Duration.ofMillis(500), 3)
                             .withLimits(Duration.ofSeconds(30), Duration.ofMillis(500), Duration.ofSeconds(1))
                             .withObserver(events::add));
             var services = new ActorServices(broker, "node", brokers, events::add);

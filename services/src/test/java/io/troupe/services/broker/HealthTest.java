@@ -107,6 +107,8 @@ class HealthTest {
             assertThat(bench.require("player").provider().name()).isEqualTo("a"); // on demand
             bench.test.crank();
             assertThat(heard).containsExactly("use a", "use b", "use c", "lost", "use a");
+            assertThat(bench.events(BrokerEvent.Connected.class)).hasSize(2); // at first, and after the loss
+            assertThat(bench.events(BrokerEvent.FailedOver.class)).hasSize(2);
         }
     }
 
