@@ -84,17 +84,17 @@ final class Lives<I, O> {
         }
         mine.invoke(new LifeSignals<>(mine, space, owner, observer, turns::output, why -> failed(mine, why)))
                 .handle((runs, error) -> {
-            if (mine != life || state != Lifecycle.INVOKING) {
-                late(mine, error);
-            } else if (error != null) {
-                fail(error);
-            } else {
-                become(Lifecycle.RUNNING);
-                started.resolve(null);
-                turns.runs();
-            }
-            return null;
-        });
+                    if (mine != life || state != Lifecycle.INVOKING) {
+                        late(mine, error);
+                    } else if (error != null) {
+                        fail(error);
+                    } else {
+                        become(Lifecycle.RUNNING);
+                        started.resolve(null);
+                        turns.runs();
+                    }
+                    return null;
+                });
         return started;
     }
 

@@ -20,8 +20,7 @@ public record ApplicationSettings(Duration patience, ComponentObserver component
         return new ApplicationSettings(newPatience, components, events);
     }
 
-    public ApplicationSettings withObservers(
-            ComponentObserver newComponents, Consumer<ApplicationEvent> newEvents) {
+    public ApplicationSettings withObservers(ComponentObserver newComponents, Consumer<ApplicationEvent> newEvents) {
         return new ApplicationSettings(patience, newComponents, newEvents);
     }
 }

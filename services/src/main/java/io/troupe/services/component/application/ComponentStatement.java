@@ -63,8 +63,7 @@ record ComponentStatement(String name, Word kind, Component<?, ?> component) {
             }
             String key = word.text().substring(0, equals);
             if (!known.contains(key)) {
-                throw words.problem(
-                        word, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
+                throw words.problem(word, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
             }
             if (arguments.put(key, new Word(word.text().substring(equals + 1), word.column())) != null) {
                 throw words.problem(word, "\"" + key + "\" is given twice, expected it once");
