@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.serve.ReplayCommand;
@@ -8,6 +9,9 @@ import io.troupe.demo.table.TableCommand;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
+import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.component.application.ApplicationException;
+import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
@@ -32,20 +36,23 @@ import picocli.CommandLine.ParameterException;
         scope = CommandLine.ScopeType.INHERIT,
         subcommands = {
             RunCommand.class,
-            CrowdCommand.class,
             ModesCommand.class,
+            CrowdCommand.class,
             TableCommand.class,
+            AppCommand.class,
             VerifyCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
-            DrawCommand.class,
-            TableCommand.class
+            DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
     /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
     static final int FAILED = 1;
+
+    /** Exit status for a service that an application needs and nobody offers. */
+    static final int MISSING_SERVICE = 3;
 
     private Main() {}
 
@@ -55,7 +62,7 @@ public final class Main {
         System.exit(execute(out, err, arguments));
     }
 
-    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly. */
+    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         return new CommandLine(new Main())
                 .setOut(out)
@@ -65,20 +72,29 @@ public final class Main {
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
                     if (thrown instanceof WorldFileException
                             || thrown instanceof PnmlException
-                            || thrown instanceof SubsumptionTableException) {
+                            || thrown instanceof SubsumptionTableException
+                            || thrown instanceof ApplicationFileException) {
                         return complain(commandLine, thrown.getMessage());
+                    }
+                    if (thrown instanceof MissingServiceException) {
+                        return tell(err, thrown, MISSING_SERVICE);
                     }
                     if (thrown instanceof IOException
                             || thrown instanceof UncheckedIOException
                             || thrown instanceof RecordingException
+                            || thrown instanceof ApplicationException
                             || thrown instanceof PlayerException) {
-                        err.println("troupe: " + failure(thrown));
-                        err.flush();
-                        return FAILED;
+                        return tell(err, thrown, FAILED);
                     }
                     throw thrown;
                 })
                 .execute(withCommand(arguments));
+    }
+
+    private static int tell(PrintWriter err, Exception thrown, int status) {
+        err.println("troupe: " + failure(thrown));
+        err.flush();
+        return status;
     }
 
     /** {@code run} is what is done unless something else is asked for. */

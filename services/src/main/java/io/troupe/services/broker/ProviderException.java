@@ -8,7 +8,13 @@ public final class ProviderException extends RuntimeException {
 
     private final boolean overdue;
 
-    ProviderException(String message, @Nullable Throwable cause) {
+    /** For providers themselves, too: their users are told the message without the name of a class. */
+    public ProviderException(String message) {
+        this(message, null);
+    }
+
+    /** The same with a cause. */
+    public ProviderException(String message, @Nullable Throwable cause) {
         this(message, cause, false);
     }
 

@@ -25,7 +25,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** The samples of the guide's part on the broker, run. */
+/** The samples of docs/guide/07-components-bus-broker.md that are about the broker, run. */
 class BrokerGuideTest {
     /** A component that does nothing but say so. */
     private static final class Camera implements Provider {

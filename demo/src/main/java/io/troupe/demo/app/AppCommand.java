@@ -1,0 +1,104 @@
+package io.troupe.demo.app;
+
+import io.troupe.services.component.kinds.Kinds;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe app}: components, found and started by the broker, wired by a declaration. */
+@Command(
+        name = "app",
+        description = {
+            "Runs a declared application on a simulated world: the broker finds and starts the services that it needs.",
+            "Exit status 3: a service that it needs is missing."
+        },
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+public final class AppCommand implements Callable<Integer> {
+    private static final long CLOSING_SECONDS = 10;
+    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "FILE", arity = "0..1", description = "the declaration, an .app file")
+    private @Nullable Path file;
+
+    @Option(names = "--list", description = "print the kinds of components that a declaration can name")
+    private boolean list;
+
+    @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
+    private double seconds = 60;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
+
+    @Option(names = "--realtime", description = "no faster than real time")
+    private boolean realtime;
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        PrintWriter terminal = spec.commandLine().getOut();
+        if (list) {
+            Kinds.standard().all().forEach(kind -> terminal.print(kind.describe()));
+            terminal.flush();
+            return 0;
+        }
+        if (file == null) {
+            throw new ParameterException(spec.commandLine(), "FILE is missing, expected a declaration (or --list)");
+        }
+        if (!(seconds > 0) || seconds > 1e6) {
+            throw new ParameterException(
+                    spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
+        }
+        Scenario scenario = ScenarioReader.read(world);
+        var interrupted = new AtomicBoolean();
+        var finished = new CountDownLatch(1);
+        var hook = new Thread(() -> awaitEnd(interrupted, finished), "finish");
+        Runtime.getRuntime().addShutdownHook(hook);
+        try {
+            new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interrupted::get);
+        } finally {
+            finished.countDown();
+            forget(hook);
+        }
+        return 0;
+    }
+
+    private static void forget(Thread hook) {
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shuttingDown) {
+            // it runs already, and that is what it is for
+        }
+    }
+
+    /** On Ctrl-C the machine ends when this returns: after all components have been stopped, processes among them. */
+    private static void awaitEnd(AtomicBoolean interrupted, CountDownLatch finished) {
+        interrupted.set(true);
+        try {
+            finished.await(CLOSING_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+}

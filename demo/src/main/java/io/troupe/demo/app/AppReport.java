@@ -1,0 +1,155 @@
+package io.troupe.demo.app;
+
+import io.troupe.services.broker.BrokerEvent;
+import io.troupe.services.broker.ServiceRecord;
+import io.troupe.services.bus.Address;
+import io.troupe.services.component.ApplicationData;
+import io.troupe.services.component.ComponentObserver;
+import io.troupe.services.component.application.ApplicationEvent;
+import io.troupe.services.component.application.ApplicationPlan.Wire;
+import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
+import io.troupe.services.subsumption.Colours;
+import io.troupe.sim.Snapshot;
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.LongSupplier;
+import java.util.stream.Collectors;
+
+/**
+ * What people are told of an application, as it happens and at its end.
+ *
+ * <p><b>Threads.</b> Any; one lock. Most of it comes from the application's space, the world's part from the thread that moves the world.
+ */
+final class AppReport implements ComponentObserver {
+    private final PrintWriter terminal;
+    private final Map<String, Integer> loops = new TreeMap<>(); // by the topic that commands a robot
+    private LongSupplier clockMicros = () -> 0;
+    private double[] distanceM = {};
+    private int[] contacts = {};
+    private Snapshot last;
+
+    AppReport(PrintWriter terminal) {
+        this.terminal = terminal;
+    }
+
+    /** The world's side. */
+    synchronized void watch(Snapshot first, LongSupplier newClockMicros) {
+        last = first;
+        clockMicros = newClockMicros;
+        distanceM = new double[first.robots().size()];
+        contacts = new int[first.robots().size()];
+    }
+
+    synchronized void moved(Snapshot snapshot) {
+        for (int robot = 0; robot < distanceM.length; robot++) {
+            var from = last.robots().get(robot).pose();
+            var to = snapshot.robots().get(robot).pose();
+            distanceM[robot] += StrictMath.hypot(to.x() - from.x(), to.y() - from.y());
+        }
+        for (var contact : snapshot.contacts()) {
+            contacts[contact.robot()]++;
+            if (contact.otherRobot() >= 0) {
+                contacts[contact.otherRobot()]++;
+            }
+        }
+        last = snapshot;
+    }
+
+    private synchronized void say(String what, String of) {
+        terminal.printf(Locale.ROOT, "%7.1f s  %-10s %s%n", clockMicros.getAsLong() / 1e6, what, of);
+        terminal.flush();
+    }
+
+    void onBroker(BrokerEvent event) {
+        switch (event) {
+            case BrokerEvent.Registered it -> say("offered", words(it.provider()));
+            case BrokerEvent.Started it -> say("started", words(it.provider()));
+            case BrokerEvent.Stopped it -> say("stopped", words(it.provider()));
+            case BrokerEvent.StartFailed it ->
+                say("not started", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.Failed it ->
+                say("failed", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.Suspect it ->
+                say("suspect", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.StopFailed it ->
+                say("not stopped", words(it.provider()) + ": " + it.why().getMessage());
+            case BrokerEvent.UserFailed it ->
+                say("trouble", it.need().by() + ": " + it.why().getMessage());
+            default -> {
+                // told by the application, or nothing that people need to know
+            }
+        }
+    }
+
+    private static String words(ServiceRecord provider) {
+        String capabilities = String.join(", ", provider.capabilities());
+        return provider.provider().name() + " (service " + provider.service()
+                + (capabilities.isEmpty() ? ")" : "; " + capabilities + ")");
+    }
+
+    void onApplication(ApplicationEvent event) {
+        switch (event) {
+            case ApplicationEvent.Connected it ->
+                say(
+                        "connected",
+                        it.need().by() + " with " + it.provider().provider().name() + words(it.wires()));
+            case ApplicationEvent.Lost it -> say("lost", it.why().getMessage());
+            case ApplicationEvent.Carried it -> carried(it);
+            case ApplicationEvent.Replaced it ->
+                say("replaced", it.what().old() + " by " + it.what().by());
+            case ApplicationEvent.NotReplaced it -> say("not replaced", it.why().getMessage());
+        }
+    }
+
+    private static String words(List<Wire<?>> wires) {
+        return wires.isEmpty() ? "" : wires.stream().map(Wire::toString).collect(Collectors.joining(", ", ": ", ""));
+    }
+
+    private synchronized void carried(ApplicationEvent.Carried it) {
+        if (it.wire().to().name().endsWith("/velocity")) {
+            loops.merge(it.wire().to().name(), 1, Integer::sum);
+        }
+    }
+
+    // ---- from components
+
+    @Override
+    public void dropped(Address component, ApplicationData<?> lost, long total) {
+        say("lost", component.name() + ": " + lost + " (" + total + " so far)");
+    }
+
+    @Override
+    public void problem(Address component, String what, Throwable why) {
+        say("problem", component.name() + " " + what + ": " + why.getMessage());
+    }
+
+    @Override
+    public void told(Address component, String what) {
+        say("told", component.name() + ": " + what);
+    }
+
+    /** Something that a component says to whoever listens. */
+    void saw(String component, ColourSeen seen) {
+        say("seen", component + " sees " + Colours.name(seen.colour()));
+    }
+
+    // ---- the end
+
+    synchronized void summary(String application, String world) {
+        terminal.printf(Locale.ROOT, "%n%s on %s, %.1f s simulated%n", application, world, last.timeMicros() / 1e6);
+        for (int robot = 0; robot < distanceM.length; robot++) {
+            int commands = loops.getOrDefault("robot" + (robot + 1) + "/velocity", 0);
+            terminal.printf(
+                    Locale.ROOT,
+                    "robot %d  %7.2f m  %6s loops over the bus  %d contacts%n",
+                    robot + 1,
+                    distanceM[robot],
+                    commands == 0 ? "no" : commands,
+                    contacts[robot]);
+        }
+        terminal.flush();
+    }
+}

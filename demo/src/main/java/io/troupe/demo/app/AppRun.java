@@ -1,0 +1,167 @@
+package io.troupe.demo.app;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.player.PlayerPorts;
+import io.troupe.player.wire.TcpServer;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.application.Application;
+import io.troupe.services.component.application.ApplicationPlan;
+import io.troupe.services.component.application.ApplicationReader;
+import io.troupe.services.component.application.ApplicationSettings;
+import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.DeviceBinding;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.WorldFileException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An application on a simulated world, in lock step.
+ *
+ * <p><b>Threads.</b> The calling thread moves the world; one actor space, on simulated time, has the application with its bus and its broker. At any moment one of them
+ * waits for the other.
+ */
+final class AppRun {
+    private static final String TCP = "${tcp}";
+    /** By our clock: simulated time stands still while services start and stop. */
+    private static final Duration START_LIMIT = Duration.ofSeconds(60);
+
+    private static final Duration STOP_LIMIT = Duration.ofSeconds(20);
+
+    private final Path file;
+    private final Scenario scenario;
+    private final AppReport report;
+
+    AppRun(Path file, Scenario scenario, AppReport report) {
+        this.file = file;
+        this.scenario = scenario;
+        this.report = report;
+    }
+
+    /** Runs until so much time has passed, or {@code stop} says so; throws what has ended the application before. */
+    void run(double seconds, boolean realtime, BooleanSupplier stop) throws IOException, InterruptedException {
+        String declaration = Files.readString(file);
+        int port = port();
+        var failure = new AtomicReference<@Nullable Throwable>();
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var tcp = declaration.contains(TCP) ? tcp(simulation, port) : null;
+                var space = ActorSpace.create(SpaceSettings.named("application")
+                        .withClock(simulation.clock())
+                        .withOnError((where, error) -> failure.compareAndSet(null, error)))) {
+            Map<String, String> values = new LinkedHashMap<>();
+            values.put("port", String.valueOf(port));
+            if (tcp != null) {
+                values.put("tcp", String.valueOf(tcp.port()));
+            }
+            var plan = ApplicationReader.parse(declaration, file, Kinds.standard(), values);
+            report.watch(simulation.latest(), simulation::timeMicros);
+            Application application = start(space, plan);
+            try {
+                await(application.started().toCompletableFuture(), START_LIMIT, "to start");
+                application.ended().handle((ended, error) -> error == null || failure.compareAndSet(null, error));
+                move(
+                        simulation,
+                        StrictMath.round(seconds * 1e6),
+                        realtime,
+                        () -> stop.getAsBoolean() || failure.get() != null);
+            } finally {
+                space.execute(application::stop);
+                await(application.ended().handle((ended, error) -> true).toCompletableFuture(), STOP_LIMIT, "to stop");
+            }
+            rethrow(failure.get());
+            report.summary(plan.name(), scenario.world().name());
+        }
+    }
+
+    private int port() {
+        return scenario.devices().stream()
+                .filter(device -> device.interfaceName().equals("position2d"))
+                .mapToInt(DeviceBinding::port)
+                .findFirst()
+                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
+    }
+
+    private static TcpServer tcp(Simulation simulation, int port) {
+        simulation.disconnectSilentClients(true); // a process may hang; the others go on
+        return TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0);
+    }
+
+    private Application start(ActorSpace space, ApplicationPlan plan) throws InterruptedException {
+        var bus = InProcessBus.open("troupe", BusSettings.on(space));
+        var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
+        var settings = ApplicationSettings.DEFAULT.withObservers(report, report::onApplication);
+        var listener = bus.attach("report");
+        for (var component : plan.components().values()) {
+            component.publishes().stream()
+                    .filter(topic -> topic.type().equals(ColourSeen.class))
+                    .forEach(topic ->
+                            listener.subscribe(topic, (seen, from) -> report.saw(from.name(), (ColourSeen) seen)));
+        }
+        var started = new CompletableFuture<Application>();
+        space.execute(() -> {
+            try {
+                started.complete(Application.start(plan, bus, broker, settings));
+            } catch (RuntimeException thrown) {
+                started.completeExceptionally(thrown);
+            }
+        });
+        return await(started, START_LIMIT, "to begin");
+    }
+
+    private <T extends @Nullable Object> T await(CompletableFuture<T> future, Duration limit, String what)
+            throws InterruptedException {
+        try {
+            return future.get(limit.toMillis(), TimeUnit.MILLISECONDS);
+        } catch (TimeoutException e) {
+            throw new IllegalStateException(file + " has not been able " + what + " in " + limit, e);
+        } catch (ExecutionException e) {
+            rethrow(e.getCause());
+            throw new IllegalStateException("an error without a cause", e);
+        }
+    }
+
+    private static void rethrow(@Nullable Throwable failure) {
+        if (failure instanceof RuntimeException unchecked) {
+            throw unchecked;
+        }
+        if (failure != null) {
+            throw new IllegalStateException("the application has failed", failure);
+        }
+    }
+
+    private void move(Simulation simulation, long endMicros, boolean realtime, BooleanSupplier stop) {
+        long origin = System.nanoTime();
+        while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
+            var snapshot = simulation.tick();
+            report.moved(snapshot);
+            if (realtime) {
+                awaitRealTime(origin + snapshot.timeMicros() * 1000);
+            }
+        }
+    }
+
+    private static void awaitRealTime(long deadlineNanos) {
+        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
+            LockSupport.parkNanos(left);
+        }
+    }
+}

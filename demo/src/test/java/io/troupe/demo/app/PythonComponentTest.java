@@ -1,0 +1,171 @@
+package io.troupe.demo.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.player.PlayerPorts;
+import io.troupe.player.wire.TcpServer;
+import io.troupe.services.broker.BrokerEvent;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.bus.Address;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.ApplicationData;
+import io.troupe.services.component.ComponentObserver;
+import io.troupe.services.component.application.Application;
+import io.troupe.services.component.application.ApplicationEvent;
+import io.troupe.services.component.application.ApplicationReader;
+import io.troupe.services.component.application.ApplicationSettings;
+import io.troupe.services.component.kinds.Kinds;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** A component in another language: a process that joins over TCP by the Player protocol, and that the broker starts. */
+@Timeout(120)
+class PythonComponentTest {
+    private static final Path FILE = Path.of("applications", "python.app");
+    private static final Pattern PROCESS = Pattern.compile("process ([0-9]+): .*");
+
+    private final List<Long> processes = new CopyOnWriteArrayList<>();
+    private final List<String> events = new CopyOnWriteArrayList<>();
+
+    private final ComponentObserver observer = new ComponentObserver() {
+        @Override
+        public void dropped(Address component, ApplicationData<?> lost, long total) {
+            events.add("dropped " + lost);
+        }
+
+        @Override
+        public void problem(Address component, String what, Throwable why) {
+            events.add("problem: " + component.name() + " " + what + ": " + why.getMessage());
+        }
+
+        @Override
+        public void told(Address component, String what) {
+            var process = PROCESS.matcher(what);
+            if (process.matches()) {
+                processes.add(Long.valueOf(process.group(1)));
+            }
+        }
+    };
+
+    private static void assumePython() throws Exception {
+        boolean found;
+        try {
+            found = new ProcessBuilder("python3", "--version").start().waitFor() == 0;
+        } catch (IOException notThere) {
+            found = false;
+        }
+        assumeTrue(found, "there is no python3 on this machine");
+    }
+
+    private void note(ApplicationEvent event) {
+        if (event instanceof ApplicationEvent.Lost lost) {
+            events.add("lost: " + lost.why().getMessage());
+        }
+    }
+
+    private void note(BrokerEvent event) {
+        if (event instanceof BrokerEvent.Failed failed) {
+            events.add("failed: " + failed.provider().provider().name() + " "
+                    + failed.provider().health());
+        }
+    }
+
+    private Application start(ActorSpace space, int tcpPort, BrokerSettings brokerSettings) throws Exception {
+        var plan =
+                ApplicationReader.read(FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
+        var application = new CompletableFuture<Application>();
+        space.execute(() -> application.complete(Application.start(
+                plan,
+                InProcessBus.open("here", BusSettings.on(space)),
+                ServiceBroker.open(space, brokerSettings.withObserver(this::note)),
+                ApplicationSettings.DEFAULT.withObservers(observer, this::note))));
+        Application begun = application.get(20, TimeUnit.SECONDS);
+        begun.started().get(Duration.ofSeconds(60));
+        return begun;
+    }
+
+    @Test
+    void robotInTheCareOfAPythonScript_moves_andItsUserHearsWhenTheProcessIsKilled() throws Exception {
+        assumePython();
+        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
+                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
+            var application = start(space, tcp.port(), BrokerSettings.DEFAULT.withoutRestart());
+            var before = simulation.latest().robots();
+            for (int tick = 0; tick < 100; tick++) {
+                simulation.tick();
+            }
+            var after = simulation.latest().robots();
+            for (int robot = 0; robot < 2; robot++) {
+                var from = before.get(robot).pose();
+                var to = after.get(robot).pose();
+                assertThat(StrictMath.hypot(to.x() - from.x(), to.y() - from.y()))
+                        .as("metres that robot %d has come", robot + 1)
+                        .isGreaterThan(0.5);
+            }
+            kill();
+            for (int tick = 0; tick < 300 && !application.ended().isDone(); tick++) {
+                simulation.tick();
+            }
+            assertThat(application.ended().error())
+                    .isInstanceOf(MissingServiceException.class)
+                    .hasMessageContainingAll("two-languages", "pythonWanderer");
+            assertThat(events).contains("failed: snake FAILED");
+            assertThat(events)
+                    .anySatisfy(event -> assertThat(event)
+                            .startsWith("lost: \"two-languages\" needs the service \"pythonWanderer\"")
+                            .contains("wanderer.py"));
+            assertThat(processes).hasSize(1);
+        }
+        assertThat(ProcessHandle.of(processes.getFirst()).filter(ProcessHandle::isAlive))
+                .isEmpty();
+    }
+
+    private void kill() throws Exception {
+        var process = ProcessHandle.of(processes.getFirst()).orElseThrow();
+        process.destroyForcibly();
+        process.onExit().get(20, TimeUnit.SECONDS);
+    }
+
+    @Test
+    void twoRuns_areTheSame_asTheScriptIsInLockStep() throws Exception {
+        assumePython();
+        assertThat(poseAfter(100)).isEqualTo(poseAfter(100));
+    }
+
+    private String poseAfter(int ticks) throws Exception {
+        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
+                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
+            var application = start(space, tcp.port(), BrokerSettings.DEFAULT);
+            for (int tick = 0; tick < ticks; tick++) {
+                simulation.tick();
+            }
+            String poses = simulation.latest().robots().get(0).pose() + " "
+                    + simulation.latest().robots().get(1).pose();
+            space.execute(application::stop);
+            application.ended().get(Duration.ofSeconds(20));
+            return poses;
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package io.troupe.services.component;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Address;
+import io.troupe.services.bus.Bus;
+import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.Operation;
+import io.troupe.services.bus.Topic;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+
+/**
+ * The bus communication unit (BCU): all that an interface says on the bus and hears from it.
+ *
+ * <p><b>Role.</b> Data messages go to topics and come from them; control messages, and questions for data, are answered.
+ * <p><b>Threads.</b> The actor space on which it was attached.
+ * <p><b>Source.</b> Paper, section 2.2.2.3.
+ */
+public final class BusCommunication implements AutoCloseable {
+    private final BusPort port;
+    private final List<BusPort.Subscription> heard = new ArrayList<>();
+
+    private BusCommunication(BusPort port) {
+        this.port = port;
+    }
+
+    static BusCommunication attach(Bus bus, String name) {
+        return new BusCommunication(bus.attach(name));
+    }
+
+    /** Where the component is on the bus. */
+    public Address address() {
+        return port.address();
+    }
+
+    void publish(ApplicationData<?> data) {
+        publishTyped(data);
+    }
+
+    private <T extends Record> void publishTyped(ApplicationData<T> data) {
+        port.publish(data.topic(), data.value());
+    }
+
+    void hear(List<Topic<?>> topics, Consumer<ApplicationData<?>> listener) {
+        topics.forEach(topic -> hear(topic, listener));
+    }
+
+    private <T extends Record> void hear(Topic<T> topic, Consumer<ApplicationData<?>> listener) {
+        heard.add(port.subscribe(topic, (value, publisher) -> listener.accept(new ApplicationData<>(topic, value))));
+    }
+
+    void hearNothing() {
+        heard.forEach(BusPort.Subscription::close);
+        heard.clear();
+    }
+
+    <Q extends Record, A extends Record> void answer(
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
+        port.answer(operation, answerer);
+    }
+
+    @Override
+    public void close() {
+        port.close();
+    }
+}

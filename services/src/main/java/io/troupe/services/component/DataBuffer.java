@@ -1,0 +1,57 @@
+package io.troupe.services.component;
+
+import io.troupe.services.component.Buffering.WhenFull;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The bounded buffer in a {@link DataConversion}.
+ *
+ * <p><b>Threads.</b> Any thread; one lock, held for moments.
+ */
+final class DataBuffer {
+    private final Buffering buffering;
+    private final Deque<ApplicationData<?>> waiting = new ArrayDeque<>(); // guarded by this, as are the counts
+    private long dropped;
+    private long superseded;
+
+    DataBuffer(Buffering buffering) {
+        this.buffering = buffering;
+    }
+
+    /**
+     * Puts a value in.
+     *
+     * @return what was lost for it, if anything
+     */
+    synchronized @Nullable ApplicationData<?> put(ApplicationData<?> data) {
+        if (buffering.whenFull() == WhenFull.LATEST_OF_EACH_TOPIC
+                && waiting.removeIf(each -> each.topic().equals(data.topic()))) {
+            superseded++;
+        }
+        ApplicationData<?> oldest = waiting.size() == buffering.capacity() ? waiting.poll() : null;
+        if (oldest != null) {
+            dropped++;
+        }
+        waiting.add(data);
+        return oldest;
+    }
+
+    /** Takes everything out, the oldest first. */
+    synchronized List<ApplicationData<?>> take() {
+        List<ApplicationData<?>> taken = new ArrayList<>(waiting);
+        waiting.clear();
+        return taken;
+    }
+
+    synchronized long dropped() {
+        return dropped;
+    }
+
+    synchronized long superseded() {
+        return superseded;
+    }
+}

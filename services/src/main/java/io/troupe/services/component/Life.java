@@ -1,0 +1,48 @@
+package io.troupe.services.component;
+
+import io.troupe.actor.promise.Promise;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** The component from one invocation to its end: its CCU, whose exceptions become rejections here. */
+final class Life<I, O> {
+    private final ComponentCommunication<I, O> communication;
+    private volatile boolean over;
+
+    Life(ComponentCommunication<I, O> communication) {
+        this.communication = communication;
+    }
+
+    Promise<@Nullable Void> invoke(ComponentCommunication.Signals<? super O> signals) {
+        return attempt(() -> communication.invoke(signals));
+    }
+
+    Promise<@Nullable Void> terminate() {
+        return attempt(communication::terminate);
+    }
+
+    Promise<@Nullable Void> health() {
+        return attempt(communication::health);
+    }
+
+    void data(I input) {
+        communication.data(input);
+    }
+
+    /** Whether what it says counts no more; any thread asks. */
+    boolean isOver() {
+        return over;
+    }
+
+    void end() {
+        over = true;
+    }
+
+    private static Promise<@Nullable Void> attempt(Supplier<Promise<@Nullable Void>> action) {
+        try {
+            return action.get();
+        } catch (RuntimeException thrown) {
+            return Promise.failed(thrown);
+        }
+    }
+}

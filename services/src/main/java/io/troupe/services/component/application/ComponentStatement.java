@@ -1,0 +1,74 @@
+package io.troupe.services.component.application;
+
+import io.troupe.services.component.Component;
+import io.troupe.services.component.application.Words.Word;
+import io.troupe.services.component.kinds.ArgumentException;
+import io.troupe.services.component.kinds.Arguments;
+import io.troupe.services.component.kinds.Kind;
+import io.troupe.services.component.kinds.Kinds;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * {@code component NAME is KIND [PARAMETER=VALUE ..]}.
+ *
+ * @param kind where the kind is named
+ */
+record ComponentStatement(String name, Word kind, Component<?, ?> component) {
+    private static final String SERVICE = "service";
+    private static final String CAPABILITIES = "capabilities";
+
+    /** Reads what follows the first word. */
+    static ComponentStatement read(Words words, Kinds kinds, Path directory) {
+        String name = words.name("the component's name");
+        words.expect("is");
+        Word kindWord = words.next("a kind of component");
+        Kind kind = kinds.find(kindWord.text())
+                .orElseThrow(() -> words.problem(
+                        kindWord,
+                        "there is no kind of component \"" + kindWord.text() + "\"; "
+                                + Hints.of(
+                                        kindWord.text(),
+                                        kinds.all().stream().map(Kind::name).toList())));
+        Map<String, Word> arguments = arguments(kind, words);
+        Map<String, String> given = new LinkedHashMap<>();
+        arguments.forEach((key, word) -> given.put(key, word.text()));
+        String service = given.remove(SERVICE);
+        String capabilities = given.remove(CAPABILITIES);
+        try {
+            var made = kind.maker().make(name, new Arguments(kind, given, directory));
+            var offered = made.offering(
+                    service == null ? made.service() : service,
+                    capabilities == null ? made.capabilities() : Arrays.asList(capabilities.split(",")));
+            return new ComponentStatement(name, kindWord, offered);
+        } catch (ArgumentException wrong) {
+            throw words.problem(arguments.getOrDefault(wrong.parameter(), kindWord), wrong.getMessage());
+        }
+    }
+
+    private static Map<String, Word> arguments(Kind kind, Words words) {
+        List<String> known = Stream.concat(
+                        kind.parameters().stream().map(Kind.Parameter::name), Stream.of(SERVICE, CAPABILITIES))
+                .toList();
+        Map<String, Word> arguments = new LinkedHashMap<>();
+        while (words.hasNext()) {
+            Word word = words.next("PARAMETER=VALUE");
+            int equals = word.text().indexOf('=');
+            if (equals < 1) {
+                throw words.problem(word, "found \"" + word.text() + "\", expected PARAMETER=VALUE");
+            }
+            String key = word.text().substring(0, equals);
+            if (!known.contains(key)) {
+                throw words.problem(word, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
+            }
+            if (arguments.put(key, new Word(word.text().substring(equals + 1), word.column())) != null) {
+                throw words.problem(word, "\"" + key + "\" is given twice, expected it once");
+            }
+        }
+        return arguments;
+    }
+}

@@ -1,0 +1,20 @@
+package io.troupe.services.component.application;
+
+import io.troupe.services.text.Suggestions;
+import java.util.Collection;
+import java.util.List;
+
+/** What a message says of a name that is not known. */
+final class Hints {
+    private static final int FEW = 12;
+
+    private Hints() {}
+
+    static String of(String written, Collection<String> known) {
+        List<String> some = known.stream().sorted().limit(FEW).toList();
+        String expected = "expected one of " + String.join(", ", some) + (known.size() > FEW ? ", .." : "");
+        return Suggestions.nearest(written, known)
+                .map(name -> "did you mean \"" + name + "\"? " + expected)
+                .orElse(known.isEmpty() ? "there is none" : expected);
+    }
+}

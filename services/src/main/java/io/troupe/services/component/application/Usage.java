@@ -1,0 +1,71 @@
+package io.troupe.services.component.application;
+
+import io.troupe.services.broker.Broker;
+import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.broker.Need;
+import io.troupe.services.broker.ServiceRecord;
+import io.troupe.services.bus.BusPort;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** One need while the application runs: whichever provider the broker names is connected with the user, and no other. */
+final class Usage implements Broker.Connection {
+    /** Hears when the need is not met any more. */
+    interface Losses {
+        void lost(Usage usage, MissingServiceException why);
+
+        /** The provider cannot be connected, because another feeds the same. */
+        void clash(ApplicationException why);
+    }
+
+    private final Need need;
+    private final Wiring wiring;
+    private final Consumer<ApplicationEvent> observer;
+    private final Losses losses;
+    private List<BusPort.Subscription> open = List.of();
+    private boolean met;
+
+    Usage(Need need, Wiring wiring, Consumer<ApplicationEvent> observer, Losses losses) {
+        this.need = need;
+        this.wiring = wiring;
+        this.observer = observer;
+        this.losses = losses;
+    }
+
+    Need need() {
+        return need;
+    }
+
+    boolean isMet() {
+        return met;
+    }
+
+    @Override
+    public void use(ServiceRecord provider) {
+        var wires = wiring.between(need.by(), provider.provider().name());
+        try {
+            wiring.release(need);
+            wiring.claim(need, wires);
+        } catch (ApplicationException clash) {
+            losses.clash(clash);
+            return;
+        }
+        disconnect(); // in the same turn: no value finds both connected, or none
+        open = wiring.open(wires);
+        met = true;
+        observer.accept(new ApplicationEvent.Connected(need, provider, wires));
+    }
+
+    @Override
+    public void lost(MissingServiceException why) {
+        disconnect();
+        wiring.release(need);
+        met = false;
+        losses.lost(this, why);
+    }
+
+    void disconnect() {
+        open.forEach(BusPort.Subscription::close);
+        open = List.of();
+    }
+}

@@ -1,0 +1,113 @@
+package io.troupe.services.component.kinds;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * What was said of a component, by the parameters of its kind.
+ *
+ * <p><b>Errors.</b> {@link ArgumentException}, which names the parameter, its value, and what was expected.
+ */
+public final class Arguments {
+    private final Kind kind;
+    private final Map<String, String> given;
+    private final Path directory;
+
+    /**
+     * @param directory that relative paths are relative to
+     * @throws ArgumentException if one that has to be given is missing
+     */
+    public Arguments(Kind kind, Map<String, String> given, Path directory) {
+        this.kind = kind;
+        this.given = Map.copyOf(given);
+        this.directory = directory;
+        for (var parameter : kind.parameters()) {
+            if (parameter.usual().isEmpty() && !given.containsKey(parameter.name())) {
+                throw new ArgumentException(
+                        parameter.name(),
+                        "a component of kind " + kind.name() + " has no " + parameter.name() + ", expected "
+                                + parameter.name() + "=" + parameter.meaning());
+            }
+        }
+    }
+
+    /** That relative paths are relative to. */
+    public Path directory() {
+        return directory;
+    }
+
+    public String text(String name) {
+        String value = given.get(name);
+        return value != null ? value : usual(name);
+    }
+
+    private String usual(String name) {
+        return kind.parameters().stream()
+                .filter(parameter -> parameter.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException(kind.name() + " has no parameter " + name))
+                .usual();
+    }
+
+    public int integer(String name, int least, int most) {
+        return integer(name, text(name), least, most);
+    }
+
+    private static int integer(String name, String text, int least, int most) {
+        try {
+            int value = Integer.parseInt(text.strip());
+            if (value >= least && value <= most) {
+                return value;
+            }
+        } catch (NumberFormatException e) {
+            // said below
+        }
+        throw new ArgumentException(
+                name, name + " is \"" + text + "\", expected a whole number from " + least + " to " + most);
+    }
+
+    /** Numbers with commas between them, each once. */
+    public List<Integer> integers(String name, int least, int most) {
+        List<Integer> values = new ArrayList<>();
+        for (String text : texts(name)) {
+            int value = integer(name, text, least, most);
+            if (values.contains(value)) {
+                throw new ArgumentException(name, name + " has " + value + " twice, expected each once");
+            }
+            values.add(value);
+        }
+        return values;
+    }
+
+    /** Words with commas between them. */
+    public List<String> texts(String name) {
+        return Arrays.stream(text(name).split(",")).map(String::strip).toList();
+    }
+
+    /** One of some words, in any case. */
+    public <T> T oneOf(String name, List<T> values, Function<? super T, String> words) {
+        return oneOf(name, text(name), values, words);
+    }
+
+    /** Some of some words, with commas between them. */
+    public <T> List<T> someOf(String name, List<T> values, Function<? super T, String> words) {
+        return texts(name).stream()
+                .map(text -> oneOf(name, text, values, words))
+                .toList();
+    }
+
+    private static <T> T oneOf(String name, String text, List<T> values, Function<? super T, String> words) {
+        Optional<T> found = values.stream()
+                .filter(value -> words.apply(value).equalsIgnoreCase(text))
+                .findFirst();
+        return found.orElseThrow(() -> new ArgumentException(
+                name,
+                name + " is \"" + text + "\", expected one of "
+                        + String.join(", ", values.stream().map(words).toList())));
+    }
+}

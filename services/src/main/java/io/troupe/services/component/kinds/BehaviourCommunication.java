@@ -1,0 +1,72 @@
+package io.troupe.services.component.kinds;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.RobotPose;
+import io.troupe.services.behaviour.Senses;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.component.ComponentCommunication;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** The CCU of a behaviour: a control law that is asked once for each ring of ranges. */
+final class BehaviourCommunication implements ComponentCommunication<BehaviourInput, Velocity> {
+    private static final RobotPose UNKNOWN = new RobotPose(0, 0, 0);
+    /** Ranges that come more often than a cycle are passed over. Half a millisecond forgives rounding. */
+    private static final double CYCLE_SECONDS = 0.1 - 0.0005;
+
+    private final Supplier<? extends Behaviour> law;
+    private @Nullable Behaviour behaviour;
+    private @Nullable Signals<? super Velocity> signals;
+    private RobotPose pose = UNKNOWN;
+    private double lastSeconds = Double.NEGATIVE_INFINITY;
+
+    BehaviourCommunication(Supplier<? extends Behaviour> law) {
+        this.law = law;
+    }
+
+    @Override
+    public Promise<@Nullable Void> invoke(Signals<? super Velocity> newSignals) {
+        behaviour = law.get();
+        signals = newSignals;
+        return Promise.done();
+    }
+
+    @Override
+    public void data(BehaviourInput input) {
+        switch (input) {
+            case BehaviourInput.Pose(RobotPose newest) -> pose = newest;
+            case BehaviourInput.Ranges ranges -> step(ranges);
+        }
+    }
+
+    private void step(BehaviourInput.Ranges ranges) {
+        if (behaviour == null || signals == null || ranges.timeSeconds() - lastSeconds < CYCLE_SECONDS) {
+            return;
+        }
+        lastSeconds = ranges.timeSeconds();
+        Optional<Velocity> wanted;
+        try {
+            wanted = behaviour.step(new Senses(ranges.timeSeconds(), ranges.sonar(), pose));
+        } catch (RuntimeException thrown) {
+            signals.data(Velocity.STOP); // nobody is left who would
+            throw thrown;
+        }
+        wanted.ifPresent(signals::data);
+    }
+
+    @Override
+    public Promise<@Nullable Void> terminate() {
+        if (behaviour != null && signals != null) {
+            behaviour = null;
+            signals.data(Velocity.STOP);
+        }
+        return Promise.done();
+    }
+
+    @Override
+    public Promise<@Nullable Void> health() {
+        return Promise.done();
+    }
+}

@@ -1,0 +1,24 @@
+package io.troupe.services.component.kinds;
+
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.player.structures.position2d.PlayerPosition2dData;
+import io.troupe.player.structures.sonar.PlayerSonarData;
+
+/** The data of the Player client, in its own form; robots by Player index, from 0. */
+sealed interface PlayerSignal {
+    int index();
+
+    /** To the server: {@code setSpeed}. */
+    record SetSpeed(int index, double speed, double turnRate) implements PlayerSignal {}
+
+    /** From the server. */
+    sealed interface Reading extends PlayerSignal {
+        double timestamp();
+    }
+
+    record Sonar(int index, double timestamp, PlayerSonarData data) implements Reading {}
+
+    record Position(int index, double timestamp, PlayerPosition2dData data) implements Reading {}
+
+    record Blobs(int index, double timestamp, PlayerBlobfinderData data) implements Reading {}
+}

@@ -1,0 +1,56 @@
+package io.troupe.services.component.kinds;
+
+import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.bus.Topic;
+import java.util.List;
+
+/**
+ * What is said on the bus of a robot: topics named {@code owner/sonar} and so on, where the owner is a robot ({@code robot1}) or a component that
+ * takes part in driving one.
+ *
+ * <p><b>Units and shapes.</b> Metres, radians, seconds on the robot's clock; x forward, y left, left turns positive. Colours are {@code 0x00RRGGBB}.
+ */
+public final class RobotTopics {
+    /** A ring's readings, in the order of the sonars. */
+    public record SonarReading(double timeSeconds, List<Double> rangesM) {
+        public SonarReading {
+            rangesM = List.copyOf(rangesM);
+        }
+    }
+
+    /** Where odometry says that the robot is. */
+    public record PositionReading(double timeSeconds, double xM, double yM, double headingRad, boolean stalled) {}
+
+    /** What the camera sees. */
+    public record BlobsReading(double timeSeconds, List<Sighting> sightings) {
+        public BlobsReading {
+            sightings = List.copyOf(sightings);
+        }
+    }
+
+    /** A colour that has come into sight. */
+    public record ColourSeen(double timeSeconds, int colour) {}
+
+    private RobotTopics() {}
+
+    public static Topic<SonarReading> sonar(String owner) {
+        return new Topic<>(owner + "/sonar", SonarReading.class);
+    }
+
+    public static Topic<PositionReading> position(String owner) {
+        return new Topic<>(owner + "/position", PositionReading.class);
+    }
+
+    public static Topic<BlobsReading> blobs(String owner) {
+        return new Topic<>(owner + "/blobs", BlobsReading.class);
+    }
+
+    public static Topic<Velocity> velocity(String owner) {
+        return new Topic<>(owner + "/velocity", Velocity.class);
+    }
+
+    public static Topic<ColourSeen> colours(String owner) {
+        return new Topic<>(owner + "/colours", ColourSeen.class);
+    }
+}

@@ -1,0 +1,339 @@
+package io.troupe.services.component;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.services.broker.ProviderException;
+import io.troupe.services.bus.Address;
+import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.bus.Operation;
+import io.troupe.services.bus.RemoteFailure;
+import io.troupe.services.component.Buffering.WhenFull;
+import io.troupe.services.component.ScriptedComponent.Number;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class ComponentInterfaceTest {
+    private static final Duration LIMIT = Duration.ofSeconds(1);
+
+    private final TestSpace test = new TestSpace();
+    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final ScriptedComponent script = new ScriptedComponent();
+    private final Notes notes = new Notes();
+    private final List<Integer> heard = new ArrayList<>();
+    private @Nullable BusPort user;
+
+    @BeforeEach
+    void aUserHearsTheComponent() {
+        test.run(() -> {
+            user = bus.attach("user");
+            user.subscribe(ScriptedComponent.OUT, (number, from) -> heard.add(number.value()));
+        });
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        bus.close();
+        test.crank();
+        test.close();
+    }
+
+    private ComponentInterface<String, String> open(Component<String, String> component) {
+        var opened = new ArrayList<ComponentInterface<String, String>>();
+        test.run(() -> opened.add(ComponentInterface.open(bus, "counter", component, notes)));
+        return opened.getFirst();
+    }
+
+    private ComponentInterface<String, String> running() {
+        var face = open(script.component());
+        test.get(face.start().thenApply(runs -> true));
+        notes.take();
+        return face;
+    }
+
+    private void publish(int... values) {
+        test.run(() -> {
+            for (int value : values) {
+                user.publish(ScriptedComponent.IN, new Number(value));
+            }
+        });
+    }
+
+    private <A extends Record, Q extends Record> Promise<A> ask(Operation<Q, A> operation, Q question) {
+        return user.ask(new Address("here", "counter"), operation, question, LIMIT);
+    }
+
+    // ---- the three units
+
+    @Test
+    void component_isInvoked_takesData_givesData_andIsTerminated() {
+        var face = open(script.component());
+        assertThat(face.state()).isEqualTo(Lifecycle.NOT_INVOKED);
+        test.get(face.start().thenApply(runs -> true));
+        publish(1, 2);
+        test.run(() -> script.signals().data("3"));
+        test.get(face.check().thenApply(well -> true));
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(script.calls).containsExactly("invoke", "1", "2", "terminate");
+        assertThat(heard).containsExactly(3);
+        assertThat(notes.take())
+                .containsExactly("counter INVOKING", "counter RUNNING", "counter TERMINATING", "counter TERMINATED");
+    }
+
+    @Test
+    void control_comesAsMessagesOverTheBus() {
+        var face = open(script.component());
+        assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))))
+                .isEqualTo(new Control.HealthReport("counter", "NOT_INVOKED", "here/counter has not been invoked"));
+        assertThat(test.get(ask(Control.INVOKE, new Control.Invoke("user"))))
+                .isEqualTo(new Control.Done("counter", "RUNNING"));
+        assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))).isWell())
+                .isTrue();
+        assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user"))))
+                .isEqualTo(new Control.Done("counter", "TERMINATED"));
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void remoteProvider_controlsTheComponentByMessages_andHearsWhatIsWrong() {
+        var face = open(script.component());
+        var remote = new RemoteProvider(user, face.address(), LIMIT);
+        test.get(remote.start().thenApply(runs -> true));
+        test.get(remote.check().thenApply(well -> true));
+        script.health = () -> Promise.failed(new IllegalStateException("out of numbers"));
+        assertThat(test.error(remote.check()))
+                .isInstanceOf(ProviderException.class)
+                .hasMessage("out of numbers");
+        test.get(remote.stop().thenApply(ended -> true));
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void dataOperation_isAnsweredWhileTheComponentRuns() {
+        var half = new Operation<>("half", Number.class, Number.class, Operation.Kind.DATA);
+        var face = open(script.component());
+        test.run(() -> face.answer(half, number -> Promise.of(new Number(number.value() / 2))));
+        assertThat(test.error(ask(half, new Number(8))))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageContaining("here/counter has not been invoked");
+        test.get(face.start().thenApply(runs -> true));
+        assertThat(test.get(ask(half, new Number(8)))).isEqualTo(new Number(4));
+    }
+
+    // ---- the buffer
+
+    @Test
+    void whatComesWhileTheComponentIsBeingInvoked_waitsForIt() {
+        var slow = ScriptedComponent.later();
+        script.invoke = () -> slow;
+        var face = open(script.component());
+        var started = face.start();
+        publish(1, 2);
+        assertThat(script.calls).containsExactly("invoke");
+        test.run(() -> slow.resolve(null));
+        assertThat(started.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "1", "2");
+    }
+
+    @Test
+    void fullBuffer_losesTheOldest_countsIt_andTells() {
+        var slow = ScriptedComponent.later();
+        script.invoke = () -> slow;
+        var face = open(script.component().buffered(new Buffering(2, WhenFull.DROP_OLDEST), Buffering.STREAM));
+        var started = face.start();
+        publish(1, 2, 3);
+        test.run(() -> slow.resolve(null));
+        assertThat(started.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "2", "3");
+        assertThat(notes.take()).contains("counter dropped Number[value=1], 1 so far");
+        assertThat(face.conversion().losses()).isEqualTo(new DataConversion.Losses(1, 0, 0));
+    }
+
+    @Test
+    void latestOfEachTopic_keepsTheNewest_andCountsTheRest() {
+        var slow = ScriptedComponent.later();
+        script.invoke = () -> slow;
+        var face = open(script.component().buffered(Buffering.LATEST, Buffering.STREAM));
+        var started = face.start();
+        publish(1, 2, 3);
+        test.run(() -> slow.resolve(null));
+        assertThat(started.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "3");
+        assertThat(face.conversion().losses()).isEqualTo(new DataConversion.Losses(0, 2, 0));
+    }
+
+    @Test
+    void burstFromTheComponent_overflowsItsOwnBufferOnly() {
+        var face = open(script.component().buffered(Buffering.STREAM, new Buffering(2, WhenFull.DROP_OLDEST)));
+        test.get(face.start().thenApply(runs -> true));
+        test.run(() ->
+                List.of("1", "2", "3", "4").forEach(each -> script.signals().data(each)));
+        assertThat(heard).containsExactly(3, 4);
+        assertThat(face.conversion().losses().dropped()).isEqualTo(2);
+    }
+
+    @Test
+    void conversionThatFails_costsThatValueOnly_andIsTold() {
+        var face = running();
+        publish(1, -1, 2);
+        test.run(
+                () -> List.of("3", "four", "5").forEach(each -> script.signals().data(each)));
+        assertThat(script.calls).containsExactly("invoke", "1", "2");
+        assertThat(heard).containsExactly(3, 5);
+        assertThat(notes.take())
+                .containsExactly(
+                        "counter could not convert counter/in Number[value=-1]: a count is -1, expected 0 or more",
+                        "counter could not convert four: For input string: \"four\"");
+        assertThat(face.conversion().losses().refused()).isEqualTo(2);
+        test.get(face.check().thenApply(well -> true));
+    }
+
+    // ---- components that fail
+
+    @Test
+    void componentThatThrowsWhenInvoked_hasFailed_andCanBeInvokedAgain() {
+        script.invoke = () -> {
+            throw new IllegalStateException("no power");
+        };
+        var face = open(script.component());
+        assertThat(test.error(face.start()))
+                .isInstanceOf(ProviderException.class)
+                .hasMessage("here/counter has failed: no power");
+        assertThat(test.error(face.check())).hasMessage("here/counter has failed: no power");
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        script.invoke = Promise::done;
+        test.get(face.start().thenApply(runs -> true));
+        test.get(face.check().thenApply(well -> true));
+    }
+
+    @Test
+    void componentThatThrowsOnData_hasFailed_isTerminated_andHearsNothingMore() {
+        var face = running();
+        publish(12, 13, 14);
+        assertThat(script.calls).containsExactly("invoke", "12", "13", "terminate");
+        assertThat(test.error(face.check())).hasMessage("here/counter has failed: 13 is bad luck");
+        publish(15);
+        assertThat(script.calls).hasSize(4);
+        assertThat(notes.take()).containsExactly("counter FAILED", "counter has failed: 13 is bad luck");
+    }
+
+    @Test
+    void componentThatDies_hasFailed_andSaysSoAtOnce_itsLastWordsAreStillPublished() {
+        var face = running();
+        var end = face.whenEnded();
+        end.handle((ended, error) -> null);
+        test.crank();
+        test.run(() -> {
+            script.signals().data("7");
+            script.signals().failed(new IllegalStateException("burnt out"));
+        });
+        assertThat(heard).containsExactly(7);
+        assertThat(test.error(face.check())).hasMessage("here/counter has failed: burnt out");
+        assertThat(test.error(end)).hasMessage("here/counter has failed: burnt out");
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void componentThatIsNotTerminatedProperly_hasFailed() {
+        script.terminate = () -> Promise.failed(new IllegalStateException("stuck"));
+        var face = running();
+        assertThat(test.error(face.stop())).hasMessage("here/counter has failed: stuck");
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+    }
+
+    @Test
+    void componentThatHangs_isGivenUp_andWhenItRunsAfterAll_isTerminatedAgain() {
+        var late = ScriptedComponent.later();
+        script.invoke = () -> late;
+        var face = open(script.component());
+        var started = face.start();
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(test.error(started)).hasMessage("here/counter was terminated while it was being invoked");
+        notes.take();
+        test.run(() -> late.resolve(null));
+        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate");
+        assertThat(notes.take())
+                .containsExactly("counter ran only after it had been given up, and is terminated again");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void whatIsSaidAfterTheEnd_isToldAndNotPublished() {
+        var face = running();
+        test.get(face.stop().thenApply(ended -> true));
+        test.run(() -> {
+            script.signals().data("9");
+            script.signals().failed(new IllegalStateException("too late to fail"));
+        });
+        assertThat(heard).isEmpty();
+        assertThat(notes.take()).contains("counter gave data after its end: 9");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void signalsOfAnEarlierLife_doNotTouchTheNext() {
+        var face = running();
+        var past = script.signals();
+        test.get(face.stop().thenApply(ended -> true));
+        test.get(face.start().thenApply(runs -> true));
+        test.run(() -> past.failed(new IllegalStateException("from the grave")));
+        test.get(face.check().thenApply(well -> true));
+        test.run(() -> script.signals().data("1"));
+        assertThat(heard).containsExactly(1);
+    }
+
+    // ---- calls that meet
+
+    @Test
+    void startDuringAStart_waitsForTheSame_andStopIsIdempotent() {
+        var slow = ScriptedComponent.later();
+        script.invoke = () -> slow;
+        var face = open(script.component());
+        var first = face.start();
+        var second = face.start();
+        test.run(() -> slow.resolve(null));
+        assertThat(first.isDone() && second.isDone()).isTrue();
+        test.get(face.stop().thenApply(ended -> true));
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+    }
+
+    @Test
+    void startDuringAStop_begins_whenThatIsOver() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = running();
+        var stopped = face.stop();
+        var started = face.start();
+        test.crank();
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        test.run(() -> slow.resolve(null));
+        assertThat(stopped.isDone() && started.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
+    }
+
+    @Test
+    void close_terminatesWhatRuns_andFreesTheName() {
+        var face = running();
+        test.run(face::close);
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        open(script.component());
+    }
+
+    @Test
+    void interfaceOpenedOffEverySpace_isRefusedByName() {
+        assertThatThrownBy(() -> ComponentInterface.open(bus, "counter", script.component(), notes))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("the interface of counter was opened on no actor space");
+    }
+}

@@ -1,0 +1,37 @@
+package io.troupe.services.component;
+
+import io.troupe.services.bus.Address;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Writes down what an observer of components hears. */
+public final class Notes implements ComponentObserver {
+    private final List<String> notes = new ArrayList<>(); // guarded by this: a process tells from its own threads
+
+    @Override
+    public synchronized void changed(Address component, Lifecycle state) {
+        notes.add(component.name() + " " + state);
+    }
+
+    @Override
+    public synchronized void dropped(Address component, ApplicationData<?> lost, long total) {
+        notes.add(component.name() + " dropped " + lost.value() + ", " + total + " so far");
+    }
+
+    @Override
+    public synchronized void problem(Address component, String what, Throwable why) {
+        notes.add(component.name() + " " + what + ": " + why.getMessage());
+    }
+
+    @Override
+    public synchronized void told(Address component, String what) {
+        notes.add(component.name() + " " + what);
+    }
+
+    /** What has been noted since this was asked the last time. */
+    public synchronized List<String> take() {
+        var taken = List.copyOf(notes);
+        notes.clear();
+        return taken;
+    }
+}

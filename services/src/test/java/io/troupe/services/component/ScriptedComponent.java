@@ -1,0 +1,89 @@
+package io.troupe.services.component;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.services.bus.Topic;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/** A component that does what a test says; it takes and gives text, the application knows numbers. */
+final class ScriptedComponent {
+    /** The application's data. */
+    record Number(int value) {}
+
+    static final Topic<Number> IN = new Topic<>("counter/in", Number.class);
+    static final Topic<Number> OUT = new Topic<>("counter/out", Number.class);
+
+    final List<String> calls = new ArrayList<>();
+    final List<ComponentCommunication.Signals<? super String>> lives = new ArrayList<>();
+    Supplier<Promise<@Nullable Void>> invoke = Promise::done;
+    Supplier<Promise<@Nullable Void>> terminate = Promise::done;
+    Supplier<Promise<@Nullable Void>> health = Promise::done;
+
+    Component<String, String> component() {
+        return new Component<>(
+                "counting",
+                List.of("counts"),
+                List.of(IN),
+                List.of(OUT),
+                Communication::new,
+                new Texts(),
+                Buffering.STREAM,
+                Buffering.STREAM);
+    }
+
+    ComponentCommunication.Signals<? super String> signals() {
+        return lives.getLast();
+    }
+
+    /** For a script that answers later. */
+    static Deferred<@Nullable Void> later() {
+        return new Deferred<>();
+    }
+
+    private final class Communication implements ComponentCommunication<String, String> {
+        @Override
+        public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
+            calls.add("invoke");
+            lives.add(signals);
+            return invoke.get();
+        }
+
+        @Override
+        public Promise<@Nullable Void> terminate() {
+            calls.add("terminate");
+            return terminate.get();
+        }
+
+        @Override
+        public Promise<@Nullable Void> health() {
+            return health.get();
+        }
+
+        @Override
+        public void data(String input) {
+            calls.add(input);
+            if (input.equals("13")) {
+                throw new IllegalStateException("13 is bad luck");
+            }
+        }
+    }
+
+    private static final class Texts implements Conversion<String, String> {
+        @Override
+        public List<ApplicationData<?>> toApplication(String output) {
+            return List.of(new ApplicationData<>(OUT, new Number(Integer.parseInt(output))));
+        }
+
+        @Override
+        public String toComponent(ApplicationData<?> input) {
+            int value = ((Number) input.value()).value();
+            if (value < 0) {
+                throw new IllegalArgumentException("a count is " + value + ", expected 0 or more");
+            }
+            return String.valueOf(value);
+        }
+    }
+}

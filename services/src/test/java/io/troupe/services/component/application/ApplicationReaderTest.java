@@ -1,0 +1,109 @@
+package io.troupe.services.component.application;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.services.broker.Need;
+import io.troupe.services.component.application.ApplicationPlan.Replacement;
+import io.troupe.services.component.kinds.Kinds;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ApplicationReaderTest {
+    private static ApplicationPlan read(String text) {
+        return ApplicationReader.parse(text, Path.of("my.app"), Kinds.standard(), Map.of("port", "7000"));
+    }
+
+    @Test
+    void declaration_isReadAsItStands() {
+        var plan = read("""
+                # what it is
+                application demo          # and a comment
+
+                component robots is player port=${port} robots=1,2
+                component finder is colourFinder service=eyes capabilities=sees,looks
+                component other is colourFinder
+                component script is process run="python3 x.py ${port}"
+                robot2 needs service eyes
+                demo needs capability sees service eyes
+                connect robot1/blobs to finder/blobs
+                at 1.5s replace finder by other
+                """);
+        assertThat(plan.name()).isEqualTo("demo");
+        assertThat(plan.components()).containsOnlyKeys("robots", "finder", "other", "script");
+        assertThat(plan.components().get("finder").service()).isEqualTo("eyes");
+        assertThat(plan.components().get("finder").capabilities()).containsExactly("sees", "looks");
+        assertThat(plan.components().get("script").service()).isEqualTo("script");
+        assertThat(plan.needs()).containsExactly(Need.ofService("robot2", "eyes"), new Need("demo", "eyes", "sees"));
+        assertThat(plan.wires()).extracting(Object::toString).containsExactly("robot1/blobs -> finder/blobs");
+        assertThat(plan.replacements()).containsExactly(new Replacement(Duration.ofMillis(1500), "finder", "other"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "compnent x is player; my.app:2:1: found \"compnent\", expected application, component, connect, at, or a user that needs a service; did you mean \"component\"?",
+                "component 1x is player; my.app:2:11: \"1x\" is no name, expected the component's name",
+                "component x as player; my.app:2:13: found \"as\", expected \"is\"",
+                "component x is; my.app:2:15: the line ends here, expected a kind of component",
+                "component x is plyer; my.app:2:16: there is no kind of component \"plyer\"; did you mean \"player\"? expected one of",
+                "component x is player prot=1; my.app:2:23: player has no parameter \"prot\"; did you mean \"port\"?",
+                "component x is player port=zero; my.app:2:23: port is \"zero\", expected a whole number from 1 to 65535",
+                "component x is player port=1 port=2; my.app:2:30: \"port\" is given twice, expected it once",
+                "component x is player robots=1,1; my.app:2:23: robots has 1 twice, expected each once",
+                "component x is player camera=maybe; my.app:2:23: camera is \"maybe\", expected one of yes, no",
+                "component x is wallFollower corners=round; my.app:2:29: corners is \"round\", expected one of forward, backward",
+                "component x is process; my.app:2:16: a component of kind process has no run, expected run=",
+                "component x is process run=\"a b; my.app:2:24: a quote is not closed",
+                "component x is player port=${prot}; my.app:2:23: ${prot} has no value here, expected one of [${port}]",
+                "application again; my.app:2:1: the name of the application stands here, expected it once, on the first line",
+                "connected needs service s; my.app:2:1: \"connected\" is neither the application",
+                "robots drive; my.app:2:1: found \"robots\", expected application, component, connect, at, or a user that needs a service",
+                "robot1 needs service s; my.app:2:1: \"robot1\" is neither the application nor a component nor a robot of one",
+                "demo need service s; my.app:2:6: found \"need\", expected \"needs\"",
+                "demo needs servise s; my.app:2:12: found \"servise\", expected \"service\" or \"capability\", each once",
+                "demo needs service; my.app:2:19: the line ends here, expected a service",
+                "connect a/b to c/d; my.app:2:9: no component above has a topic \"a/b\"; there is none",
+                "at noon replace a by b; my.app:2:4: \"noon\" is no time, expected for example 500ms, 20s or 2min",
+                "at 2s replace a by b; my.app:2:15: \"a\" is no component of demo",
+            })
+    void mistake_isNamedByItsPlace_andByWhatWasExpected(String line, String message) {
+        assertThatThrownBy(() -> read("application demo\n" + line + "\n"))
+                .isInstanceOf(ApplicationFileException.class)
+                .hasMessageStartingWith(message);
+    }
+
+    @Test
+    void topicsOfDifferentTypes_cannotBeConnected() {
+        assertThatThrownBy(() ->
+                        read("application demo\ncomponent r is player\nconnect robot1/sonar to robot1/velocity\n"))
+                .hasMessageStartingWith(
+                        "my.app:3:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
+    }
+
+    @Test
+    void namelessApplication_isRefused() {
+        assertThatThrownBy(() -> read("component r is player\n"))
+                .hasMessage("my.app:1:1: the application has no name, expected a line \"application NAME\"");
+    }
+
+    @Test
+    void twoComponentsOfOneName_areRefused() {
+        assertThatThrownBy(() -> read("application demo\ncomponent r is player\ncomponent r is player\n"))
+                .hasMessage("my.app:3:16: demo has two components named r, expected one");
+    }
+
+    @Test
+    void catalogue_describesItsKinds() {
+        assertThat(Kinds.standard().all())
+                .extracting(kind -> kind.name())
+                .isEqualTo(List.of("player", "wallFollower", "spaceWanderer", "colourFinder", "process"));
+        assertThat(Kinds.standard().find("process").orElseThrow().describe()).contains("run=", "has to be given");
+    }
+}

@@ -1,0 +1,265 @@
+package io.troupe.services.component.application;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.Component;
+import io.troupe.services.component.Lifecycle;
+import io.troupe.services.component.Notes;
+import io.troupe.services.component.kinds.BehaviourComponent;
+import io.troupe.services.component.kinds.FakePlayer;
+import io.troupe.services.component.kinds.Kinds;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class ApplicationTest {
+    private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
+    private static final DeviceCommand.Velocity FOLLOWER_AHEAD = new DeviceCommand.Velocity(0.2, 0, 0, true);
+    private static final DeviceCommand.Velocity WANDERER_AHEAD = new DeviceCommand.Velocity(0.5, 0, 0, true);
+    private static final String TWO_ROBOTS = """
+            application two-robots
+            component robots   is player port=7101 robots=1,2
+            component follower is wallFollower
+            component wanderer is spaceWanderer
+            component idle     is spaceWanderer service=idling
+            two-robots needs service player
+            robot1 needs service wallFollower
+            robot2 needs capability wanders
+            """;
+
+    private static final String ONE_ROBOT = TWO_ROBOTS.replace("robot1 needs service wallFollower\n", "");
+
+    private final TestSpace test = new TestSpace();
+    private final FakePlayer robots = new FakePlayer(test, 2);
+    private final Notes notes = new Notes();
+    private final List<String> events = new ArrayList<>();
+    private Application application;
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.get(application.stop().handle((ended, error) -> true));
+        test.crank();
+        robots.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        test.close();
+    }
+
+    private static ApplicationPlan plan(String text) {
+        return ApplicationReader.parse(text, Path.of("test.app"), Kinds.standard(), Map.of());
+    }
+
+    private void start(ApplicationPlan plan) {
+        test.run(() -> {
+            application = Application.start(
+                    plan,
+                    InProcessBus.open("here", BusSettings.on(test.space())),
+                    ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
+                    ApplicationSettings.DEFAULT.withObservers(notes, this::note));
+            application.started().handle((runs, error) -> error); // the test asks for it later
+        });
+    }
+
+    private void note(ApplicationEvent event) {
+        switch (event) {
+            case ApplicationEvent.Connected it ->
+                events.add(it.need().by() + " uses " + it.provider().provider().name() + " " + it.wires());
+            case ApplicationEvent.Lost it -> events.add(it.need().by() + " has lost its provider");
+            case ApplicationEvent.Carried it -> {}
+            case ApplicationEvent.Replaced it ->
+                events.add(it.what().by() + " in the place of " + it.what().old());
+            case ApplicationEvent.NotReplaced it ->
+                events.add("not replaced: " + it.why().getMessage());
+        }
+    }
+
+    private Lifecycle state(String component) {
+        return application.face(component).state();
+    }
+
+    @Test
+    void paperRobots_areDrivenByTheServicesThatTheBrokerStarts_andOnlyThose() {
+        start(plan(TWO_ROBOTS));
+        test.get(application.started().thenApply(runs -> true));
+        assertThat(events)
+                .containsExactly(
+                        "two-robots uses robots []",
+                        "robot1 uses follower [robot1/position -> follower/position, robot1/sonar -> follower/sonar,"
+                                + " follower/velocity -> robot1/velocity]",
+                        "robot2 uses wanderer [robot2/position -> wanderer/position, robot2/sonar -> wanderer/sonar,"
+                                + " wanderer/velocity -> robot2/velocity]");
+        assertThat(state("idle")).isEqualTo(Lifecycle.NOT_INVOKED);
+        robots.tick(100);
+        assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD);
+        assertThat(robots.commands(1)).containsExactly(WANDERER_AHEAD);
+    }
+
+    @Test
+    void theSameApplication_inCode() {
+        var inCode = ApplicationPlan.named("two-robots");
+        for (var component : plan(TWO_ROBOTS).components().entrySet()) {
+            inCode = inCode.with(component.getKey(), component.getValue());
+        }
+        start(inCode.needing("two-robots", "player")
+                .needing("robot1", "wallFollower")
+                .needing("robot2", "spaceWanderer"));
+        test.get(application.started().thenApply(runs -> true));
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+        assertThat(robots.lastCommand(1)).isEqualTo(WANDERER_AHEAD);
+    }
+
+    @Test
+    void stop_endsEverythingThatWasStarted_robotsStandStill() {
+        start(plan(TWO_ROBOTS));
+        test.crank();
+        robots.tick(100);
+        test.get(application.stop().thenApply(ended -> true));
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(robots.lastCommand(1)).isEqualTo(STOP);
+        assertThat(List.of(state("robots"), state("follower"), state("wanderer")))
+                .containsOnly(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void missingService_endsTheApplicationCleanly_andOneLineSaysAll() {
+        start(plan(TWO_ROBOTS.replace("service wallFollower", "service wallFolower")));
+        var error = test.error(application.started());
+        assertThat(error)
+                .isInstanceOf(MissingServiceException.class)
+                .hasMessageContainingAll(
+                        "robot1",
+                        "wallFolower",
+                        "did you mean \"wallFollower\"",
+                        "registered:",
+                        "player",
+                        "spaceWanderer");
+        assertThat(error.getMessage()).doesNotContain("\n");
+        assertThat(state("robots")).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(robots.connections()).isZero();
+        assertThat(application.ended().error()).isSameAs(error);
+    }
+
+    @Test
+    void twoProvidersThatWouldDriveOneRobot_endTheApplication() {
+        start(plan(TWO_ROBOTS + "robot1 needs service idling\n"));
+        assertThat(test.error(application.started()))
+                .isInstanceOf(ApplicationException.class)
+                .hasMessage("robot1/velocity would be fed twice, because robot1 needs wallFollower and because robot1"
+                        + " needs idling, expected once");
+        assertThat(robots.connections()).isZero();
+    }
+
+    @Test
+    void providerIsReplacedWhileTheApplicationRuns_noTickIsWithoutACommand_andNothingIsLost() {
+        start(plan(TWO_ROBOTS + "component other is spaceWanderer\nat 450ms replace follower by other\n"));
+        test.get(application.started().thenApply(runs -> true));
+        assertThat(state("other")).isEqualTo(Lifecycle.NOT_INVOKED);
+        for (int tick = 1; tick <= 10; tick++) {
+            int commands = robots.commands(0).size();
+            test.advance(Duration.ofMillis(100));
+            robots.tick(100);
+            assertThat(robots.commands(0).size())
+                    .as("commands at tick %d", tick)
+                    .isEqualTo(commands + 1);
+            assertThat(robots.lastCommand(0)).as("command at tick %d", tick).isNotEqualTo(STOP);
+        }
+        assertThat(robots.commands(0).subList(0, 4)).containsOnly(FOLLOWER_AHEAD);
+        assertThat(robots.commands(0).subList(4, 10)).containsOnly(WANDERER_AHEAD);
+        assertThat(events).contains("other in the place of follower");
+        assertThat(state("follower")).isEqualTo(Lifecycle.TERMINATED);
+        for (String component : List.of("robots", "follower", "other")) {
+            var losses = application.face(component).conversion().losses();
+            assertThat(losses.dropped() + losses.superseded() + losses.refused())
+                    .as("lost by " + component)
+                    .isZero();
+        }
+    }
+
+    @Test
+    void replacementThatDoesNotStart_leavesTheOldOneInUse() {
+        var broken = BehaviourComponent.of("broken", "breaking", List.of(), () -> {
+            throw new IllegalStateException("no law");
+        });
+        start(plan(TWO_ROBOTS).with("broken", broken).replacing(Duration.ofMillis(150), "follower", "broken"));
+        test.get(application.started().thenApply(runs -> true));
+        test.advance(Duration.ofMillis(200));
+        assertThat(events.getLast()).startsWith("not replaced: ").contains("no law");
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+    }
+
+    @Test
+    void providerThatDies_isStartedAgainWithinThePatience_andTheRobotStandsStillMeanwhile() {
+        var deaths = new ArrayList<Integer>(List.of(1));
+        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
+        test.get(application.started().thenApply(runs -> true));
+        robots.tick(100);
+        assertThat(robots.commands(0)).contains(STOP);
+        assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
+        test.advance(Duration.ofSeconds(2)); // the broker pauses before it tries again
+        assertThat(events.getLast()).startsWith("robot1 uses mortal");
+        assertThat(application.ended().isDone()).isFalse();
+    }
+
+    @Test
+    void providerThatStaysDead_endsTheApplication() {
+        var deaths = new ArrayList<Integer>(List.of(1, 2, 3, 4, 5, 6, 7, 8, 9));
+        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
+        test.get(application.started().thenApply(runs -> true));
+        robots.tick(100);
+        for (int step = 0; step < 50 && !application.ended().isDone(); step++) {
+            test.advance(Duration.ofMillis(100));
+        }
+        assertThat(application.ended().error())
+                .isInstanceOf(MissingServiceException.class)
+                .hasMessageContainingAll("robot1", "dying", "dizzy");
+        assertThat(state("robots")).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void componentThatIsAddedOnTheFly_takesOverFromOneThatDied() {
+        var deaths = new ArrayList<Integer>(List.of(1, 2, 3, 4, 5, 6, 7, 8, 9));
+        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
+        test.get(application.started().thenApply(runs -> true));
+        robots.tick(100);
+        assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
+        test.run(() -> application.add(
+                "heir",
+                BehaviourComponent.of("heir", "dying", List.of(), () -> senses -> Optional.of(new Velocity(0.3, 0)))));
+        assertThat(events.getLast()).startsWith("robot1 uses heir [robot1/position -> heir/position");
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0.3, 0, 0, true));
+        test.advance(Duration.ofSeconds(10));
+        assertThat(application.ended().isDone()).isFalse();
+    }
+
+    /** Fails at its first reading, as often as there are deaths; while more than one is left it does not even start again. */
+    private static Component<?, ?> mortal(List<Integer> deaths) {
+        var lives = new ArrayList<Integer>();
+        return BehaviourComponent.of("mortal", "dying", List.of(), () -> {
+            lives.add(lives.size());
+            if (lives.size() > 1 && deaths.size() > 1) {
+                throw new IllegalStateException("dizzy for good");
+            }
+            return senses -> {
+                if (lives.size() == 1) {
+                    throw new IllegalStateException("dizzy");
+                }
+                return Optional.of(new Velocity(0.1, 0));
+            };
+        });
+    }
+}

@@ -1,0 +1,158 @@
+package io.troupe.services.component.kinds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.behaviour.WallFollower;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.Component;
+import io.troupe.services.component.ComponentInterface;
+import io.troupe.services.component.Notes;
+import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
+import io.troupe.services.component.kinds.RobotTopics.PositionReading;
+import io.troupe.services.component.kinds.RobotTopics.SonarReading;
+import io.troupe.services.subsumption.Colours;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+class BehaviourComponentTest {
+    private final TestSpace test = new TestSpace();
+    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final Notes notes = new Notes();
+    private final BusPort user = bus.attach("user");
+    private final List<Velocity> velocities = new ArrayList<>();
+    private final List<String> colours = new ArrayList<>();
+
+    @AfterEach
+    void nothingIsLeft() {
+        bus.close();
+        test.crank();
+        test.close();
+    }
+
+    private ComponentInterface<?, ?> start(Component<?, ?> component) {
+        var opened = new ArrayList<ComponentInterface<?, ?>>();
+        test.run(() -> {
+            user.subscribe(RobotTopics.velocity("driver"), (velocity, from) -> velocities.add(velocity));
+            user.subscribe(
+                    RobotTopics.colours("driver"),
+                    (seen, from) -> colours.add(seen.timeSeconds() + " " + Colours.name(seen.colour())));
+            opened.add(ComponentInterface.open(bus, "driver", component, notes));
+        });
+        test.get(opened.getFirst().start().thenApply(runs -> true));
+        notes.take();
+        return opened.getFirst();
+    }
+
+    private ComponentInterface<?, ?> start(Supplier<Behaviour> law) {
+        return start(BehaviourComponent.of("driver", "driving", List.of("drives"), law));
+    }
+
+    private void ranges(double timeSeconds, double everyM) {
+        var reading = new SonarReading(timeSeconds, Collections.nCopies(8, everyM));
+        test.run(() -> user.publish(RobotTopics.sonar("driver"), reading));
+    }
+
+    @Test
+    void wallFollower_isItsControlLaw_oncePerReading() {
+        start(() -> WallFollower.behaviour(CornerStyle.FORWARD));
+        ranges(0.1, 5);
+        assertThat(velocities).containsExactly(new Velocity(0.2, 0));
+        ranges(0.2, 0.3);
+        assertThat(velocities.getLast()).isEqualTo(new Velocity(0, -0.45));
+    }
+
+    @Test
+    void behaviour_knowsThePoseThatCameBefore() {
+        start(() -> senses ->
+                Optional.of(new Velocity(senses.pose().xM(), senses.pose().headingRad())));
+        test.run(() -> user.publish(RobotTopics.position("driver"), new PositionReading(0.1, 3, 4, 0.5, false)));
+        ranges(0.1, 5);
+        assertThat(velocities).containsExactly(new Velocity(3, 0.5));
+    }
+
+    @Test
+    void rangesFasterThanACycle_arePassedOver() {
+        start(() -> senses -> Optional.of(new Velocity(senses.timeSeconds(), 0)));
+        for (int millis = 0; millis <= 200; millis += 50) {
+            ranges(millis / 1000.0, 5);
+        }
+        assertThat(velocities).containsExactly(new Velocity(0, 0), new Velocity(0.1, 0), new Velocity(0.2, 0));
+    }
+
+    @Test
+    void behaviourWithNothingToSay_saysNothing() {
+        start(() -> senses -> Optional.empty());
+        ranges(0.1, 5);
+        assertThat(velocities).isEmpty();
+    }
+
+    @Test
+    void lawThatThrows_standsStill_andTheComponentHasFailed() {
+        var face = start(() -> senses -> {
+            throw new IllegalStateException("dizzy");
+        });
+        ranges(0.1, 5);
+        assertThat(velocities).containsExactly(Velocity.STOP);
+        assertThat(test.error(face.check())).hasMessage("here/driver has failed: dizzy");
+    }
+
+    @Test
+    void ringWithTooFewSonars_isRefused_andTheBehaviourGoesOn() {
+        start(() -> senses -> Optional.of(new Velocity(0.1, 0)));
+        test.run(() -> user.publish(RobotTopics.sonar("driver"), new SonarReading(0.1, List.of(1.0))));
+        assertThat(notes.take())
+                .hasSize(1)
+                .first()
+                .asString()
+                .endsWith("a sonar ring has 1 readings, expected 8 or more");
+        ranges(0.2, 5);
+        assertThat(velocities).containsExactly(new Velocity(0.1, 0));
+    }
+
+    @Test
+    void termination_standsStill_andTheNextLifeBeginsAnew() {
+        var laws = new ArrayList<Integer>();
+        var face = start(() -> {
+            laws.add(laws.size());
+            return senses -> Optional.of(new Velocity(1, 0));
+        });
+        ranges(0.1, 5);
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(velocities).containsExactly(new Velocity(1, 0), Velocity.STOP);
+        test.get(face.start().thenApply(runs -> true));
+        assertThat(laws).containsExactly(0, 1);
+    }
+
+    @Test
+    void colourFinder_saysEachColourWhenItComesIntoSight() {
+        start(ColourFinderComponent.of("driver", Set.of(Colours.BLACK, Colours.ORANGE)));
+        picture(0.1, Colours.BLACK);
+        picture(0.2, Colours.BLACK, Colours.RED);
+        picture(0.3, Colours.RED, Colours.ORANGE);
+        picture(0.4, Colours.GREEN);
+        picture(0.5);
+        picture(0.6, Colours.GREEN);
+        assertThat(colours).containsExactly("0.2 red", "0.4 green", "0.6 green");
+    }
+
+    private void picture(double timeSeconds, int... blobs) {
+        List<Sighting> sightings = new ArrayList<>();
+        for (int colour : blobs) {
+            sightings.add(new Sighting(colour, 100, 0));
+        }
+        test.run(() -> user.publish(RobotTopics.blobs("driver"), new BlobsReading(timeSeconds, sightings)));
+    }
+}

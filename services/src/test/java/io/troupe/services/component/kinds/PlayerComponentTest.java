@@ -1,0 +1,146 @@
+package io.troupe.services.component.kinds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.ComponentInterface;
+import io.troupe.services.component.Lifecycle;
+import io.troupe.services.component.Notes;
+import io.troupe.services.subsumption.Colours;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class PlayerComponentTest {
+    private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
+
+    private final TestSpace test = new TestSpace();
+    private final FakePlayer robots = new FakePlayer(test, 2);
+    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final Notes notes = new Notes();
+    private final List<String> heard = new ArrayList<>();
+    private final BusPort user = bus.attach("user");
+    private ComponentInterface<?, ?> face;
+
+    @BeforeEach
+    void twoRobots() {
+        test.run(() -> face = ComponentInterface.open(
+                bus,
+                "robots",
+                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(1, 2), true)),
+                notes));
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.run(face::close);
+        bus.close();
+        test.crank();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        test.close();
+        robots.close();
+    }
+
+    private void started() {
+        test.get(face.start().thenApply(runs -> true));
+        notes.take();
+    }
+
+    private void drive(String robot, double forwardMps, double turnRadps) {
+        test.run(() -> user.publish(RobotTopics.velocity(robot), new Velocity(forwardMps, turnRadps)));
+    }
+
+    @Test
+    void robots_saySonarPositionAndBlobs_underTheirNames_andOnceForEachReading() {
+        test.run(() -> {
+            user.subscribe(
+                    RobotTopics.sonar("robot1"),
+                    (reading, from) -> heard.add("1 at " + reading.timeSeconds() + " sonar 3 "
+                            + reading.rangesM().get(3)));
+            user.subscribe(RobotTopics.position("robot2"), (reading, from) -> heard.add("2 at " + reading.xM()));
+            user.subscribe(
+                    RobotTopics.blobs("robot2"),
+                    (reading, from) -> heard.add("2 sees " + reading.sightings().size() + ", the second "
+                            + Colours.name(reading.sightings().get(1).colour())));
+        });
+        started();
+        robots.range(0, 3, 1.5);
+        robots.show(1, Colours.RED);
+        robots.tick(100);
+        assertThat(heard).containsExactlyInAnyOrder("1 at 0.1 sonar 3 1.5", "2 at 0.0", "2 sees 2, the second red");
+        robots.tick(100);
+        assertThat(heard).hasSize(6);
+    }
+
+    @Test
+    void velocity_drivesTheRobotThatItIsFor() {
+        started();
+        drive("robot2", 0.3, -0.1);
+        assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0.3, 0, -0.1, true));
+        assertThat(robots.commands(0)).isEmpty();
+    }
+
+    @Test
+    void velocityThatIsNoNumber_isRefusedByTheConversion() {
+        started();
+        drive("robot1", Double.NaN, 0);
+        assertThat(robots.commands(0)).isEmpty();
+        assertThat(notes.take()).hasSize(1).first().asString().contains("robot1/velocity", "expected finite numbers");
+    }
+
+    @Test
+    void robotThatNobodyCommandsAnyMore_isStopped_andThisIsTold() {
+        started();
+        drive("robot1", 0.3, 0);
+        for (int reading = 0; reading < PlayerRobot.PATIENCE_READINGS; reading++) {
+            robots.tick(100);
+        }
+        assertThat(robots.commands(0)).hasSize(1);
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(notes.take()).containsExactly("robots robot 1 has heard no command for 5 readings, and is stopped");
+        robots.tick(100);
+        assertThat(robots.commands(0)).hasSize(2);
+    }
+
+    @Test
+    void termination_stopsTheRobots_andDisconnects() {
+        started();
+        drive("robot1", 0.3, 0);
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(robots.connections()).isZero();
+        test.get(face.start().thenApply(runs -> true));
+        assertThat(robots.connections()).isEqualTo(1);
+    }
+
+    @Test
+    void lostServer_isNamedByTheHealth() {
+        started();
+        test.get(face.check().thenApply(well -> true));
+        test.run(robots::vanish);
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(test.error(face.check()))
+                .hasMessage("here/robots has failed: Player server localhost:7101: the server has gone");
+    }
+
+    @Test
+    void missingRobot_isNamedByTheStart() {
+        test.run(face::close);
+        test.run(() -> face = ComponentInterface.open(
+                bus,
+                "robots",
+                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(3), true)),
+                notes));
+        assertThat(test.error(face.start()))
+                .hasMessageContaining("here/robots has failed")
+                .hasMessageContaining("2");
+    }
+}

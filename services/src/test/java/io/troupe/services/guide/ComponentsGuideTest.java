@@ -1,0 +1,198 @@
+package io.troupe.services.guide;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.SpaceWanderer;
+import io.troupe.services.behaviour.WallFollower;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.Need;
+import io.troupe.services.broker.ProviderException;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.bus.Address;
+import io.troupe.services.bus.Bus;
+import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.bus.Topic;
+import io.troupe.services.component.ApplicationData;
+import io.troupe.services.component.Buffering;
+import io.troupe.services.component.Component;
+import io.troupe.services.component.ComponentCommunication;
+import io.troupe.services.component.ComponentInterface;
+import io.troupe.services.component.ComponentObserver;
+import io.troupe.services.component.Control;
+import io.troupe.services.component.Conversion;
+import io.troupe.services.component.application.Application;
+import io.troupe.services.component.application.ApplicationPlan;
+import io.troupe.services.component.application.ApplicationSettings;
+import io.troupe.services.component.kinds.BehaviourComponent;
+import io.troupe.services.component.kinds.FakePlayer;
+import io.troupe.services.component.kinds.PlayerComponent;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** The samples of docs/guide/07-components-bus-broker.md that are about components, the bus and applications. */
+class ComponentsGuideTest {
+    private final TestSpace test = new TestSpace();
+    private final Bus bus = InProcessBus.open("house", BusSettings.on(test.space()));
+    private final ServiceBroker broker =
+            ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
+    private final List<String> shown = new ArrayList<>();
+
+    record Temperature(double celsius) {}
+
+    record Label(String text) {}
+
+    static final Topic<Temperature> TEMPERATURE = new Topic<>("hall/temperature", Temperature.class);
+    static final Topic<Label> LABEL = new Topic<>("hall/label", Label.class);
+
+    /** Somebody else's package: it has its own data, and calls back. */
+    private static final class Thermometer {
+        private boolean on;
+        private String label = "";
+        private Consumer<Double> reader = fahrenheit -> {};
+
+        void switchOn(Consumer<Double> newReader) {
+            on = true;
+            reader = newReader;
+        }
+
+        void switchOff() {
+            on = false;
+        }
+    }
+
+    static final class ThermometerLine implements ComponentCommunication<String, Double> {
+        private final Thermometer thermometer;
+
+        ThermometerLine(Thermometer thermometer) {
+            this.thermometer = thermometer;
+        }
+
+        @Override
+        public Promise<@Nullable Void> invoke(Signals<? super Double> signals) {
+            thermometer.switchOn(fahrenheit -> signals.data(fahrenheit));
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> terminate() {
+            thermometer.switchOff();
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> health() {
+            return thermometer.on ? Promise.done() : Promise.failed(new ProviderException("the thermometer is off"));
+        }
+
+        @Override
+        public void data(String label) {
+            thermometer.label = label;
+        }
+    }
+
+    static final class Celsius implements Conversion<String, Double> {
+        @Override
+        public List<ApplicationData<?>> toApplication(Double fahrenheit) {
+            return List.of(new ApplicationData<>(TEMPERATURE, new Temperature((fahrenheit - 32) / 1.8)));
+        }
+
+        @Override
+        public String toComponent(ApplicationData<?> label) {
+            return ((Label) label.value()).text();
+        }
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.get(broker.shutDown());
+        bus.close();
+        test.crank();
+        test.close();
+    }
+
+    private void show(String text) {
+        shown.add(text);
+    }
+
+    @Test
+    void foreignPackage_becomesAService() {
+        var thermometer = new Thermometer();
+        test.run(() -> {
+            var component = new Component<>(
+                    "thermometer",
+                    List.of("senses"),
+                    List.of(LABEL),
+                    List.of(TEMPERATURE),
+                    () -> new ThermometerLine(thermometer),
+                    new Celsius(),
+                    Buffering.LATEST,
+                    Buffering.STREAM);
+            var hall = ComponentInterface.open(bus, "hall", component, ComponentObserver.LOG);
+            broker.register("thermometer", List.of("senses"), hall.address(), hall);
+        });
+        test.run(() -> {
+            BusPort display = bus.attach("display");
+            display.subscribe(TEMPERATURE, (temperature, from) -> show(from + ": " + temperature.celsius()));
+            display.publish(LABEL, new Label("outside"));
+
+            var hall = new Address("house", "hall");
+            var limit = Duration.ofSeconds(1);
+            display.ask(hall, Control.HEALTH, new Control.AskHealth("display"), limit)
+                    .then(report -> show(report.problem()));
+        });
+        assertThat(shown).containsExactly("house/hall has not been invoked");
+        test.get(broker.require(Need.ofCapability("guide", "senses")));
+        test.run(() -> thermometer.reader.accept(212.0));
+        assertThat(shown).last().isEqualTo("house/hall: 100.0");
+        test.run(() -> bus.attach("other").publish(LABEL, new Label("inside")));
+        assertThat(thermometer.label).isEqualTo("inside");
+    }
+
+    @Test
+    void applicationInCode_drivesTwoRobots() {
+        var robots = new FakePlayer(test, 2);
+        var started = new ArrayList<Application>();
+        test.run(() -> {
+            var plan = ApplicationPlan.named("two-robots")
+                    .with("robots", robots())
+                    .with("follower", follower())
+                    .with("wanderer", wanderer())
+                    .needing("two-robots", "player")
+                    .needing("robot1", "wallFollower")
+                    .needing("robot2", "spaceWanderer");
+            var application = Application.start(plan, bus, broker, ApplicationSettings.DEFAULT);
+
+            started.add(application);
+        });
+        test.get(started.getFirst().started().thenApply(runs -> true));
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0.2, 0, 0, true));
+        assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0.5, 0, 0, true));
+        test.get(started.getFirst().stop().thenApply(ended -> true));
+        robots.close();
+    }
+
+    private static Component<?, ?> robots() {
+        return PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(1, 2), true));
+    }
+
+    private static Component<?, ?> follower() {
+        return BehaviourComponent.of(
+                "follower", "wallFollower", List.of("drives"), () -> WallFollower.behaviour(CornerStyle.FORWARD));
+    }
+
+    private static Component<?, ?> wanderer() {
+        return BehaviourComponent.of("wanderer", "spaceWanderer", List.of("drives"), SpaceWanderer::behaviour);
+    }
+}
