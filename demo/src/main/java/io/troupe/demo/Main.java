@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.demo.draw.DrawCommand;
+import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.verify.VerifyCommand;
@@ -27,7 +28,7 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        subcommands = {RunCommand.class, EvaluateCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */

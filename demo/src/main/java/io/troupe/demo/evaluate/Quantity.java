@@ -1,0 +1,45 @@
+package io.troupe.demo.evaluate;
+
+import java.util.Locale;
+
+/** What is measured. */
+enum Quantity {
+    /** On the robots' clock, from the first reading that the services wait for to the end of the last loop. */
+    TIME("ms"),
+    /** Between the beginnings of two cycles of one service, on the robots' clock: the middle of all. */
+    INTERVAL("ms"),
+    /** The same: what 99 of 100 do not exceed. */
+    INTERVAL_P99("ms"),
+    /** The control law with what it reads and commands, for one loop on average, by the machine's clock. */
+    CYCLE("us"),
+    /** Processor time of the thread that runs the services, for one loop of each, with all messages. */
+    PROCESSOR("us"),
+    STATE_CHANGES("1"),
+    /** Colours that left a service for the main code. */
+    SENT("1"),
+    /** Colours that the main code got. */
+    RECEIVED("1"),
+    /** From sending a colour to the main code having it, by the machine's clock: the middle of all. */
+    DELAY("us"),
+    /** The same: what 99 of 100 do not exceed. */
+    DELAY_P99("us"),
+    /** From the colour that ends a state being sent to every robot's first cycle in the next, by the machine's clock: the middle of all. */
+    SWITCH("us"),
+    /** The same on the robots' clock. */
+    SWITCH_TIME("ms");
+
+    private final String unit;
+
+    Quantity(String unit) {
+        this.unit = unit;
+    }
+
+    String unit() {
+        return unit;
+    }
+
+    @Override
+    public String toString() {
+        return name().toLowerCase(Locale.ROOT);
+    }
+}
