@@ -1,11 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import java.util.Map;
-import java.util.TreeMap;
-import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,71 +27,63 @@ public class Arbitrator extends Actor {
 
         /** A message with a colour has arrived, whatever comes of it. */
         default void colourReceived(int robot, int colour) {}
+
+        /** The same message, just received, is about a state that has ended already, and is ignored. */
+        default void colourTooLate(int robot, int colour) {}
     }
 
     private final RobotServices services;
     private final SubsumptionTable table;
     private final StateListener listener;
-    private final Deferred<@Nullable Void> ended = new Deferred<>();
-    private final Map<Integer, AtomicReference<Integer>> references = new TreeMap<>();
-    private State state;
-    private @Nullable Integer seenBy;
-    private int switches;
+    private final PresentState present;
 
     public Arbitrator(RobotServices services, SubsumptionTable table, StateListener listener) {
         this.services = services;
         this.table = table;
         this.listener = listener;
-        this.state = table.first();
+        this.present = new PresentState(services, table.first(), listener);
     }
 
     /** Puts the services of the present state in charge. */
     public void live() {
-        listener.began(state, seenBy);
-        for (int robot = 0; robot < state.services().size(); robot++) {
+        present.begins();
+        for (int robot = 0; robot < present.state().services().size(); robot++) {
             begin(robot);
         }
     }
 
     /** Rejected when a service fails; never fulfilled. */
     public Promise<@Nullable Void> ended() {
-        return ended;
+        return present.failed();
     }
 
     private void begin(int robot) {
-        State present = state;
-        int switchesBefore = switches;
-        var reference = new AtomicReference<>(ServiceLoop.RUN);
-        references.put(robot, reference);
-        Service service = present.services().get(robot);
-        ColourRule rule = service.findsColours() ? table.ruleIn(present) : ColourRule.NONE;
-        var colourFinder = new AtomicReference<>(service.findsColours() ? ServiceLoop.RUN : ServiceLoop.STOP);
-        Promise<?> end = services.serve(robot, service, reference, colourFinder, rule)
-                .thenAccept(colour -> {
-                    if (colour.isPresent()) {
-                        listener.colourReceived(robot, colour.getAsInt());
-                        if (switches == switchesBefore) {
-                            seen(robot, colour.getAsInt());
-                        } // else the switch is under way: this one saw something at the same time
-                    }
-                });
+        int changesBefore = present.changes();
+        Service service = present.service(robot);
+        ColourRule rule = service.findsColours() ? table.ruleIn(present.state()) : ColourRule.NONE;
+        Promise<?> end = services.serve(
+                        robot, service, present.newReference(robot), PresentState.newColourFinder(service), rule)
+                .thenAccept(colour -> colour.ifPresent(each -> received(robot, each, changesBefore)));
         end.exceptionally(error -> {
-            ended.reject(error);
+            present.fail(error);
             return null;
         });
     }
 
-    /** A robot has seen a colour: the first one to do so in a state ends it. One that leads nowhere leaves the robot its service. */
-    private void seen(int robot, int colour) {
-        table.next(state, colour).ifPresentOrElse(next -> change(next, robot), () -> begin(robot));
+    private void received(int robot, int colour, int changesBefore) {
+        listener.colourReceived(robot, colour);
+        if (present.changes() == changesBefore) {
+            seen(robot, colour);
+        } else { // the switch is under way: this one saw something at the same time
+            listener.colourTooLate(robot, colour);
+        }
     }
 
-    private void change(State next, int robot) {
-        state = next;
-        switches++;
-        seenBy = robot;
-        var stops = references.values().stream().map(services::stop).toList();
-        references.clear();
-        Promise.all(stops).thenRun(() -> ((Arbitrator) self()).live());
+    /** A robot has seen a colour: the first one to do so in a state ends it. One that leads nowhere leaves the robot its service. */
+    private void seen(int robot, int colour) {
+        table.next(present.state(), colour)
+                .ifPresentOrElse(
+                        next -> present.change(next, robot).thenRun(() -> ((Arbitrator) self()).live()),
+                        () -> begin(robot));
     }
 }

@@ -2,22 +2,11 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.player.BlobfinderInterface;
 import io.troupe.player.PlayerClient;
-import io.troupe.player.Position2DInterface;
-import io.troupe.player.SonarInterface;
-import io.troupe.player.structures.PlayerConstants;
-import io.troupe.services.behaviour.ColourFinder.Sighting;
-import io.troupe.services.behaviour.RobotPose;
-import io.troupe.services.behaviour.Senses;
-import io.troupe.services.behaviour.SonarRing;
-import io.troupe.services.behaviour.Velocity;
-import java.util.Arrays;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The connection with one robot's sensors and wheels.
+ * A connection with one robot, for a service that waits for its readings on an actor space.
  *
  * <p><b>Threads.</b> The actor space on whose thread it was made. <b>Errors.</b> {@link io.troupe.player.PlayerException} when the server refuses or
  * has gone.
@@ -25,17 +14,13 @@ import org.jspecify.annotations.Nullable;
  */
 final class RobotLink implements AutoCloseable {
     private final PlayerClient client;
-    private final Position2DInterface position;
-    private final SonarInterface sonar;
-    private final BlobfinderInterface blobfinder;
+    private final RobotDevices devices;
     private @Nullable Deferred<Boolean> waiting;
     private @Nullable Promise<Boolean> reading;
 
     private RobotLink(PlayerClient client, int robot) {
         this.client = client;
-        position = client.requestInterfacePosition2D(robot, PlayerConstants.PLAYER_OPEN_MODE);
-        sonar = client.requestInterfaceSonar(robot, PlayerConstants.PLAYER_OPEN_MODE);
-        blobfinder = client.requestInterfaceBlobfinder(robot, PlayerConstants.PLAYER_OPEN_MODE);
+        devices = new RobotDevices(client, robot);
         client.runThreaded(-1, -1);
     }
 
@@ -47,6 +32,10 @@ final class RobotLink implements AutoCloseable {
             client.close();
             throw refused;
         }
+    }
+
+    RobotDevices devices() {
+        return devices;
     }
 
     /** True as soon as new data are ready, or false when {@link #wake} is called first. */
@@ -63,33 +52,6 @@ final class RobotLink implements AutoCloseable {
         if (waiting != null) {
             waiting.resolve(false);
         }
-    }
-
-    /** Whether there has been a reading yet. */
-    boolean hasData() {
-        return position.getData() != null && sonar.getData() != null && blobfinder.getData() != null;
-    }
-
-    /** When the sonar readings were taken, in seconds on the robot's clock. */
-    double timeSeconds() {
-        return sonar.getTimestamp();
-    }
-
-    /** The newest readings. */
-    Senses senses() {
-        var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());
-        return new Senses(timeSeconds(), SonarRing.of(sonar.getData().getRanges()), pose);
-    }
-
-    /** What the blobfinder saw at the same time. */
-    List<Sighting> sightings() {
-        return Arrays.stream(blobfinder.getData().getBlobs())
-                .map(blob -> new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()))
-                .toList();
-    }
-
-    void drive(Velocity velocity) {
-        position.setSpeed(velocity.forwardMps(), velocity.turnRadps());
     }
 
     @Override

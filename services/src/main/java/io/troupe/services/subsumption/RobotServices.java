@@ -1,20 +1,27 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.ColourFinder;
+import java.lang.System.Logger.Level;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The actor as a service: offers wall following, space wandering, and whatever else a table names, to other actors.
  *
- * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it and keeps the connection.
+ * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it and keeps the connection,
+ * unless it is to reconnect: then the robot stands from the end of one service until the first reading of the next, a tick in lock step.
  * <p><b>Order.</b> A robot never has two services: one that is called while another is about to stop begins when that has stopped.
  * <p><b>Units and shapes.</b> Robots by Player index, from 0. A reference is 1 = run, 0 = stop, 2 = stopped and zero speed sent; whoever calls a service
  * sets it to 1 before and to 0 to end it.
@@ -26,28 +33,43 @@ public class RobotServices extends Actor {
      * Where the robots are, and what they are to do.
      *
      * @param table the services and colours in play
+     * @param reconnects whether every service makes a connection of its own with its robot and closes it when it ends, instead of one for all
      */
-    public record Settings(String host, int port, SubsumptionTable table, ServiceObserver observer) {
+    public record Settings(
+            String host, int port, SubsumptionTable table, ServiceObserver observer, boolean reconnects) {
+        /** With one connection for all services of a robot. */
+        public Settings(String host, int port, SubsumptionTable table, ServiceObserver observer) {
+            this(host, port, table, observer, false);
+        }
+
         /** The paper's: its table, the default port on this machine. */
         public static Settings ofThePaper() {
             return new Settings("localhost", 6665, SubsumptionTable.ofThePaper(), ServiceObserver.NONE);
         }
 
         public Settings withObserver(ServiceObserver newObserver) {
-            return new Settings(host, port, table, newObserver);
+            return new Settings(host, port, table, newObserver, reconnects);
         }
 
         public Settings withPort(int newPort) {
-            return new Settings(host, newPort, table, observer);
+            return new Settings(host, newPort, table, observer, reconnects);
         }
 
         public Settings withTable(SubsumptionTable newTable) {
-            return new Settings(host, port, newTable, observer);
+            return new Settings(host, port, newTable, observer, reconnects);
+        }
+
+        /** The same with a connection for each service, as the paper has it (section 3.5). */
+        public Settings withReconnection(boolean newReconnects) {
+            return new Settings(host, port, table, observer, newReconnects);
         }
     }
 
+    private static final System.Logger LOG = System.getLogger(RobotServices.class.getName());
+
     private final Settings settings;
     private final Map<Integer, RobotLink> links = new TreeMap<>();
+    private final Set<Integer> reconnecting = new HashSet<>();
     private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
     private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
 
@@ -62,7 +84,7 @@ public class RobotServices extends Actor {
      */
     public Promise<@Nullable Void> wallFollower(int robot, AtomicReference<Integer> reference) {
         var service = settings.table().service(Service.WALL_FOLLOWER.name()).orElse(Service.WALL_FOLLOWER);
-        return begin(robot, service, reference, (link, seconds) -> {});
+        return begin(robot, service, reference, ServiceCycle.Finder.LOOKS_AWAY);
     }
 
     /**
@@ -94,9 +116,9 @@ public class RobotServices extends Actor {
             AtomicReference<Integer> colourFinder,
             ColourRule rule) {
         var seen = new OptionalInt[] {OptionalInt.empty()};
-        return begin(robot, service, reference, (link, secondsInCharge) -> {
+        return begin(robot, service, reference, (devices, secondsInCharge) -> {
                     if (colourFinder.get() == ServiceLoop.RUN) {
-                        seen[0] = rule.pick(link.sightings(), secondsInCharge);
+                        seen[0] = rule.pick(devices.sightings(), secondsInCharge);
                         seen[0].ifPresent(colour -> {
                             settings.observer().colourSent(robot, colour);
                             reference.set(ServiceLoop.STOP);
@@ -105,6 +127,84 @@ public class RobotServices extends Actor {
                 })
                 .whenComplete((stopped, error) -> colourFinder.set(ServiceLoop.STOPPED))
                 .thenApply(stopped -> seen[0]);
+    }
+
+    /**
+     * Lets a robot wander until the reference is cleared, and sends every colour but black that it sees meanwhile, whatever it means.
+     *
+     * @param colours is sent each colour at every reading, as a message of its own, and the end
+     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
+     */
+    public void spaceWanderer(
+            Callback<Integer> colours,
+            int robot,
+            AtomicReference<Integer> reference,
+            AtomicReference<Integer> colourFinder) {
+        report(colours, (colour, secondsInCharge) -> colour, robot, Service.SPACE_WANDERER, reference, colourFinder);
+    }
+
+    /**
+     * Lets any service drive a robot until the reference is cleared, and sends every colour but black that it sees meanwhile, whatever it means.
+     *
+     * @param reports is sent each colour at every reading, as a message of its own, those of higher priority first and of equal ones the largest; and the
+     *     end. When nobody listens to it any more the service ends: a robot is not driven on with nobody to stop it.
+     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
+     */
+    public void serve(
+            Callback<ColourReport> reports,
+            int robot,
+            Service service,
+            AtomicReference<Integer> reference,
+            AtomicReference<Integer> colourFinder) {
+        report(
+                reports,
+                (colour, secondsInCharge) -> new ColourReport(robot, colour, secondsInCharge),
+                robot,
+                service,
+                reference,
+                colourFinder);
+    }
+
+    private <T> void report(
+            Callback<T> reports,
+            BiFunction<Integer, Double, T> message,
+            int robot,
+            Service service,
+            AtomicReference<Integer> reference,
+            AtomicReference<Integer> colourFinder) {
+        ServiceCycle.Finder finder = (devices, secondsInCharge) -> {
+            if (reports.isCancelled()) {
+                LOG.log(Level.WARNING, "robot {0}: {1} stops, as nobody listens to it any more", robot, service);
+                reference.set(ServiceLoop.STOP);
+            } else if (colourFinder.get() == ServiceLoop.RUN) {
+                coloursToSend(devices).forEach(colour -> {
+                    settings.observer().colourSent(robot, colour);
+                    reports.next(message.apply(colour, secondsInCharge));
+                });
+            }
+        };
+        Promise<@Nullable Void> end;
+        try {
+            end = begin(robot, service, reference, finder);
+        } catch (RuntimeException impossible) {
+            end = Promise.failed(impossible);
+        }
+        end.handle((stopped, error) -> {
+            colourFinder.set(ServiceLoop.STOPPED);
+            if (error == null) {
+                reports.finish();
+            } else {
+                reports.fail(error);
+            }
+            return null;
+        });
+    }
+
+    /** Each once, though there may be several patches of it. */
+    private IntStream coloursToSend(RobotDevices devices) {
+        return ColourFinder.inOrder(devices.sightings(), settings.table()::priority)
+                .filter(colour -> colour != Colours.BLACK)
+                .distinct();
     }
 
     /**
@@ -129,7 +229,7 @@ public class RobotServices extends Actor {
     }
 
     private Promise<@Nullable Void> begin(
-            int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Finder finder) {
+            int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
         ServiceLoop before = inCharge.get(robot);
         if (before == null) {
             return start(robot, service, reference, finder);
@@ -145,7 +245,7 @@ public class RobotServices extends Actor {
     }
 
     private Promise<@Nullable Void> start(
-            int robot, Service service, AtomicReference<Integer> reference, ServiceLoop.Finder finder) {
+            int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
         ServiceLoop other = byReference.get(reference);
         if (other != null) {
             throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
@@ -153,12 +253,31 @@ public class RobotServices extends Actor {
         }
         RobotLink link =
                 links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
-        var loop = new ServiceLoop(space(), robot, service, link, reference, finder, settings.observer());
+        var loop = new ServiceLoop(
+                space(),
+                robot,
+                service,
+                link,
+                reference,
+                finder,
+                settings.observer(),
+                reconnecting.remove(robot));
         inCharge.put(robot, loop);
         byReference.put(reference, loop);
         return loop.ended().whenComplete((stopped, error) -> {
             inCharge.remove(robot, loop);
             byReference.remove(reference, loop);
+            if (settings.reconnects()) {
+                disconnect(robot);
+            }
         });
+    }
+
+    private void disconnect(int robot) {
+        RobotLink link = links.remove(robot);
+        if (link != null) { // null if this actor has been stopped
+            link.close();
+            reconnecting.add(robot);
+        }
     }
 }

@@ -2,8 +2,6 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.behaviour.Behaviour;
-import io.troupe.services.behaviour.Velocity;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
@@ -19,43 +17,41 @@ final class ServiceLoop {
     static final int STOP = 0;
     static final int RUN = 1;
     static final int STOPPED = 2;
-    /** A cycle takes 100 ms; data that come more often are passed over. Half a millisecond forgives rounding. */
-    private static final double CYCLE_SECONDS = 0.1 - 0.0005;
-
-    /** What a robot's colour finder does with what it sees in a cycle. */
-    interface Finder {
-        /** Looks; it may clear the service's reference, and the behaviour has no say any more. */
-        void look(RobotLink link, double secondsInCharge);
-    }
-
     private final int robot;
     private final Service service;
     private final RobotLink link;
     private final AtomicReference<Integer> reference;
-    private final Behaviour behaviour;
-    private final Finder finder;
+    private final ServiceCycle cycle;
+    private final ServiceCycle.Finder finder;
     private final ServiceObserver observer;
     private final Promise<@Nullable Void> ended;
-    private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
-    private double beganSeconds = Double.NaN;
+    private boolean inCharge;
     private boolean firstRound = true;
 
+    /**
+     * Begins.
+     *
+     * @param atFirstReading whether the service is in charge from its first reading on, instead of at once
+     */
     ServiceLoop(
             ActorSpace space,
             int robot,
             Service service,
             RobotLink link,
             AtomicReference<Integer> reference,
-            Finder finder,
-            ServiceObserver observer) {
+            ServiceCycle.Finder finder,
+            ServiceObserver observer,
+            boolean atFirstReading) {
         this.robot = robot;
         this.service = service;
         this.link = link;
         this.reference = reference;
-        this.behaviour = service.behaviour().get();
+        this.cycle = new ServiceCycle(robot, service, link.devices(), observer);
         this.finder = finder;
         this.observer = observer;
-        observer.began(robot, service);
+        if (!atFirstReading) {
+            takeCharge();
+        }
         this.ended = space.repeatWhile(this::isToRun, this::round).whenComplete((done, error) -> halt(error));
     }
 
@@ -77,46 +73,37 @@ final class ServiceLoop {
         link.wake();
     }
 
+    private void takeCharge() {
+        inCharge = true;
+        observer.began(robot, service);
+    }
+
+    /**
+     * Does a cycle, at once when it takes over. The service before has seen that reading too: it does not look for colours then, because two robots that
+     * each see the other's colour would else switch for ever, and never move.
+     */
     private Promise<?> round() {
-        boolean takesOver = firstRound && link.hasData();
+        boolean takesOver = firstRound && link.devices().hasData();
         firstRound = false;
         if (takesOver) {
-            cycle(true);
+            cycle.run(ServiceCycle.Finder.LOOKS_AWAY, this::isToRun);
             return Promise.done();
         }
         return link.nextData().thenAccept(this::react);
     }
 
     private void react(boolean dataAreReady) {
-        if (dataAreReady && isToRun() && link.timeSeconds() - lastCycleSeconds >= CYCLE_SECONDS) {
-            cycle(false);
+        if (dataAreReady && isToRun() && cycle.isDue()) {
+            if (!inCharge) {
+                takeCharge();
+            }
+            cycle.run(finder, this::isToRun);
         }
-    }
-
-    /**
-     * One cycle.
-     *
-     * @param takesOver true if the service before has seen this reading too: it does not look for colours then, because two robots that each see the
-     *     other's colour would else switch for ever, and never move
-     */
-    private void cycle(boolean takesOver) {
-        observer.cycleBegins(robot, service);
-        lastCycleSeconds = link.timeSeconds();
-        if (Double.isNaN(beganSeconds)) {
-            beganSeconds = lastCycleSeconds;
-        }
-        if (!takesOver) {
-            finder.look(link, lastCycleSeconds - beganSeconds);
-        }
-        if (isToRun()) {
-            link.drive(behaviour.step(link.senses()).orElse(Velocity.STOP));
-        }
-        observer.cycled(robot, service);
     }
 
     private void halt(@Nullable Throwable error) {
         try {
-            link.drive(Velocity.STOP);
+            cycle.halt();
         } catch (RuntimeException unreachable) {
             if (error == null) {
                 throw unreachable;
@@ -124,7 +111,9 @@ final class ServiceLoop {
             error.addSuppressed(unreachable);
         } finally {
             reference.set(STOPPED);
-            observer.ended(robot, service);
+            if (inCharge) {
+                observer.ended(robot, service);
+            }
         }
     }
 }

@@ -1,10 +1,8 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.time.Clock;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,6 +17,8 @@ public final class SubsumptionRun implements AutoCloseable {
      *
      * @param host where the robots are, with {@code port}: a world in this JVM or a Player server
      * @param clock the robots' time
+     * @param reconnects whether each service makes a connection of its own with its robot (section 3.5); not in synchronous mode, which connects once
+     * @param round what the synchronous mode does at a reading; of no effect in the others
      */
     public record Settings(
             Mode mode,
@@ -27,15 +27,43 @@ public final class SubsumptionRun implements AutoCloseable {
             SubsumptionTable table,
             Clock clock,
             ServiceObserver observer,
-            Arbitrator.StateListener listener) {}
+            Arbitrator.StateListener listener,
+            boolean reconnects,
+            SynchronousRound round) {
+        public Settings {
+            if (mode == Mode.SYNC && reconnects) {
+                throw new IllegalArgumentException("the mode is " + mode
+                        + " and reconnects, expected callback or promise: the synchronous model connects once");
+            }
+        }
 
-    private final ActorSpace space;
-    private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
+        /** As the paper has it, but without reconnection. */
+        public Settings(
+                Mode mode,
+                String host,
+                int port,
+                SubsumptionTable table,
+                Clock clock,
+                ServiceObserver observer,
+                Arbitrator.StateListener listener) {
+            this(mode, host, port, table, clock, observer, listener, false, SynchronousRound.ONE_SERVICE_A_READING);
+        }
 
-    private SubsumptionRun(Clock clock) {
-        space = ActorSpace.create(SpaceSettings.named("robots")
-                .withClock(clock)
-                .withOnError((where, error) -> failure.compareAndSet(null, error)));
+        public Settings withReconnection(boolean newReconnects) {
+            return new Settings(mode, host, port, table, clock, observer, listener, newReconnects, round);
+        }
+
+        public Settings withRound(SynchronousRound newRound) {
+            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, newRound);
+        }
+    }
+
+    private final AtomicReference<@Nullable Throwable> failure;
+    private final Runnable closing;
+
+    private SubsumptionRun(AtomicReference<@Nullable Throwable> failure, Runnable closing) {
+        this.failure = failure;
+        this.closing = closing;
     }
 
     /**
@@ -45,34 +73,19 @@ public final class SubsumptionRun implements AutoCloseable {
      * @throws RuntimeException what makes it impossible, for example a {@link io.troupe.player.PlayerException}
      */
     public static SubsumptionRun start(Settings settings) throws InterruptedException {
-        if (settings.mode() != Mode.PROMISE) {
-            throw new IllegalArgumentException("the mode is " + settings.mode() + ", expected " + Mode.PROMISE);
-        }
-        var run = new SubsumptionRun(settings.clock());
+        var failure = new AtomicReference<@Nullable Throwable>();
+        Consumer<Throwable> failed = error -> failure.compareAndSet(null, error);
+        Runnable closing = settings.mode() == Mode.SYNC
+                ? SynchronousLoop.start(settings, failed)::close
+                : ActorTeam.start(settings, failed)::close;
+        var run = new SubsumptionRun(failure, closing);
         try {
-            run.begin(settings);
             run.check();
             return run;
         } catch (RuntimeException impossible) {
             run.close();
             throw impossible;
         }
-    }
-
-    private void begin(Settings settings) throws InterruptedException {
-        var serviceSettings =
-                new RobotServices.Settings(settings.host(), settings.port(), settings.table(), settings.observer());
-        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
-        Arbitrator arbitrator =
-                space.spawn(Arbitrator.class, () -> new Arbitrator(services, settings.table(), settings.listener()));
-        arbitrator.ended().exceptionally(error -> {
-            failure.compareAndSet(null, error);
-            return null;
-        });
-        arbitrator.live();
-        var begun = new CountDownLatch(1);
-        space.onIdle(begun::countDown);
-        begun.await();
     }
 
     /** Throws what has ended the run, if anything has; any thread may ask. */
@@ -89,6 +102,6 @@ public final class SubsumptionRun implements AutoCloseable {
     /** Stops driving and disconnects. */
     @Override
     public void close() {
-        space.close();
+        closing.run();
     }
 }

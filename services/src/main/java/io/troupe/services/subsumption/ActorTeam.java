@@ -1,0 +1,65 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** The two asynchronous modes: services and arbitrator as actors on a space of their own. */
+final class ActorTeam implements AutoCloseable {
+    private final ActorSpace space;
+
+    private ActorTeam(ActorSpace space) {
+        this.space = space;
+    }
+
+    /** Returns when the services of the first state are in charge, or have failed to be. */
+    static ActorTeam start(SubsumptionRun.Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+        var space = ActorSpace.create(SpaceSettings.named("robots")
+                .withClock(settings.clock())
+                .withOnError((where, error) -> failed.accept(error)));
+        var team = new ActorTeam(space);
+        try {
+            team.begin(settings, failed);
+            return team;
+        } catch (RuntimeException | InterruptedException impossible) {
+            team.close();
+            throw impossible;
+        }
+    }
+
+    private void begin(SubsumptionRun.Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+        var ofServices = new RobotServices.Settings(
+                settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
+        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(ofServices));
+        live(settings, services).exceptionally(error -> {
+            failed.accept(error);
+            return null;
+        });
+        var begun = new CountDownLatch(1);
+        space.onIdle(begun::countDown);
+        begun.await();
+    }
+
+    /** Rejected when a service fails. */
+    private Promise<@Nullable Void> live(SubsumptionRun.Settings settings, RobotServices services) {
+        if (settings.mode() == Mode.CALLBACK) {
+            CallbackArbitrator arbitrator = space.spawn(
+                    CallbackArbitrator.class,
+                    () -> new CallbackArbitrator(services, settings.table(), settings.listener()));
+            arbitrator.live();
+            return arbitrator.ended();
+        }
+        Arbitrator arbitrator =
+                space.spawn(Arbitrator.class, () -> new Arbitrator(services, settings.table(), settings.listener()));
+        arbitrator.live();
+        return arbitrator.ended();
+    }
+
+    @Override
+    public void close() {
+        space.close();
+    }
+}

@@ -1,0 +1,75 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Decides which service drives which robot, by the colours that the robots see: the paper's main code in callback mode.
+ *
+ * <p><b>Role.</b> Spawn it, and send {@link #live} once; it calls itself from then on.
+ * <p><b>Order.</b> A colour finder sends whatever its robot sees, at every reading, and its service drives on. The first colour to arrive that leads to another state ends
+ * the present one: all services are told to stop, and when they have stopped, which is a promise here and a busy loop in the paper, those of the next
+ * state begin. That happens between two readings, as in promise mode; what arrives meanwhile from services of the state before is counted and ignored.
+ * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is stopped, the services that report to it stop as well.
+ * <p><b>Source.</b> Paper, section 3.5, Figure 17.
+ */
+public class CallbackArbitrator extends Actor {
+    private final RobotServices services;
+    private final SubsumptionTable table;
+    private final Arbitrator.StateListener listener;
+    private final PresentState present;
+
+    public CallbackArbitrator(RobotServices services, SubsumptionTable table, Arbitrator.StateListener listener) {
+        this.services = services;
+        this.table = table;
+        this.listener = listener;
+        this.present = new PresentState(services, table.first(), listener);
+    }
+
+    /** Puts the services of the present state in charge. */
+    public void live() {
+        present.begins();
+        for (int robot = 0; robot < present.state().services().size(); robot++) {
+            begin(robot);
+        }
+    }
+
+    /** Rejected when a service fails; never fulfilled. */
+    public Promise<@Nullable Void> ended() {
+        return present.failed();
+    }
+
+    private void begin(int robot) {
+        int changesBefore = present.changes();
+        Service service = present.service(robot);
+        var reports = new Callback.Stream<ColourReport>(
+                report -> received(report, changesBefore), error -> serviceEnded(robot, service, changesBefore, error));
+        services.serve(
+                reports, robot, service, present.newReference(robot), PresentState.newColourFinder(service));
+    }
+
+    private void received(ColourReport report, int changesBefore) {
+        listener.colourReceived(report.robot(), report.colour());
+        if (present.changes() == changesBefore) {
+            table.next(present.state(), report.colour(), report.secondsInCharge())
+                    .ifPresent(next -> change(next, report.robot()));
+        } else {
+            listener.colourTooLate(report.robot(), report.colour());
+        }
+    }
+
+    private void change(State next, int robot) {
+        present.change(next, robot).thenRun(() -> ((CallbackArbitrator) self()).live());
+    }
+
+    private void serviceEnded(int robot, Service service, int changesBefore, @Nullable Throwable error) {
+        if (error != null) {
+            present.fail(error);
+        } else if (present.changes() == changesBefore) {
+            present.fail(new IllegalStateException("robot " + robot + ": " + service
+                    + " has ended in state " + present.state().number() + " though nothing told it to"));
+        }
+    }
+}

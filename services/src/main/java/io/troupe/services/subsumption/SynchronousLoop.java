@@ -1,0 +1,190 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.player.PlayerClient;
+import io.troupe.player.PlayerException;
+import io.troupe.player.structures.PlayerConstants;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The synchronous mode: one connection for all robots, and their services' cycles one after the other.
+ *
+ * <p><b>Threads.</b> One of its own does everything, so there is nothing to be atomic and no message to be sent. <b>Order.</b> A colour that is seen changes the state
+ * at once, after that robot's cycle; nobody is told to stop, and no zero speed is sent in between.
+ * <p><b>Errors.</b> What goes wrong stops all robots and is told to the one who started it.
+ * <p><b>Source.</b> Paper, section 3.4, Figure 14.
+ */
+final class SynchronousLoop implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(SynchronousLoop.class.getName());
+
+    private final SubsumptionRun.Settings settings;
+    private final Consumer<Throwable> failed;
+    private final CountDownLatch begun = new CountDownLatch(1);
+    private final Thread thread = new Thread(this::run, "robots");
+    private volatile boolean closing;
+
+    // what only the thread touches
+    private final List<RobotDevices> robots = new ArrayList<>();
+    private final List<ServiceCycle> cycles = new ArrayList<>();
+    private State state;
+    private OptionalInt seen = OptionalInt.empty();
+    private int turn;
+    private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
+
+    private SynchronousLoop(SubsumptionRun.Settings settings, Consumer<Throwable> failed) {
+        this.settings = settings;
+        this.failed = failed;
+        this.state = settings.table().first();
+    }
+
+    /** Returns when the services of the first state are in charge, or have failed to be. */
+    static SynchronousLoop start(SubsumptionRun.Settings settings, Consumer<Throwable> failed)
+            throws InterruptedException {
+        var loop = new SynchronousLoop(settings, failed);
+        loop.thread.start();
+        try {
+            loop.begun.await();
+            return loop;
+        } catch (InterruptedException e) {
+            loop.close();
+            throw e;
+        }
+    }
+
+    /** Stops the robots and disconnects. */
+    @Override
+    public void close() {
+        closing = true;
+        thread.interrupt();
+        boolean interrupted = false;
+        while (thread != Thread.currentThread() && thread.isAlive()) {
+            try {
+                thread.join();
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void run() {
+        try {
+            drive();
+        } catch (PlayerException interrupted) {
+            if (closing) {
+                LOG.log(Level.DEBUG, "closed", interrupted);
+            } else {
+                failed.accept(interrupted);
+            }
+        } catch (RuntimeException | Error error) {
+            failed.accept(error);
+        } finally {
+            begun.countDown();
+        }
+    }
+
+    private void drive() {
+        var client = new PlayerClient(settings.host(), settings.port());
+        Throwable failure = null;
+        try {
+            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // all robots' readings at a time
+            for (int robot = 0; robot < settings.table().robots(); robot++) {
+                robots.add(new RobotDevices(client, robot));
+            }
+            putInCharge(null);
+            begun.countDown();
+            while (!closing) {
+                client.readAll();
+                react();
+            }
+        } catch (RuntimeException | Error error) {
+            failure = error;
+            throw error;
+        } finally {
+            halt(failure);
+            client.close();
+        }
+    }
+
+    private void react() {
+        if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
+            reactWithAll();
+        } else if (robots.get(turn).timeSeconds() - lastCycleSeconds >= ServiceCycle.SECONDS) {
+            lastCycleSeconds = robots.get(turn).timeSeconds();
+            int robot = turn;
+            turn = (turn + 1) % robots.size();
+            cycle(robot).ifPresent(next -> change(next, robot));
+        }
+    }
+
+    private void reactWithAll() {
+        for (int robot = 0; robot < robots.size(); robot++) {
+            if (cycles.get(robot).isDue()) {
+                var next = cycle(robot);
+                if (next.isPresent()) {
+                    change(next.get(), robot);
+                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.LOOKS_AWAY, () -> true));
+                    return;
+                }
+            }
+        }
+    }
+
+    /** The state that follows from what the robot sees, if one does. */
+    private Optional<State> cycle(int robot) {
+        var service = cycles.get(robot).service();
+        var rule = service.findsColours() ? settings.table().ruleIn(state) : ColourRule.NONE;
+        cycles.get(robot)
+                .run((devices, secondsInCharge) -> seen = rule.pick(devices.sightings(), secondsInCharge), () -> true);
+        return seen.isEmpty() ? Optional.empty() : settings.table().next(state, seen.getAsInt());
+    }
+
+    private void change(State next, int seenBy) {
+        dismiss();
+        state = next;
+        turn = 0;
+        putInCharge(seenBy);
+    }
+
+    private void putInCharge(@Nullable Integer seenBy) {
+        settings.listener().began(state, seenBy);
+        for (int robot = 0; robot < robots.size(); robot++) {
+            Service service = state.services().get(robot);
+            var cycle = new ServiceCycle(robot, service, robots.get(robot), settings.observer());
+            if (robots.get(robot).hasData()) {
+                cycle.takeCharge();
+            }
+            cycles.add(cycle);
+            settings.observer().began(robot, service);
+        }
+    }
+
+    private void dismiss() {
+        for (int robot = 0; robot < cycles.size(); robot++) {
+            settings.observer().ended(robot, cycles.get(robot).service());
+        }
+        cycles.clear();
+    }
+
+    private void halt(@Nullable Throwable failure) {
+        Thread.interrupted(); // close() has done with it what it was for
+        try {
+            cycles.forEach(ServiceCycle::halt);
+        } catch (RuntimeException unreachable) {
+            if (failure == null) {
+                throw unreachable;
+            }
+            failure.addSuppressed(unreachable);
+        } finally {
+            dismiss();
+        }
+    }
+}
