@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -92,7 +93,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         Path csv = out.resolve("evaluation.csv");
         EvaluationCsv.write(measurements, csv);
         PrintWriter terminal = spec.commandLine().getOut();
-        terminal.println("took " + tookSeconds);
+        terminal.print(new EvaluationReport(settings, measurements).text());
+        terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
         terminal.flush();
         return 0;
     }

@@ -20,9 +20,9 @@ final class LoopMeter implements Meter {
     /** A service's share of the measurement. */
     private static final class Track {
         private final Durations intervals = new Durations();
+        private final Durations cycles = new Durations();
         private final String service;
         private int loops;
-        private long computingNanos;
         private long beganComputing;
         private long beganCycle;
         private long timeNanos;
@@ -40,6 +40,7 @@ final class LoopMeter implements Meter {
     private final boolean inTurn;
     private final RobotTime time;
     private final AtomicInteger unfinished;
+    private final Turns turns = new Turns();
     private long beganNanos;
     private long lastEndNanos;
     private long processorBegan = -1;
@@ -87,6 +88,9 @@ final class LoopMeter implements Meter {
         }
         track.beganCycle = now;
         track.beganComputing = System.nanoTime();
+        if (!isDone()) {
+            turns.begin(now, track.beganComputing);
+        }
     }
 
     @Override
@@ -94,8 +98,9 @@ final class LoopMeter implements Meter {
         long computed = System.nanoTime();
         Track track = tracks.get(robot);
         long end = time.endOfCycleNanos();
+        turns.goesOn(computed);
         if (track.loops < loops) {
-            track.computingNanos += computed - track.beganComputing;
+            track.cycles.add(computed - track.beganComputing);
             // one after the other, a service's loop begins where the other's ended; at the same time, where its own did
             track.timeNanos += end - (inTurn ? lastEndNanos : track.endedCycle);
             track.endedCycle = end;
@@ -121,6 +126,9 @@ final class LoopMeter implements Meter {
     @Override
     public void colourReceived(int robot, int colour) {
         messages.received(robot);
+        if (!isDone()) {
+            turns.goesOn(System.nanoTime());
+        }
     }
 
     @Override
@@ -128,17 +136,28 @@ final class LoopMeter implements Meter {
         var result = new Result.Builder();
         for (Track track : tracks) {
             result.add(track.service, Quantity.TIME, track.timeNanos / NANOS_PER_MILLI)
-                    .add(track.service, Quantity.CYCLE, track.computingNanos / NANOS_PER_MICRO / loops)
+                    .add(track.service, Quantity.CYCLE, track.cycles.trimmedMean(NANOS_PER_MICRO))
+                    .add(track.service, Quantity.CYCLE_P99, track.cycles.quantile(0.99, NANOS_PER_MICRO))
                     .add(track.service, Quantity.INTERVAL, track.intervals.quantile(0.5, NANOS_PER_MILLI))
                     .add(track.service, Quantity.INTERVAL_P99, track.intervals.quantile(0.99, NANOS_PER_MILLI));
         }
+        if (tracks.size() == 1) {
+            return result.add(tracks.getFirst().service, Quantity.PROCESSOR, processorPerLoopMicros())
+                    .build();
+        }
+        Durations each = turns.durations();
         long lastNanos = Stream.concat(Stream.of(lastEndNanos), tracks.stream().map(track -> track.endedCycle))
                 .mapToLong(Long::longValue)
                 .max()
                 .orElseThrow();
         result.add(Measurement.BOTH, Quantity.TIME, (lastNanos - beganNanos) / NANOS_PER_MILLI)
-                .add(Measurement.BOTH, Quantity.PROCESSOR, processorNanos / NANOS_PER_MICRO / loops);
+                .add(Measurement.BOTH, Quantity.TURN, each.trimmedMean(NANOS_PER_MICRO) * each.count() / loops)
+                .add(Measurement.BOTH, Quantity.PROCESSOR, processorPerLoopMicros());
         messages.addTo(result);
         return result.build();
+    }
+
+    private double processorPerLoopMicros() {
+        return processorNanos / NANOS_PER_MICRO / loops;
     }
 }

@@ -89,7 +89,8 @@ final class MeasuredRun {
     }
 
     private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
-        return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter);
+        return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter)
+                .withReconnection(job.part() == Part.RECONNECTS);
     }
 
     private static Meter meter(Job job, RobotTime time) {

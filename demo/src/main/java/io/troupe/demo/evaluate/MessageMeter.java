@@ -23,9 +23,9 @@ final class MessageMeter {
 
     void received(int robot) {
         long now = System.nanoTime();
-        received++;
         Long then = onTheirWay.computeIfAbsent(robot, index -> new ArrayDeque<>()).poll();
-        if (then != null) {
+        if (then != null) { // else it was sent when nobody counted any more
+            received++;
             delays.add(now - then);
         }
     }

@@ -10,9 +10,13 @@ enum Quantity {
     INTERVAL("ms"),
     /** The same: what 99 of 100 do not exceed. */
     INTERVAL_P99("ms"),
-    /** The control law with what it reads and commands, for one loop on average, by the machine's clock. */
+    /** One loop's computing, by the machine's clock: look for colours, send them, read, control law, command. The mean without the longest hundredth. */
     CYCLE("us"),
-    /** Processor time of the thread that runs the services, for one loop of each, with all messages. */
+    /** The same: what 99 of 100 do not exceed. */
+    CYCLE_P99("us"),
+    /** The computing of one loop of each service and the way of their colours to the main code, by the machine's clock. The mean without the longest hundredth. */
+    TURN("us"),
+    /** Processor time of the thread that runs the services, for one loop of each, with all messages, and with waking up for each reading. */
     PROCESSOR("us"),
     STATE_CHANGES("1"),
     /** Colours that left a service for the main code. */
