@@ -29,6 +29,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     private final Consumer<String> changes;
     private final List<RobotRecord> robots;
     private final List<StateChange> states = new ArrayList<>();
+    private final Messages messages = new Messages();
     private int statesLogged;
     private Snapshot last;
 
@@ -59,6 +60,21 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     }
 
     @Override
+    public void colourSent(int robot, int colour) {
+        messages.sent++;
+    }
+
+    @Override
+    public void colourReceived(int robot, int colour) {
+        messages.received++;
+    }
+
+    @Override
+    public void colourTooLate(int robot, int colour) {
+        messages.tooLate++;
+    }
+
+    @Override
     public void began(State state, @Nullable Integer seenBy) {
         states.add(new StateChange(last == null ? 0 : last.timeMicros(), state, seenBy));
     }
@@ -76,6 +92,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     void record(Snapshot snapshot) throws IOException {
         logStates();
         logCharge();
+        robots.forEach(RobotRecord::tickEnds);
         for (Contact contact : snapshot.contacts()) {
             logContact(contact);
         }
@@ -84,7 +101,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     }
 
     RunResult finish() throws IOException {
-        var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots);
+        var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots, messages);
         log.write(result.toJson());
         return result;
     }
@@ -142,6 +159,28 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
                     .put("heading", reading.pose().headingRad())
                     .put("gap", reading.wallGapM())
                     .put("service", robot.serviceName()));
+        }
+    }
+
+    /** How many messages carried a colour. */
+    static final class Messages {
+        private long sent;
+        private long received;
+        private long tooLate;
+
+        /** By colour finders. */
+        long sent() {
+            return sent;
+        }
+
+        /** By the arbitrator. */
+        long received() {
+            return received;
+        }
+
+        /** Those of the received ones whose state had ended. */
+        long tooLate() {
+            return tooLate;
         }
     }
 

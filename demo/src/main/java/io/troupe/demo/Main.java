@@ -49,6 +49,7 @@ public final class Main {
         return new CommandLine(new Main())
                 .setOut(out)
                 .setErr(err)
+                .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
                     if (thrown instanceof WorldFileException || thrown instanceof PnmlException) {

@@ -21,8 +21,8 @@ import java.util.function.Consumer;
 /**
  * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
  *
- * <p><b>Threads.</b> The calling thread moves the world, one actor space drives the robots; at any moment one of them waits for the other.
- * <p><b>Source.</b> Paper, section 3.6.
+ * <p><b>Threads.</b> The calling thread moves the world, another one drives the robots; at any moment one of them waits for the other.
+ * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
 final class PaperRun {
     private static final double JITTER_M = 0.02;
@@ -36,13 +36,24 @@ final class PaperRun {
     private final long endMicros;
     private final boolean realtime;
     private final SubsumptionTable table;
+    private final Manner manner;
+
+    /** In which of the three modes, and whether every service makes a connection of its own. */
+    record Manner(Mode mode, boolean reconnects) {
+        static final Manner DEFAULT = new Manner(Mode.PROMISE, false);
+    }
 
     PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
+        this(scenario, seed, seconds, corners, realtime, Manner.DEFAULT);
+    }
+
+    PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime, Manner manner) {
         this.table = SubsumptionTable.ofThePaper(corners);
         this.scenario = scenario;
         this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
         this.endMicros = StrictMath.round(seconds * 1e6);
         this.realtime = realtime;
+        this.manner = manner;
         this.port = check(scenario, table.robots());
     }
 
@@ -101,7 +112,8 @@ final class PaperRun {
         try (var simulation = Simulation.open(scenario, settings)) {
             var ledger = new Ledger(scenario.world(), table, log, changes);
             var services = new SubsumptionRun.Settings(
-                    Mode.PROMISE, "localhost", port, table, simulation.clock(), ledger, ledger);
+                            manner.mode(), "localhost", port, table, simulation.clock(), ledger, ledger)
+                    .withReconnection(manner.reconnects());
             try (var running = SubsumptionRun.start(services)) {
                 ledger.start(simulation.latest());
                 long origin = System.nanoTime();

@@ -27,6 +27,8 @@ final class RobotRecord {
     private int followingContacts;
     private int robotContacts;
     private int chargeFaults;
+    private boolean cycledThisTick;
+    private int ticksWithoutCycle;
 
     RobotRecord(int index) {
         this.index = index;
@@ -45,6 +47,7 @@ final class RobotRecord {
 
     void cycled(Service service) {
         loops.merge(service.name(), 1L, Long::sum);
+        cycledThisTick = true;
     }
 
     void ended(Service service) {
@@ -71,6 +74,13 @@ final class RobotRecord {
                 followingContacts++;
             }
         }
+    }
+
+    void tickEnds() {
+        if (!cycledThisTick) {
+            ticksWithoutCycle++;
+        }
+        cycledThisTick = false;
     }
 
     void countChargeFault() {
@@ -123,5 +133,10 @@ final class RobotRecord {
     /** Ticks at which it had no service, or more than one. */
     int chargeFaults() {
         return chargeFaults;
+    }
+
+    /** Ticks at which no service told it anything: it stood, or rolled on as it was told before. */
+    int ticksWithoutCycle() {
+        return ticksWithoutCycle;
     }
 }

@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
@@ -55,6 +56,18 @@ final class RunCommand implements Callable<Integer> {
                     "how the wall follower turns at a wall ahead: FORWARD as the paper says, BACKWARD as its model program does")
     private CornerStyle corners = CornerStyle.FORWARD;
 
+    @Option(
+            names = "--mode",
+            paramLabel = "MODE",
+            description =
+                    "how the services run: sync (one after the other), callback (every colour is sent), promise (one colour is sent)")
+    private Mode mode = Mode.PROMISE;
+
+    @Option(
+            names = "--reconnect",
+            description = "connect with the robots anew at every switch, as the paper does; not with --mode sync")
+    private boolean reconnect;
+
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
@@ -66,6 +79,11 @@ final class RunCommand implements Callable<Integer> {
         if (!(seconds > 0) || seconds > 1e6) {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
+        }
+        if (mode == Mode.SYNC && reconnect) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--reconnect goes with --mode callback or promise: the synchronous mode connects once");
         }
         Scenario scenario = ScenarioReader.read(world);
         makeOutputDirectory();
@@ -85,7 +103,7 @@ final class RunCommand implements Callable<Integer> {
     private void run(Scenario scenario, AtomicBoolean interrupted) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         var progress = ProgressBar.onTerminal(seconds);
-        var run = new PaperRun(scenario, seed, seconds, corners, realtime);
+        var run = new PaperRun(scenario, seed, seconds, corners, realtime, new PaperRun.Manner(mode, reconnect));
         long begin = System.nanoTime();
         RunResult result;
         try (var log = new RunLog(out.resolve("run.jsonl"))) {
@@ -97,7 +115,7 @@ final class RunCommand implements Callable<Integer> {
         double wallSeconds = (System.nanoTime() - begin) / 1e9;
         Path picture = out.resolve("trajectory.svg");
         Files.writeString(picture, new TrajectorySvg(scenario.world(), result).draw());
-        terminal.print(result.summary(scenario.world().name(), seed, wallSeconds));
+        terminal.print(result.summary(scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""), seed, wallSeconds));
         terminal.println("wrote " + picture + " and " + out.resolve("run.jsonl"));
         terminal.flush();
     }

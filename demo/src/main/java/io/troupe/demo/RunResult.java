@@ -14,7 +14,12 @@ import java.util.stream.Collectors;
  * @param states those that began, in order
  * @param robots by index
  */
-record RunResult(long endMicros, SubsumptionTable table, List<Ledger.StateChange> states, List<RobotRecord> robots) {
+record RunResult(
+        long endMicros,
+        SubsumptionTable table,
+        List<Ledger.StateChange> states,
+        List<RobotRecord> robots,
+        Ledger.Messages messages) {
     /** How often a state began. */
     long visits(State state) {
         return states.stream().filter(change -> change.state().equals(state)).count();
@@ -81,6 +86,8 @@ record RunResult(long endMicros, SubsumptionTable table, List<Ledger.StateChange
                     columns(robot -> "" + robot.loops().getOrDefault(service, 0L)));
         }
         line(text, "%-34s%s", "ticks without exactly one service", columns(robot -> "" + robot.chargeFaults()));
+        line(text, "%-34s%s", "ticks without a cycle", columns(robot -> "" + robot.ticksWithoutCycle()));
+        line(text, "%s", messageSummary());
         for (State state : table.states()) {
             line(
                     text,
@@ -91,6 +98,19 @@ record RunResult(long endMicros, SubsumptionTable table, List<Ledger.StateChange
                     secondsIn(state));
         }
         return text.toString();
+    }
+
+    private String messageSummary() {
+        int changes = states.size() - 1;
+        String each = changes == 0 ? "" : String.format(Locale.ROOT, ", %.1f a state change", (double) messages.sent() / changes);
+        return String.format(
+                Locale.ROOT,
+                "colours sent by colour finders: %d in %d state changes%s; %d received, %d of them too late",
+                messages.sent(),
+                changes,
+                each,
+                messages.received(),
+                messages.tooLate());
     }
 
     private double secondsIn(State state) {

@@ -5,9 +5,11 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.ColourFinder;
 import java.lang.System.Logger.Level;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -70,6 +72,7 @@ public class RobotServices extends Actor {
     private final Settings settings;
     private final Map<Integer, RobotLink> links = new TreeMap<>();
     private final Set<Integer> reconnecting = new HashSet<>();
+    private final List<RobotLink> leaving = new ArrayList<>();
     private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
     private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
 
@@ -226,6 +229,7 @@ public class RobotServices extends Actor {
     protected void stopped() {
         links.values().forEach(RobotLink::close);
         links.clear();
+        closeLeaving();
     }
 
     private Promise<@Nullable Void> begin(
@@ -273,11 +277,18 @@ public class RobotServices extends Actor {
         });
     }
 
+    /** The old connection is closed when nothing is left to do: in lock step a client that leaves is not waited for, and the new one is not there yet. */
     private void disconnect(int robot) {
         RobotLink link = links.remove(robot);
         if (link != null) { // null if this actor has been stopped
-            link.close();
             reconnecting.add(robot);
+            leaving.add(link);
+            space().onIdle(this::closeLeaving);
         }
+    }
+
+    private void closeLeaving() {
+        leaving.forEach(RobotLink::close);
+        leaving.clear();
     }
 }
