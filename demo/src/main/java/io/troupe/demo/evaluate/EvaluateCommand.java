@@ -10,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
@@ -29,7 +30,10 @@ public final class EvaluateCommand implements Callable<Integer> {
     private static final int MOST_LOOPS = 1_000_000;
     private static final int MOST_CORES = 64;
     private static final int MOST_REPETITIONS = 1000;
-    private static final int REPETITIONS = 9;
+    private static final int REPETITIONS = 15;
+    private static final int SECONDS = 300;
+    private static final int REAL_SECONDS = 60;
+    private static final int MOST_WARM_UPS = 100;
 
     @Spec
     private CommandSpec spec;
@@ -56,10 +60,17 @@ public final class EvaluateCommand implements Callable<Integer> {
     private @Nullable Integer repetitions;
 
     @Option(
+            names = "--warm-up",
+            paramLabel = "N",
+            description = "how often everything is done before it is measured, so that Java has compiled it")
+    private int warmUps = 3;
+
+    @Option(
             names = "--seconds",
             paramLabel = "N",
-            description = "simulated time with changes of state, to count messages; in real time as long as the loops take")
-    private double seconds = 300;
+            description = "how long robots change states, to count messages; " + SECONDS + " s unless given, " + REAL_SECONDS + " in real time",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Double seconds;
 
     @Option(names = "--reconnect", description = "measure as well what a change of state costs when services connect anew, as the paper's do")
     private boolean reconnect;
@@ -67,7 +78,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     @Option(
             names = "--realtime",
             description =
-                    "by the clock on the wall, over TCP; 1000 loops then take a quarter of an hour for each number of cores, so think of --loops 100")
+                    "by the clock on the wall, over TCP; with --loops 100 and one of --cores that takes 4 minutes, with 1000 loops 13")
     private boolean realTime;
 
     @Option(
@@ -82,8 +93,10 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        System.setProperty("java.awt.headless", "true"); // pictures need no screen
         var settings = settings();
         makeOutputDirectory();
+        Files.deleteIfExists(settings.log());
         long begin = System.nanoTime();
         Measurements measurements;
         try (var progress = new EvaluationProgress(TerminalLine.open())) {
@@ -94,7 +107,16 @@ public final class EvaluateCommand implements Callable<Integer> {
         EvaluationCsv.write(measurements, csv);
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new EvaluationReport(settings, measurements).text());
+        if (Files.size(settings.log()) == 0) {
+            Files.delete(settings.log());
+        } else {
+            terminal.println("\nwhat was logged meanwhile is in " + settings.log());
+        }
         terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
+        terminal.flush();
+        var names = new Figures(settings, measurements).write(out);
+        terminal.println("and, as .svg and .png: "
+                + names.stream().map(name -> out.resolve(name).toString()).collect(Collectors.joining(", ")));
         terminal.flush();
         return 0;
     }
@@ -108,16 +130,20 @@ public final class EvaluateCommand implements Callable<Integer> {
         check(
                 times >= 1 && times <= MOST_REPETITIONS,
                 "--repetitions is " + times + ", expected a number from 1 to " + MOST_REPETITIONS);
-        check(seconds > 0 && seconds <= 1e6, "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
+        check(warmUps >= 0 && warmUps <= MOST_WARM_UPS, "--warm-up is " + warmUps + ", expected a number from 0 to " + MOST_WARM_UPS);
+        double changing = seconds == null ? (realTime ? REAL_SECONDS : SECONDS) : seconds;
+        check(changing > 0 && changing <= 1e6, "--seconds is " + changing + ", expected a number above 0 and up to 1000000");
         return new EvaluationSettings(
                 world,
                 loops,
                 cores.stream().distinct().sorted().toList(),
                 Arrays.stream(Mode.values()).filter(modes::contains).toList(),
                 times,
-                seconds,
+                warmUps,
+                changing,
                 reconnect,
-                realTime);
+                realTime,
+                out.resolve("evaluation.log"));
     }
 
     private void check(boolean fine, String complaint) {

@@ -25,12 +25,12 @@ final class Evaluation {
         var processes = new ArrayList<MeasuringProcess>();
         try {
             for (int cores : settings.cores()) {
-                processes.add(MeasuringProcess.start(cores, settings.world()));
+                processes.add(MeasuringProcess.start(cores, settings.world(), settings.log()));
             }
             progress.expect(expectedSeconds());
             warmUp(processes);
             for (int repetition = 1; repetition <= settings.repetitions(); repetition++) {
-                for (Job job : plan.repetition(repetition, 0)) {
+                for (Job job : plan.repetition(repetition)) {
                     for (MeasuringProcess process : processes) {
                         progress.begins(job, process.cores());
                         keep(settings.realTime() ? inRealTime(job, process) : process.measure(job), job, process.cores());
@@ -45,21 +45,24 @@ final class Evaluation {
     }
 
     private void warmUp(List<MeasuringProcess> processes) throws IOException {
-        for (int round = 1; round <= Plan.WARM_UPS; round++) {
-            for (Job job : plan.repetition(round, 0)) {
+        for (int round = 1; round <= settings.warmUps(); round++) {
+            for (Job job : plan.warmUp(round)) {
                 for (MeasuringProcess process : processes) {
                     progress.warmsUp(process.cores());
                     process.measure(job);
-                    if (!settings.realTime()) {
-                        progress.ended(Plan.expectedSeconds(job));
-                    }
+                    progress.ended(warmUpSeconds(job));
                 }
             }
         }
     }
 
+    /** In real time the warm-up takes next to nothing. */
+    private double warmUpSeconds(Job job) {
+        return settings.realTime() ? 0 : Plan.expectedSeconds(job);
+    }
+
     private Result inRealTime(Job job, MeasuringProcess process) throws IOException {
-        try (var server = RealTimeServer.open(world, job.seed())) {
+        try (var server = RealTimeServer.open(world, job.seed(), progress::within)) {
             return process.measure(new Job(
                     job.part(), job.mode(), job.subject(), job.loops(), job.seconds(), job.seed(), server.port()));
         }
@@ -80,10 +83,9 @@ final class Evaluation {
 
     /** On the robots' clock, of all that takes time. */
     private double expectedSeconds() {
-        double once = plan.repetition(1, 0).stream()
-                .mapToDouble(Plan::expectedSeconds)
-                .sum();
-        int rounds = settings.repetitions() + (settings.realTime() ? 0 : Plan.WARM_UPS);
-        return once * rounds * settings.cores().size();
+        double once = plan.repetition(1).stream().mapToDouble(Plan::expectedSeconds).sum();
+        double warmUp = plan.warmUp(1).stream().mapToDouble(this::warmUpSeconds).sum();
+        return (once * settings.repetitions() + warmUp * settings.warmUps())
+                * settings.cores().size();
     }
 }

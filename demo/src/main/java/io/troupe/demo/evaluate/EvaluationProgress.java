@@ -11,6 +11,7 @@ final class EvaluationProgress implements AutoCloseable {
     private final long beganNanos = System.nanoTime();
     private double expected = 1;
     private double done;
+    private String doing = "";
 
     EvaluationProgress(TerminalLine line) {
         this.line = line;
@@ -29,12 +30,24 @@ final class EvaluationProgress implements AutoCloseable {
         show(String.format(Locale.ROOT, "%s, told %d cores", job.title(), cores));
     }
 
+    /** So much of what is going on has been done; any thread may say it, one at a time. */
+    void within(double amount) {
+        show(Math.min(1, (done + amount) / expected));
+    }
+
     void ended(double amount) {
         done += amount;
     }
 
     private void show(String what) {
-        double share = Math.min(1, done / expected);
+        doing = what;
+        show(Math.min(1, done / expected));
+    }
+
+    private void show(double share) {
+        if (!line.isVisible()) {
+            return;
+        }
         int full = (int) (share * WIDTH);
         line.show(String.format(
                 Locale.ROOT,
@@ -43,7 +56,7 @@ final class EvaluationProgress implements AutoCloseable {
                 ".".repeat(WIDTH - full),
                 100 * share,
                 left(share),
-                what));
+                doing));
     }
 
     private String left(double share) {

@@ -8,7 +8,9 @@ import java.util.List;
  * What is evaluated.
  *
  * @param cores what the JVMs that measure are told, one after the other
- * @param seconds of simulated time with changes of state, in lock step
+ * @param warmUps how often everything is done before it is measured, in lock step, so that the JVMs have compiled it
+ * @param seconds with changes of state, on the robots' clock
+ * @param log where the JVMs that measure write what they log
  */
 record EvaluationSettings(
         Path world,
@@ -16,9 +18,11 @@ record EvaluationSettings(
         List<Integer> cores,
         List<Mode> modes,
         int repetitions,
+        int warmUps,
         double seconds,
         boolean reconnect,
-        boolean realTime) {
+        boolean realTime,
+        Path log) {
     EvaluationSettings {
         cores = List.copyOf(cores);
         modes = List.copyOf(modes);

@@ -9,7 +9,7 @@ import java.nio.file.Path;
 /**
  * A JVM of its own that measures, and is told how many processors it has.
  *
- * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails or ends; what it logs goes to standard error.
+ * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails or ends; what it logs goes to a file.
  */
 final class MeasuringProcess implements AutoCloseable {
     private final int cores;
@@ -24,7 +24,7 @@ final class MeasuringProcess implements AutoCloseable {
         this.answers = process.inputReader(StandardCharsets.UTF_8);
     }
 
-    static MeasuringProcess start(int cores, Path world) throws IOException {
+    static MeasuringProcess start(int cores, Path world, Path log) throws IOException {
         var java = Path.of(System.getProperty("java.home"), "bin", "java");
         var process = new ProcessBuilder(
                         java.toString(),
@@ -35,7 +35,7 @@ final class MeasuringProcess implements AutoCloseable {
                         System.getProperty("java.class.path"),
                         MeasuringMain.class.getName(),
                         world.toString())
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .redirectError(ProcessBuilder.Redirect.appendTo(log.toFile()))
                 .start();
         return new MeasuringProcess(cores, process);
     }

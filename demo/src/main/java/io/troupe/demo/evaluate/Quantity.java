@@ -27,7 +27,10 @@ enum Quantity {
     DELAY("us"),
     /** The same: what 99 of 100 do not exceed. */
     DELAY_P99("us"),
-    /** From the colour that ends a state being sent to every robot's first cycle in the next, by the machine's clock: the middle of all. */
+    /**
+     * From the cycle that sees the colour that ends a state to every robot's first cycle in the next, by the machine's clock: the middle of
+     * those that take no time on the robots' clock.
+     */
     SWITCH("us"),
     /** The same on the robots' clock. */
     SWITCH_TIME("ms");

@@ -58,7 +58,9 @@ final class SwitchMeter implements Meter {
         cycles.put(robot, now);
         if (awaited.remove(robot) && awaited.isEmpty() && seen != null) {
             passing.add(now.robotNanos - seen.robotNanos);
-            computing.add(now.machineNanos - seen.machineNanos);
+            if (now.robotNanos == seen.robotNanos) { // else the world has computed as well, or waited
+                computing.add(now.machineNanos - seen.machineNanos);
+            }
         }
     }
 
@@ -82,8 +84,10 @@ final class SwitchMeter implements Meter {
     public Result result() {
         var result = new Result.Builder().add(Measurement.BOTH, Quantity.STATE_CHANGES, changes);
         if (passing.count() > 0) {
-            result.add(Measurement.BOTH, Quantity.SWITCH_TIME, passing.quantile(0.5, NANOS_PER_MILLI))
-                    .add(Measurement.BOTH, Quantity.SWITCH, computing.quantile(0.5, NANOS_PER_MICRO));
+            result.add(Measurement.BOTH, Quantity.SWITCH_TIME, passing.quantile(0.5, NANOS_PER_MILLI));
+        }
+        if (computing.count() > 0) {
+            result.add(Measurement.BOTH, Quantity.SWITCH, computing.quantile(0.5, NANOS_PER_MICRO));
         }
         messages.addTo(result);
         return result.build();

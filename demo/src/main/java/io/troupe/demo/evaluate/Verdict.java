@@ -33,21 +33,23 @@ enum Verdict {
         return exactly || spread.upperQuartile() <= limit - margin ? DOES_NOT_HOLD : CANNOT_BE_TOLD;
     }
 
-    /** Whether the quartiles lie between two bounds: not if the one is above or the other below. */
+    /**
+     * Whether the quartiles lie between two bounds: not if the one is above or the other below. Of fewer than {@value #ENOUGH_REPETITIONS} values one must
+     * be plainly outside to say no.
+     */
     static Verdict within(double[] values, double from, double to) {
         Spread spread = Spread.of(values);
+        double margin = values.length < ENOUGH_REPETITIONS ? PLAIN_DIFFERENCE : 0;
         if (spread.lowerQuartile() >= from && spread.upperQuartile() <= to) {
             return HOLDS;
         }
-        return spread.lowerQuartile() > to || spread.upperQuartile() < from ? DOES_NOT_HOLD : CANNOT_BE_TOLD;
+        boolean outside = spread.lowerQuartile() > to * (1 + margin) || spread.upperQuartile() < from * (1 - margin);
+        return outside ? DOES_NOT_HOLD : CANNOT_BE_TOLD;
     }
 
-    /** Of a claim with several parts: it holds if all do, it does not if one does not. */
-    static Verdict both(Verdict one, Verdict other) {
-        if (one == other) {
-            return one;
-        }
-        return one == DOES_NOT_HOLD || other == DOES_NOT_HOLD ? DOES_NOT_HOLD : CANNOT_BE_TOLD;
+    /** What is found by numbers that are never twice the same: only by {@value #ENOUGH_REPETITIONS} or more. */
+    Verdict ifRepeated(int repetitions) {
+        return repetitions < ENOUGH_REPETITIONS ? CANNOT_BE_TOLD : this;
     }
 
     /** Of the same claim under several conditions: what is found under all of them. */
