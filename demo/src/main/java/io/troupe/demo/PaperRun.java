@@ -4,6 +4,7 @@ import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SynchronousRound;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
@@ -38,9 +39,19 @@ final class PaperRun {
     private final SubsumptionTable table;
     private final Manner manner;
 
-    /** In which of the three modes, and whether every service makes a connection of its own. */
-    record Manner(Mode mode, boolean reconnects) {
+    /**
+     * In which of the three modes.
+     *
+     * @param reconnects whether every service makes a connection of its own
+     * @param round of the synchronous mode
+     */
+    record Manner(Mode mode, boolean reconnects, SynchronousRound round) {
         static final Manner DEFAULT = new Manner(Mode.PROMISE, false);
+
+        /** As the paper has it. */
+        Manner(Mode mode, boolean reconnects) {
+            this(mode, reconnects, SynchronousRound.ONE_SERVICE_A_READING);
+        }
     }
 
     PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
@@ -113,7 +124,8 @@ final class PaperRun {
             var ledger = new Ledger(scenario.world(), table, log, changes);
             var services = new SubsumptionRun.Settings(
                             manner.mode(), "localhost", port, table, simulation.clock(), ledger, ledger)
-                    .withReconnection(manner.reconnects());
+                    .withReconnection(manner.reconnects())
+                    .withRound(manner.round());
             try (var running = SubsumptionRun.start(services)) {
                 ledger.start(simulation.latest());
                 long origin = System.nanoTime();

@@ -77,23 +77,15 @@ final class SynchronousLoop implements AutoCloseable {
 
     private void run() {
         try {
-            drive();
-        } catch (PlayerException interrupted) {
-            if (closing) {
-                LOG.log(Level.DEBUG, "closed", interrupted);
-            } else {
-                failed.accept(interrupted);
-            }
+            drive(new PlayerClient(settings.host(), settings.port()));
         } catch (RuntimeException | Error error) {
-            failed.accept(error);
+            tell(error);
         } finally {
             begun.countDown();
         }
     }
 
-    private void drive() {
-        var client = new PlayerClient(settings.host(), settings.port());
-        Throwable failure = null;
+    private void drive(PlayerClient client) {
         try {
             client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // all robots' readings at a time
             for (int robot = 0; robot < settings.table().robots(); robot++) {
@@ -106,11 +98,21 @@ final class SynchronousLoop implements AutoCloseable {
                 react();
             }
         } catch (RuntimeException | Error error) {
-            failure = error;
-            throw error;
+            tell(error); // before the server learns that this client leaves, so that nobody goes on without knowing it
         } finally {
-            halt(failure);
-            client.close();
+            try {
+                halt();
+            } finally {
+                client.close();
+            }
+        }
+    }
+
+    private void tell(Throwable error) {
+        if (closing && error instanceof PlayerException) {
+            LOG.log(Level.DEBUG, "closed", error);
+        } else {
+            failed.accept(error);
         }
     }
 
@@ -174,15 +176,12 @@ final class SynchronousLoop implements AutoCloseable {
         cycles.clear();
     }
 
-    private void halt(@Nullable Throwable failure) {
+    private void halt() {
         Thread.interrupted(); // close() has done with it what it was for
         try {
             cycles.forEach(ServiceCycle::halt);
         } catch (RuntimeException unreachable) {
-            if (failure == null) {
-                throw unreachable;
-            }
-            failure.addSuppressed(unreachable);
+            tell(unreachable);
         } finally {
             dismiss();
         }

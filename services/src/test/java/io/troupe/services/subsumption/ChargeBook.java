@@ -9,6 +9,7 @@ import java.util.TreeMap;
 final class ChargeBook implements ServiceObserver {
     private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
     private int most;
+    private int coloursSent;
 
     @Override
     public void began(int robot, Service service) {
@@ -23,6 +24,15 @@ final class ChargeBook implements ServiceObserver {
     @Override
     public void ended(int robot, Service service) {
         inCharge.get(robot).remove(service);
+    }
+
+    @Override
+    public void colourSent(int robot, int colour) {
+        coloursSent++;
+    }
+
+    int coloursSent() {
+        return coloursSent;
     }
 
     List<Service> of(int robot) {

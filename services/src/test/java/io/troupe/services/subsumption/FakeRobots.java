@@ -1,5 +1,7 @@
 package io.troupe.services.subsumption;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerPorts;
@@ -13,6 +15,7 @@ import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
+import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.ReplaceRule;
@@ -20,6 +23,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -27,14 +31,19 @@ import org.jspecify.annotations.Nullable;
 final class FakeRobots implements PlayerServer, AutoCloseable {
     static final int PORT = 7001;
 
+    private static final long ANSWER_LIMIT_NANOS = 10_000_000_000L;
+
     private final TestSpace test;
     private final int robots;
     private final PlayerPorts.Registration port;
-    private final List<Line> lines = new ArrayList<>();
+    private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final Object answers = new Object();
     private final float[][] ranges;
-    private final int[] colours;
+    private final int[][] colours;
     private final List<List<DeviceCommand.Velocity>> commands;
     private long tick;
+    private int connectionsMade;
+    private boolean refuses;
 
     FakeRobots(TestSpace test, int robots) {
         this(test, robots, PORT);
@@ -45,7 +54,7 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         this.test = test;
         this.robots = robots;
         this.ranges = new float[robots][16];
-        this.colours = new int[robots];
+        this.colours = new int[robots][1];
         this.commands = IntStream.range(0, robots)
                 .<List<DeviceCommand.Velocity>>mapToObj(i -> new ArrayList<>())
                 .toList();
@@ -54,9 +63,9 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         }
     }
 
-    /** From now on the robot sees a large blob of that colour; black stands for the walls and is always there. */
-    void show(int robot, int colour) {
-        colours[robot] = colour;
+    /** From now on the robot sees a large blob of each of those colours, the first the largest; black stands for the walls and is always there. */
+    void show(int robot, int... shown) {
+        colours[robot] = shown;
     }
 
     /** From now on one of the robot's sonars reads so much. */
@@ -71,6 +80,30 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         test.run(() -> List.copyOf(lines).forEach(line -> line.deliver(number)));
     }
 
+    /** The same for clients on threads of their own: waits until all have answered, or have left. */
+    void tickAndAwait(int millis) throws InterruptedException {
+        long number = tick++;
+        timeMillis += millis;
+        List.copyOf(lines).forEach(line -> line.deliver(number));
+        synchronized (answers) {
+            long deadline = System.nanoTime() + ANSWER_LIMIT_NANOS;
+            while (lines.stream().anyMatch(line -> line.answered < number)) {
+                long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
+                assertThat(leftMillis).as("milliseconds left to answer tick " + number).isPositive();
+                answers.wait(leftMillis);
+            }
+        }
+    }
+
+    /** Waits until all clients have left. */
+    void awaitNoConnection() throws InterruptedException {
+        synchronized (answers) {
+            while (!lines.isEmpty()) {
+                answers.wait();
+            }
+        }
+    }
+
     private long timeMillis;
 
     List<DeviceCommand.Velocity> commands(int robot) {
@@ -83,6 +116,15 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
 
     int connections() {
         return lines.size();
+    }
+
+    int connectionsMade() {
+        return connectionsMade;
+    }
+
+    /** From now on nobody can connect any more. */
+    void refuse() {
+        refuses = true;
     }
 
     void vanish() {
@@ -101,6 +143,10 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
 
     @Override
     public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
+        if (refuses) {
+            throw new LineClosedException("no more clients");
+        }
+        connectionsMade++;
         var line = new Line(sink);
         lines.add(line);
         return line;
@@ -109,6 +155,7 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
     private final class Line implements PlayerConnection {
         private final DataSink sink;
         private final Set<DeviceAddress> subscribed = new LinkedHashSet<>();
+        private long answered = NO_TICK;
 
         Line(DataSink sink) {
             this.sink = sink;
@@ -133,9 +180,13 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
                 return new DeviceData.SonarRanges(list);
             }
             if (device.interfaceCode() == Interfaces.BLOBFINDER.code()) {
-                var wall = new DeviceData.Blob(0, 0, 4000, 40, 30, 0, 79, 0, 59, 2f);
-                var blob = new DeviceData.Blob(0, colours[device.index()], 100, 40, 30, 35, 45, 25, 35, 1f);
-                return new DeviceData.Blobs(80, 60, List.of(wall, blob));
+                var blobs = new ArrayList<DeviceData.Blob>();
+                blobs.add(new DeviceData.Blob(0, 0, 4000, 40, 30, 0, 79, 0, 59, 2f));
+                for (int colour : colours[device.index()]) {
+                    int area = 101 - blobs.size();
+                    blobs.add(new DeviceData.Blob(0, colour, area, 40, 30, 35, 45, 25, 35, 1f));
+                }
+                return new DeviceData.Blobs(80, 60, blobs);
             }
             return new DeviceData.Position2d(0, 0, 0, 0, 0, 0, false);
         }
@@ -186,12 +237,18 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
 
         @Override
         public void answered(long answeredTick) {
-            // a fake does not wait
+            synchronized (answers) {
+                answered = answeredTick;
+                answers.notifyAll();
+            }
         }
 
         @Override
         public void close() {
-            lines.remove(this);
+            synchronized (answers) {
+                lines.remove(this);
+                answers.notifyAll();
+            }
         }
     }
 }

@@ -1,0 +1,114 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.demo.PaperRun.Manner;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.SynchronousRound;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the three modes have in common and where they differ, in the paper's arena on real threads. */
+@Timeout(300)
+class ModesTest {
+    private static final Path WORLD = Path.of("worlds", "paper-arena.world");
+    private static final double SECONDS = 140; // long enough for all three states
+
+    @TempDir
+    private Path out;
+
+    private RunResult run(Manner manner, long seed, String name) throws Exception {
+        try (var log = new RunLog(out.resolve(name))) {
+            return new PaperRun(ScenarioReader.read(WORLD), seed, SECONDS, CornerStyle.FORWARD, false, manner)
+                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
+        }
+    }
+
+    private static Manner in(Mode mode) {
+        return new Manner(mode, false);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void callbackMode_writesTheSameFileAsPromiseMode_butSendsManyMoreMessages(long seed) throws Exception {
+        var promise = run(in(Mode.PROMISE), seed, "promise");
+        var callback = run(in(Mode.CALLBACK), seed, "callback");
+        assertThat(promise.states()).hasSizeGreaterThan(2);
+        assertThat(out.resolve("callback")).hasSameBinaryContentAs(out.resolve("promise"));
+        assertThat(promise.messages().sent()).isEqualTo(promise.states().size() - 1L);
+        assertThat(callback.messages().sent()).isGreaterThan(5 * promise.messages().sent());
+        assertThat(callback.messages().received()).isEqualTo(callback.messages().sent());
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void synchronousModeWithoutItsCycleTimes_hasTheSameStatesAndPosesAsPromiseMode(long seed) throws Exception {
+        run(in(Mode.PROMISE), seed, "promise");
+        var sync = run(new Manner(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), seed, "sync");
+        assertThat(linesBeforeSummary("sync")).isEqualTo(linesBeforeSummary("promise"));
+        assertThat(sync.messages().sent()).isZero();
+    }
+
+    /** The summary counts cycles: at a switch one robot may see the reading only under its next service. */
+    private List<String> linesBeforeSummary(String name) throws IOException {
+        var lines = Files.readAllLines(out.resolve(name));
+        assertThat(lines.getLast()).contains("\"type\":\"summary\"");
+        return lines.subList(0, lines.size() - 1);
+    }
+
+    @Test
+    void synchronousModeOfThePaper_differsFirstByTheReadingThatTheSecondServiceWaits() throws Exception {
+        var promise = run(in(Mode.PROMISE), 1, "promise");
+        var sync = run(in(Mode.SYNC), 1, "sync");
+        for (int robot = 0; robot < 2; robot++) {
+            assertThat(pose(sync, robot, 0)).isEqualTo(pose(promise, robot, 0));
+        }
+        assertThat(pose(sync, 0, 1)).as("robot 1 is first").isEqualTo(pose(promise, 0, 1));
+        assertThat(pose(sync, 1, 1)).as("robot 2 has to wait").isEqualTo(pose(sync, 1, 0));
+        assertThat(pose(promise, 1, 1)).isNotEqualTo(pose(promise, 1, 0));
+        assertThat(sync.states().getFirst()).isEqualTo(promise.states().getFirst());
+        assertThat(sync.states()).isNotEqualTo(promise.states());
+        assertThat(sync.robots()).allSatisfy(robot -> {
+            int ticks = robot.path().size() - 1;
+            long loops =
+                    robot.loops().values().stream().mapToLong(Long::longValue).sum();
+            assertThat(loops).as("cycles: every second reading").isBetween(ticks / 2L - 10, ticks / 2L + 10);
+            assertThat(robot.ticksWithoutCycle()).isEqualTo(ticks - loops);
+        });
+    }
+
+    private static Object pose(RunResult result, int robot, int tick) {
+        return result.robots().get(robot).path().get(tick).pose();
+    }
+
+    @Test
+    void reconnection_costsEachRobotATickWithoutAServiceAtEverySwitch_inBothAsynchronousModesAlike() throws Exception {
+        var promise = run(new Manner(Mode.PROMISE, true), 1, "promise");
+        run(new Manner(Mode.CALLBACK, true), 1, "callback");
+        run(new Manner(Mode.CALLBACK, true), 1, "again");
+        int switches = promise.states().size() - 1;
+        assertThat(switches).isPositive();
+        assertThat(promise.robots())
+                .allSatisfy(robot -> assertThat(robot.chargeFaults()).isEqualTo(switches));
+        assertThat(out.resolve("callback")).hasSameBinaryContentAs(out.resolve("promise"));
+        assertThat(out.resolve("again")).hasSameBinaryContentAs(out.resolve("callback"));
+    }
+
+    @Test
+    void everyMode_isRepeatable() throws Exception {
+        for (Mode mode : List.of(Mode.SYNC, Mode.CALLBACK)) {
+            run(in(mode), 7, "first");
+            run(in(mode), 7, "second");
+            assertThat(out.resolve("second")).hasSameBinaryContentAs(out.resolve("first"));
+        }
+    }
+}

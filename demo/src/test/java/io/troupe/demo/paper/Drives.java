@@ -1,0 +1,81 @@
+package io.troupe.demo.paper;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.time.Clock;
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.RobotServices;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/** The paper's arena, for main code that is to be compared with other main code. */
+final class Drives {
+    static final Path WORLD = Path.of("worlds", "paper-arena.world");
+    static final int TICKS = 1_500;
+
+    private Drives() {}
+
+    static RobotServices services(ActorSpace space) {
+        return space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
+    }
+
+    /** Writes states, and colours before them, as the paper's code prints them. */
+    static Arbitrator.StateListener printer(String colourPrefix, List<String> lines) {
+        return (state, seenBy) -> {
+            if (seenBy != null) {
+                lines.add(colourPrefix + state.colour());
+            }
+            lines.add("State " + state.number());
+        };
+    }
+
+    /** What is added gets the simulated time in front. */
+    static List<String> stamped(Clock clock, List<String> lines) {
+        return new java.util.AbstractList<>() {
+            @Override
+            public String get(int index) {
+                return lines.get(index);
+            }
+
+            @Override
+            public int size() {
+                return lines.size();
+            }
+
+            @Override
+            public boolean add(String line) {
+                return lines.add(clock.nanos() / 1_000_000 + " ms " + line);
+            }
+        };
+    }
+
+    static void drive(Consumer<ActorSpace> application) {
+        var problems = new ArrayList<Throwable>();
+        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), WorldSettings.DEFAULT);
+                var space = ActorSpace.create(SpaceSettings.named("robots")
+                        .withClock(simulation.clock())
+                        .withHandCrank()
+                        .withOnError((where, error) -> problems.add(error)))) {
+            simulation.whileWaiting(space::crank);
+            application.accept(space);
+            space.crank();
+            for (int tick = 0; tick < TICKS; tick++) {
+                simulation.tick();
+            }
+        }
+        assertThat(problems).isEmpty();
+    }
+
+    static void assertAllThreeStates(List<String> lines) {
+        assertThat(lines).hasSizeGreaterThan(3);
+        assertThat(lines.getFirst()).endsWith("State 1");
+        assertThat(lines).anyMatch(line -> line.endsWith("State 2")).anyMatch(line -> line.endsWith("State 3"));
+    }
+}

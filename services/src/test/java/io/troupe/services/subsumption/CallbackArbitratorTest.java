@@ -1,0 +1,163 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.PlayerException;
+import io.troupe.player.wire.DeviceCommand;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class CallbackArbitratorTest {
+    private static final Service WF = Service.WALL_FOLLOWER;
+    private static final Service SW = Service.SPACE_WANDERER;
+
+    private final TestSpace test = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(test, 2);
+    private final ChargeBook charge = new ChargeBook();
+    private final List<String> events = new ArrayList<>();
+    private CallbackArbitrator arbitrator;
+
+    @BeforeEach
+    void begin() {
+        RobotServices services = test.spawn(
+                RobotServices.class,
+                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                        .withPort(FakeRobots.PORT)
+                        .withObserver(charge)));
+        arbitrator = test.spawn(
+                CallbackArbitrator.class,
+                () -> new CallbackArbitrator(services, SubsumptionTable.ofThePaper(), new Events()));
+        arbitrator.live();
+        test.crank();
+    }
+
+    private final class Events implements Arbitrator.StateListener {
+        @Override
+        public void began(State state, @Nullable Integer seenBy) {
+            events.add("state " + state.number() + " by " + seenBy);
+        }
+
+        @Override
+        public void colourReceived(int robot, int colour) {
+            events.add(robot + " " + Colours.name(colour));
+        }
+
+        @Override
+        public void colourTooLate(int robot, int colour) {
+            events.add("too late");
+        }
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+        robots.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        assertThat(charge.most()).as("services of a robot at the same time").isEqualTo(1);
+    }
+
+    private void tick() {
+        robots.tick(100);
+        assertThat(charge.of(0)).as("robot 0 between two readings").hasSize(1);
+        assertThat(charge.of(1)).as("robot 1 between two readings").hasSize(1);
+    }
+
+    private void assertInCharge(Service first, Service second) {
+        assertThat(List.of(charge.of(0).getFirst(), charge.of(1).getFirst())).containsExactly(first, second);
+    }
+
+    @Test
+    void orangeAndTheStatesOwn_areSentAtEveryReading_andChangeNothing_blackIsNotSent() {
+        robots.show(1, Colours.ORANGE, Colours.BLUE);
+        tick();
+        tick();
+        assertThat(events).containsExactly("state 1 by null", "1 orange", "1 blue", "1 orange", "1 blue");
+        assertInCharge(WF, SW);
+        assertThat(robots.lastCommand(1).vx()).isPositive();
+    }
+
+    @Test
+    void twoPatchesOfAColour_areOneMessage() {
+        robots.show(1, Colours.ORANGE, Colours.ORANGE);
+        tick();
+        assertThat(events).containsExactly("state 1 by null", "1 orange");
+    }
+
+    @Test
+    void red_swapsTheServices_betweenTwoReadings_afterZeroSpeed() {
+        robots.show(1, Colours.RED);
+        tick();
+        assertInCharge(SW, WF);
+        assertThat(events).containsExactly("state 1 by null", "1 red", "state 2 by 1");
+        assertThat(robots.commands(0).get(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
+        assertThat(robots.commands(0)).hasSize(3);
+        assertThat(robots.commands(1)).hasSize(3);
+    }
+
+    @Test
+    void whatFollowsTheColourThatCounts_isTooLate() {
+        robots.show(1, Colours.RED, Colours.GREEN);
+        tick();
+        assertThat(events).containsExactly("state 1 by null", "1 red", "1 green", "too late", "state 2 by 1");
+        assertInCharge(SW, WF);
+    }
+
+    @Test
+    void twoRobotsAtOnce_theOneWithTheLowerIndexCounts() {
+        robots.show(1, Colours.GREEN);
+        tick();
+        robots.show(0, Colours.ORANGE, Colours.BLUE);
+        robots.show(1, Colours.RED);
+        tick();
+        assertThat(events)
+                .containsExactly(
+                        "state 1 by null",
+                        "1 green",
+                        "state 3 by 1",
+                        "0 orange",
+                        "0 blue",
+                        "1 red",
+                        "too late",
+                        "state 1 by 0");
+        assertInCharge(WF, SW);
+    }
+
+    @Test
+    void failingService_endsTheArbitrator() {
+        tick();
+        robots.vanish();
+        assertThat(test.error(arbitrator.ended()))
+                .isInstanceOf(PlayerException.class)
+                .hasMessage("the server has gone");
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(1)).isEmpty();
+    }
+
+    @Test
+    void behaviourThatThrows_endsTheArbitrator_andItsRobotStands() {
+        tick();
+        Promise<?> ended = arbitrator.ended();
+        robots.range(0, 3, Double.NaN);
+        robots.tick(100);
+        assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
+    }
+
+    @Test
+    void arbitratorThatIsStopped_leavesNoRobotDriving() {
+        tick();
+        test.space().stop(arbitrator);
+        test.crank();
+        robots.tick(100);
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(1)).isEmpty();
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
+        assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
+    }
+}

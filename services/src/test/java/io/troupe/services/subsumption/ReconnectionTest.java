@@ -1,0 +1,113 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Clock;
+import io.troupe.player.PlayerException;
+import io.troupe.player.wire.DeviceCommand;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** A connection for each service, as the paper has it: what that costs. */
+class ReconnectionTest {
+    private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
+
+    private final TestSpace test = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(test, 2);
+    private final ChargeBook charge = new ChargeBook();
+    private final RobotServices services = test.spawn(
+            RobotServices.class,
+            () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                    .withPort(FakeRobots.PORT)
+                    .withObserver(charge)
+                    .withReconnection(true)));
+    private Arbitrator arbitrator;
+
+    @BeforeEach
+    void begin() {
+        arbitrator = test.spawn(
+                Arbitrator.class,
+                () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), (state, seenBy) -> {}));
+        arbitrator.live();
+        test.crank();
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+        robots.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        assertThat(charge.most()).as("services of a robot at the same time").isEqualTo(1);
+    }
+
+    @Test
+    void switchOfServices_leavesTheRobotsStandingWithoutAServiceUntilTheNextReading() {
+        robots.show(1, Colours.RED);
+        robots.tick(100);
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(1)).isEmpty();
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(robots.lastCommand(1)).isEqualTo(STOP);
+        robots.tick(100);
+        assertThat(charge.of(0)).containsExactly(Service.SPACE_WANDERER);
+        assertThat(charge.of(1)).containsExactly(Service.WALL_FOLLOWER);
+        assertThat(robots.lastCommand(0).vx()).isPositive();
+        assertThat(robots.lastCommand(1).vx()).isPositive();
+    }
+
+    @Test
+    void everySwitch_makesNewConnections_andClosesTheOld() {
+        assertThat(robots.connectionsMade()).isEqualTo(2);
+        robots.show(1, Colours.RED);
+        robots.tick(100);
+        assertThat(robots.connectionsMade()).isEqualTo(4);
+        assertThat(robots.connections()).isEqualTo(2);
+        robots.tick(100);
+        assertThat(robots.connectionsMade()).isEqualTo(4);
+    }
+
+    @Test
+    void serverThatIsGoneAtTheSwitch_endsTheArbitrator() {
+        robots.show(1, Colours.RED);
+        robots.refuse();
+        robots.tick(100);
+        assertThat(test.error(arbitrator.ended()))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("no more clients");
+        test.takeProblems();
+    }
+
+    @Test
+    void synchronousMode_connectsOnce_andRefuses() {
+        var settings = new SubsumptionRun.Settings(
+                Mode.SYNC,
+                "localhost",
+                FakeRobots.PORT,
+                SubsumptionTable.ofThePaper(),
+                Clock.system(),
+                ServiceObserver.NONE,
+                (state, seenBy) -> {});
+        assertThatThrownBy(() -> settings.withReconnection(true))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("sync")
+                .hasMessageContaining("connects once");
+    }
+
+    @Test
+    void secondService_whileTheFirstWaitsForItsFirstReading_isRefused() {
+        robots.show(1, Colours.RED);
+        robots.tick(100);
+        var reference = new AtomicReference<>(1);
+        var finder = new AtomicReference<>(0);
+        var problem = test.error(
+                services.serve(0, Service.SPACE_WANDERER, reference, finder, ColourRule.NONE));
+        assertThat(problem).hasMessageContaining("robot 0 is in the charge of spaceWanderer");
+        assertThat(charge.of(0)).isEmpty();
+        robots.tick(100);
+        assertThat(charge.of(0)).hasSize(1);
+    }
+}

@@ -1,0 +1,162 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Clock;
+import io.troupe.player.PlayerException;
+import io.troupe.player.wire.DeviceCommand;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The synchronous mode, reading by reading. */
+@Timeout(60)
+class SynchronousLoopTest {
+    private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
+    private static final Service WF = Service.WALL_FOLLOWER;
+    private static final Service SW = Service.SPACE_WANDERER;
+
+    private final TestSpace test = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(test, 2);
+    private final ChargeBook charge = new ChargeBook();
+    private final List<String> states = Collections.synchronizedList(new ArrayList<>());
+
+    private final SubsumptionRun.Settings settings = new SubsumptionRun.Settings(
+            Mode.SYNC,
+            "localhost",
+            FakeRobots.PORT,
+            SubsumptionTable.ofThePaper(),
+            Clock.system(),
+            charge,
+            (state, seenBy) -> states.add(state.number() + " by " + seenBy));
+
+    @AfterEach
+    void nothingIsLeft() {
+        robots.close();
+        test.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        assertThat(charge.most()).as("services of a robot at the same time").isLessThanOrEqualTo(1);
+        assertThat(charge.coloursSent()).as("messages").isZero();
+    }
+
+    private void assertCommands(int ofRobot1, int ofRobot2) {
+        assertThat(robots.commands(0)).as("commands to robot 1").hasSize(ofRobot1);
+        assertThat(robots.commands(1)).as("commands to robot 2").hasSize(ofRobot2);
+    }
+
+    @Test
+    void services_takeTurns_oneAReading_onOneConnection() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            assertThat(robots.connections()).isOne();
+            assertThat(charge.of(0)).containsExactly(WF);
+            assertThat(charge.of(1)).containsExactly(SW);
+            robots.tickAndAwait(100);
+            assertCommands(1, 0);
+            robots.tickAndAwait(100);
+            assertCommands(1, 1);
+            robots.tickAndAwait(100);
+            assertCommands(2, 1);
+            run.check();
+        }
+    }
+
+    @Test
+    void dataThatComeMoreOftenThanACycle_arePassedOver() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            for (int i = 0; i < 8; i++) {
+                robots.tickAndAwait(50);
+            }
+            assertCommands(2, 2);
+            run.check();
+        }
+    }
+
+    @Test
+    void colour_changesTheStateInItsRobotsTurn_withoutAStop_andRobot1IsNext() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            robots.show(1, Colours.ORANGE, Colours.RED);
+            robots.tickAndAwait(100);
+            assertThat(states).containsExactly("1 by null");
+            robots.tickAndAwait(100);
+            assertThat(states).containsExactly("1 by null", "2 by 1");
+            assertThat(charge.of(0)).containsExactly(SW);
+            assertThat(charge.of(1)).containsExactly(WF);
+            assertCommands(1, 1);
+            robots.tickAndAwait(100);
+            assertCommands(2, 1);
+            assertThat(robots.commands(0)).doesNotContain(STOP);
+            run.check();
+        }
+    }
+
+    @Test
+    void withAllServicesAReading_everyRobotIsCommanded_andTheNextStateTakesOverAtOnce() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings.withRound(SynchronousRound.ALL_SERVICES_A_READING))) {
+            robots.tickAndAwait(100);
+            assertCommands(1, 1);
+            robots.show(1, Colours.RED);
+            robots.show(0, Colours.BLUE);
+            robots.tickAndAwait(100);
+            assertThat(states).containsExactly("1 by null", "2 by 1");
+            assertThat(robots.lastCommand(0).vx()).isEqualTo(0.5);
+            assertThat(robots.lastCommand(1).vx()).isEqualTo(0.2);
+            robots.tickAndAwait(100);
+            assertThat(states).endsWith("1 by 0");
+            run.check();
+        }
+    }
+
+    @Test
+    void close_stopsBothRobots() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            robots.tickAndAwait(100);
+            run.check();
+        }
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(robots.lastCommand(1)).isEqualTo(STOP);
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(1)).isEmpty();
+    }
+
+    @Test
+    void serverThatGoesAway_endsTheRun() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            robots.tickAndAwait(100);
+            robots.vanish();
+            robots.awaitNoConnection();
+            assertThatThrownBy(run::check).isInstanceOf(PlayerException.class).hasMessage("the server has gone");
+            assertThat(charge.of(0)).isEmpty();
+        }
+    }
+
+    @Test
+    void behaviourThatThrows_endsTheRun_andTheRobotsStand() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            robots.range(0, 3, Double.NaN);
+            robots.tickAndAwait(100);
+            assertThatThrownBy(run::check).hasMessageContaining("sonar 3 reads NaN");
+            assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+            assertThat(robots.lastCommand(1)).isEqualTo(STOP);
+        }
+    }
+
+    @Test
+    void serverThatIsNotThere_isToldAtTheStart() {
+        var nowhere = new SubsumptionRun.Settings(
+                Mode.SYNC,
+                "localhost",
+                1,
+                settings.table(),
+                settings.clock(),
+                settings.observer(),
+                settings.listener());
+        assertThatThrownBy(() -> SubsumptionRun.start(nowhere))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("7001");
+    }
+}
