@@ -230,16 +230,16 @@ final class Claims {
                 "4",
                 "The time taken by the callback function to send messages to the main function is almost equal to 1-2 milliseconds.",
                 "delay of a message",
-                "the middle of a run's messages: 1000 to 2000 us",
+                "the middle of a run's messages, with changes of state: 1000 to 2000 us",
                 has(CALLBACK),
                 in -> {
-                    double[] delays = in.both(Part.LOOPS, CALLBACK, Quantity.DELAY);
+                    double[] delays = in.both(Part.SWITCHES, CALLBACK, Quantity.DELAY);
                     return delays.length == 0
                             ? new Finding(in.cores(), "no message was sent", Verdict.CANNOT_BE_TOLD)
                             : new Finding(
                                     in.cores(),
                                     Findings.micros(delays) + ", 99 of 100 within "
-                                            + Findings.micros(in.both(Part.LOOPS, CALLBACK, Quantity.DELAY_P99)),
+                                            + Findings.micros(in.both(Part.SWITCHES, CALLBACK, Quantity.DELAY_P99)),
                                     Verdict.within(delays, 1000, 2000));
                 });
         perChange(

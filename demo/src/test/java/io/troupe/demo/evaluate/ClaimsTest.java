@@ -82,7 +82,7 @@ class ClaimsTest {
     @Test
     void messages_areCountedAndTimed() {
         var made = MadeUp.asThePaperSays()
-                .loops(Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1)
+                .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1)
                 .add(Part.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 30)
                 .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 10);
         assertThat(verdict(made, "1-2 milliseconds", "delay of a message")).isEqualTo(DOES_NOT_HOLD);

@@ -39,8 +39,8 @@ final class MadeUp {
                 .add(Part.ALONE, Mode.PROMISE, Findings.FOLLOWER, Quantity.TIME, 4_000)
                 .add(Part.ALONE, Mode.PROMISE, Findings.WANDERER, Quantity.TIME, 4_000);
         made.loops(Mode.SYNC, Measurement.BOTH, Quantity.PROCESSOR, 20_000)
-                .loops(Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1_500)
-                .loops(Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY_P99, 2_000)
+                .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1_500)
+                .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY_P99, 2_000)
                 .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 300)
                 .add(Part.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 10);
         return made;
