@@ -28,7 +28,14 @@ import picocli.CommandLine.ParameterException;
         mixinStandardHelpOptions = true,
         version = "Troupe 0.1.0-SNAPSHOT",
         scope = CommandLine.ScopeType.INHERIT,
-        subcommands = {RunCommand.class, EvaluateCommand.class, VerifyCommand.class, ServeCommand.class, ReplayCommand.class, DrawCommand.class
+        subcommands = {
+            RunCommand.class,
+            ModesCommand.class,
+            EvaluateCommand.class,
+            VerifyCommand.class,
+            ServeCommand.class,
+            ReplayCommand.class,
+            DrawCommand.class
         })
 public final class Main {
     /** Exit status for a wrong option, file or number. */

@@ -8,20 +8,27 @@ final class ProgressBar implements AutoCloseable {
     private static final int WIDTH = 40;
 
     private final TerminalLine line;
+    private final String label;
     private final double endSeconds;
     private int shown = -1;
 
-    private ProgressBar(TerminalLine line, double endSeconds) {
+    private ProgressBar(TerminalLine line, String label, double endSeconds) {
         this.line = line;
+        this.label = label;
         this.endSeconds = endSeconds;
     }
 
     static ProgressBar onTerminal(double endSeconds) {
-        return new ProgressBar(TerminalLine.open(), endSeconds);
+        return onTerminal("", endSeconds);
+    }
+
+    /** One with something in front that says what is running. */
+    static ProgressBar onTerminal(String label, double endSeconds) {
+        return new ProgressBar(TerminalLine.open(), label, endSeconds);
     }
 
     static ProgressBar hidden() {
-        return new ProgressBar(TerminalLine.hidden(), 1);
+        return new ProgressBar(TerminalLine.hidden(), "", 1);
     }
 
     void show(double seconds) {
@@ -33,7 +40,8 @@ final class ProgressBar implements AutoCloseable {
         int full = permille * WIDTH / 1000;
         line.show(String.format(
                 Locale.ROOT,
-                "[%s%s] %6.1f of %.1f s",
+                "%s[%s%s] %6.1f of %.1f s",
+                label,
                 "#".repeat(full),
                 ".".repeat(WIDTH - full),
                 seconds,

@@ -115,7 +115,10 @@ final class RunCommand implements Callable<Integer> {
         double wallSeconds = (System.nanoTime() - begin) / 1e9;
         Path picture = out.resolve("trajectory.svg");
         Files.writeString(picture, new TrajectorySvg(scenario.world(), result).draw());
-        terminal.print(result.summary(scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""), seed, wallSeconds));
+        terminal.print(result.summary(
+                scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""),
+                seed,
+                wallSeconds));
         terminal.println("wrote " + picture + " and " + out.resolve("run.jsonl"));
         terminal.flush();
     }

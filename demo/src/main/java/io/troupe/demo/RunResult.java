@@ -102,7 +102,9 @@ record RunResult(
 
     private String messageSummary() {
         int changes = states.size() - 1;
-        String each = changes == 0 ? "" : String.format(Locale.ROOT, ", %.1f a state change", (double) messages.sent() / changes);
+        String each = changes == 0
+                ? ""
+                : String.format(Locale.ROOT, ", %.1f a state change", (double) messages.sent() / changes);
         return String.format(
                 Locale.ROOT,
                 "colours sent by colour finders: %d in %d state changes%s; %d received, %d of them too late",

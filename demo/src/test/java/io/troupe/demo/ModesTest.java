@@ -45,7 +45,8 @@ class ModesTest {
         assertThat(promise.states()).hasSizeGreaterThan(2);
         assertThat(out.resolve("callback")).hasSameBinaryContentAs(out.resolve("promise"));
         assertThat(promise.messages().sent()).isEqualTo(promise.states().size() - 1L);
-        assertThat(callback.messages().sent()).isGreaterThan(5 * promise.messages().sent());
+        assertThat(callback.messages().sent())
+                .isGreaterThan(5 * promise.messages().sent());
         assertThat(callback.messages().received()).isEqualTo(callback.messages().sent());
     }
 

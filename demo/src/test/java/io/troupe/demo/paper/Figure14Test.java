@@ -46,7 +46,8 @@ class Figure14Test {
                         SubsumptionTable.ofThePaper(),
                         simulation.clock(),
                         ServiceObserver.NONE,
-                        (state, seenBy) -> Drives.stamped(simulation.clock(), ours).add("State " + state.number())))) {
+                        (state, seenBy) ->
+                                Drives.stamped(simulation.clock(), ours).add("State " + state.number())))) {
             tick(simulation);
             run.check();
         }

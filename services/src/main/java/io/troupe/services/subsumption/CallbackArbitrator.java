@@ -46,8 +46,7 @@ public class CallbackArbitrator extends Actor {
         Service service = present.service(robot);
         var reports = new Callback.Stream<ColourReport>(
                 report -> received(report, changesBefore), error -> serviceEnded(robot, service, changesBefore, error));
-        services.serve(
-                reports, robot, service, present.newReference(robot), PresentState.newColourFinder(service));
+        services.serve(reports, robot, service, present.newReference(robot), PresentState.newColourFinder(service));
     }
 
     private void received(ColourReport report, int changesBefore) {
@@ -68,8 +67,8 @@ public class CallbackArbitrator extends Actor {
         if (error != null) {
             present.fail(error);
         } else if (present.changes() == changesBefore) {
-            present.fail(new IllegalStateException("robot " + robot + ": " + service
-                    + " has ended in state " + present.state().number() + " though nothing told it to"));
+            present.fail(new IllegalStateException("robot " + robot + ": " + service + " has ended in state "
+                    + present.state().number() + " though nothing told it to"));
         }
     }
 }

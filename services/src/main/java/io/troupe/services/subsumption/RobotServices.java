@@ -258,14 +258,7 @@ public class RobotServices extends Actor {
         RobotLink link =
                 links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
         var loop = new ServiceLoop(
-                space(),
-                robot,
-                service,
-                link,
-                reference,
-                finder,
-                settings.observer(),
-                reconnecting.remove(robot));
+                space(), robot, service, link, reference, finder, settings.observer(), reconnecting.remove(robot));
         inCharge.put(robot, loop);
         byReference.put(reference, loop);
         return loop.ended().whenComplete((stopped, error) -> {

@@ -140,6 +140,16 @@ class ArbitratorTest {
     }
 
     @Test
+    void arbitratorThatIsStopped_leavesTheServicesInCharge() {
+        tick();
+        test.space().stop(arbitrator);
+        test.crank();
+        tick();
+        assertInCharge(WF, SW);
+        assertThat(robots.lastCommand(1).vx()).isPositive();
+    }
+
+    @Test
     void colourThatLeadsNowhere_leavesTheRobotItsService() {
         var table = SubsumptionTable.forRobots(2)
                 .when(Colours.BLUE, WF, SW)

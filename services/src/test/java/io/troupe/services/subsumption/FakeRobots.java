@@ -89,7 +89,9 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
             long deadline = System.nanoTime() + ANSWER_LIMIT_NANOS;
             while (lines.stream().anyMatch(line -> line.answered < number)) {
                 long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
-                assertThat(leftMillis).as("milliseconds left to answer tick " + number).isPositive();
+                assertThat(leftMillis)
+                        .as("milliseconds left to answer tick " + number)
+                        .isPositive();
                 answers.wait(leftMillis);
             }
         }

@@ -30,8 +30,7 @@ class ReconnectionTest {
     @BeforeEach
     void begin() {
         arbitrator = test.spawn(
-                Arbitrator.class,
-                () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), (state, seenBy) -> {}));
+                Arbitrator.class, () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), (state, seenBy) -> {}));
         arbitrator.live();
         test.crank();
     }
@@ -103,8 +102,7 @@ class ReconnectionTest {
         robots.tick(100);
         var reference = new AtomicReference<>(1);
         var finder = new AtomicReference<>(0);
-        var problem = test.error(
-                services.serve(0, Service.SPACE_WANDERER, reference, finder, ColourRule.NONE));
+        var problem = test.error(services.serve(0, Service.SPACE_WANDERER, reference, finder, ColourRule.NONE));
         assertThat(problem).hasMessageContaining("robot 0 is in the charge of spaceWanderer");
         assertThat(charge.of(0)).isEmpty();
         robots.tick(100);

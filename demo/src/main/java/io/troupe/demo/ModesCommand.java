@@ -1,0 +1,82 @@
+package io.troupe.demo;
+
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe modes}: the same robots in the same world, synchronously, with callbacks and with promises. */
+@Command(
+        name = "modes",
+        description =
+                "Runs the paper's three modes from the same seed and shows their states side by side, where they differ, and why.",
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+final class ModesCommand implements Callable<Integer> {
+    @Spec
+    private CommandSpec spec;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private Path world = Path.of(System.getProperty("troupe.home", ""), "demo", "worlds", "paper-arena.world");
+
+    @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run in each mode")
+    private double seconds = 300;
+
+    @Option(names = "--seed", paramLabel = "N", description = "moves the start poses, as in run")
+    private long seed = 1;
+
+    @Option(names = "--out", paramLabel = "DIR", description = "where modes.svg and run-MODE.jsonl go")
+    private Path out = Path.of("out");
+
+    @Override
+    public Integer call() throws IOException, InterruptedException {
+        if (!(seconds > 0) || seconds > 1e6) {
+            throw new ParameterException(
+                    spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
+        }
+        Scenario scenario = ScenarioReader.read(world);
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+        }
+        var results = new EnumMap<Mode, RunResult>(Mode.class);
+        for (Mode mode : Mode.values()) {
+            results.put(mode, run(scenario, mode));
+        }
+        var comparison = new ModeComparison(results);
+        String title = scenario.world().name() + ", seed " + seed + ": states in the three modes";
+        Files.writeString(out.resolve("modes.svg"), new ModesSvg(comparison, title).draw());
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.print(comparison.text());
+        terminal.println("wrote " + out.resolve("modes.svg") + " and, beside it, run-sync.jsonl, run-callback.jsonl and"
+                + " run-promise.jsonl");
+        terminal.flush();
+        return 0;
+    }
+
+    private RunResult run(Scenario scenario, Mode mode) throws IOException, InterruptedException {
+        var manner = new PaperRun.Manner(mode, false);
+        try (var progress = ProgressBar.onTerminal(mode + " mode ", seconds);
+                var log = new RunLog(out.resolve("run-" + mode + ".jsonl"))) {
+            return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, manner)
+                    .run(log, change -> {}, progress, () -> false);
+        }
+    }
+}
