@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.CategoryChartBuilder;
+import org.knowm.xchart.style.Styler.LegendLayout;
 import org.knowm.xchart.style.Styler.LegendPosition;
 
 /** The paper's figures again: on the left time as it passes for the robots, on the right computing time. */
@@ -19,7 +20,8 @@ final class Figures {
     private static final List<String> PASSING = List.of("wall follower", "space wanderer", "both");
     private static final List<String> COMPUTING = List.of("wall follower", "space wanderer", "both, with messages");
     /** Told apart by people who see few colours. */
-    private static final Color[] COLOURS = {new Color(0x4477AA), new Color(0xDDAA33), new Color(0x228833)};
+    private static final List<Color> COLOURS =
+            List.of(new Color(0x4477AA), new Color(0xDDAA33), new Color(0x228833), new Color(0x66CCEE), new Color(0xAA3377));
 
     private final EvaluationSettings settings;
     private final Measurements measurements;
@@ -30,7 +32,7 @@ final class Figures {
     }
 
     /** Bars that stand side by side over each label. */
-    private record Bars(Mode mode, int cores) {}
+    private record Bars(Mode mode, int cores, Color colour) {}
 
     /** Those for which everything was measured, by the name of their files. */
     Map<String, List<CategoryChart>> charts() {
@@ -57,7 +59,9 @@ final class Figures {
     private void byCores(Map<String, List<CategoryChart>> charts, int figure, Mode mode) {
         if (settings.modes().contains(mode)) {
             Map<String, Bars> series = new LinkedHashMap<>();
-            settings.cores().forEach(cores -> series.put("told " + cores + " cores", new Bars(mode, cores)));
+            for (int cores : settings.cores()) {
+                series.put("told " + cores + " cores", new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
+            }
             charts.put("evaluation-" + figure, panels("Figure " + figure + ", " + mode, series));
         }
     }
@@ -66,7 +70,9 @@ final class Figures {
         if (settings.modes().containsAll(modes)) {
             int cores = settings.cores().getLast();
             Map<String, Bars> series = new LinkedHashMap<>();
-            modes.forEach(mode -> series.put(mode.toString(), new Bars(mode, cores)));
+            for (Mode mode : modes) {
+                series.put(mode.toString(), new Bars(mode, cores, COLOURS.get(mode.ordinal())));
+            }
             charts.put("evaluation-" + figure, panels("Figure " + figure + ", told " + cores + " cores", series));
         }
     }
@@ -76,17 +82,18 @@ final class Figures {
         CategoryChart passing = chart(title + ": " + time, "ms for " + settings.loops() + " loops");
         passing.getStyler().setYAxisDecimalPattern("#,##0");
         CategoryChart computing =
-                chart(title + ": computing", "\u00b5s for a loop, median and half the distance of the quartiles");
+                chart(title + ": computing time", "\u00b5s for a loop \u00b1 half the quartile distance");
         computing.getStyler().setYAxisDecimalPattern("#,##0.0#");
         series.forEach((name, bars) -> {
             Spread[] millis = spreads(bars, List.of(Quantity.TIME, Quantity.TIME, Quantity.TIME));
-            passing.addSeries(name, PASSING, medians(millis));
+            passing.addSeries(name, PASSING, medians(millis)).setFillColor(bars.colour());
             Spread[] micros = spreads(bars, List.of(Quantity.CYCLE, Quantity.CYCLE, Quantity.TURN));
             computing.addSeries(
                     name,
                     COMPUTING,
                     medians(micros),
-                    Arrays.stream(micros).map(Spread::halfWidth).toList());
+                    Arrays.stream(micros).map(Spread::halfWidth).toList())
+                    .setFillColor(bars.colour());
         });
         return List.of(passing, computing);
     }
@@ -112,8 +119,8 @@ final class Figures {
                 .yAxisTitle(unit)
                 .build();
         var style = chart.getStyler();
-        style.setSeriesColors(COLOURS);
-        style.setLegendPosition(LegendPosition.InsideNW);
+        style.setLegendPosition(LegendPosition.OutsideS);
+        style.setLegendLayout(LegendLayout.Horizontal);
         style.setChartBackgroundColor(Color.WHITE);
         style.setPlotGridVerticalLinesVisible(false);
         style.setAvailableSpaceFill(0.8);
