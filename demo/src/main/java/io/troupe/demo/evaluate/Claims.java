@@ -35,7 +35,10 @@ final class Claims {
     static List<Claim> of(Measurements measurements, List<Mode> modes, List<Integer> cores, boolean realTime) {
         Mode alone = Plan.modeAlone(modes);
         var claims = new Claims(
-                cores.stream().map(count -> new Findings(measurements, alone, count)).toList(), realTime);
+                cores.stream()
+                        .map(count -> new Findings(measurements, alone, count))
+                        .toList(),
+                realTime);
         claims.timeOfModes();
         claims.timeOfPromise();
         claims.timeOfServices();
@@ -53,7 +56,12 @@ final class Claims {
             Function<Findings, Finding> finding) {
         List<Findings> with = findings.stream().filter(measured).toList();
         if (!with.isEmpty()) {
-            claims.add(new Claim(source, words, measure, criterion, with.stream().map(finding).toList()));
+            claims.add(new Claim(
+                    source,
+                    words,
+                    measure,
+                    criterion,
+                    with.stream().map(finding).toList()));
         }
     }
 
@@ -103,7 +111,8 @@ final class Claims {
                         double[] longer = Findings.longer(in.aloneMs(Findings.FOLLOWER), in.aloneMs(Findings.WANDERER));
                         return new Finding(
                                 in.cores(),
-                                Findings.seconds(time(in, mode)) + ", the longer one by itself " + Findings.seconds(longer),
+                                Findings.seconds(time(in, mode)) + ", the longer one by itself "
+                                        + Findings.seconds(longer),
                                 same(time(in, mode), longer));
                     });
         }
@@ -132,7 +141,8 @@ final class Claims {
                     return new Finding(
                             in.cores(),
                             more + " " + text(in.both(Part.LOOPS, more, quantity), quantity) + ", " + less + " "
-                                    + text(in.both(Part.LOOPS, less, quantity), quantity) + ": " + Findings.times(ratios),
+                                    + text(in.both(Part.LOOPS, less, quantity), quantity) + ": "
+                                    + Findings.times(ratios),
                             certain(Verdict.above(ratios, limit), quantity, ratios));
                 });
     }
@@ -163,12 +173,16 @@ final class Claims {
                 has(CALLBACK, PROMISE),
                 in -> {
                     double[] ratios = in.ratio(CALLBACK, PROMISE, quantity);
-                    return new Finding(in.cores(), Findings.times(ratios), certain(Verdict.within(ratios, 0.9, 1.1), quantity, ratios));
+                    return new Finding(
+                            in.cores(),
+                            Findings.times(ratios),
+                            certain(Verdict.within(ratios, 0.9, 1.1), quantity, ratios));
                 });
     }
 
     private void timeOfServices() {
-        String words = "Space Wanderer service takes very less time than Wall Follower in covering 1000 loops of the service.";
+        String words =
+                "Space Wanderer service takes very less time than Wall Follower in covering 1000 loops of the service.";
         services(words, elapsed, PROMISE, Quantity.TIME);
         services(words, "computing time", PROMISE, Quantity.CYCLE);
         add(

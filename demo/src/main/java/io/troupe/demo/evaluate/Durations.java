@@ -20,7 +20,8 @@ final class Durations {
 
     /** The duration below which a share of all lies, in units of so many nanoseconds; there must be one. */
     double quantile(double share, double unitNanos) {
-        double[] sorted = Arrays.stream(nanos, 0, count).sorted().asDoubleStream().toArray();
+        double[] sorted =
+                Arrays.stream(nanos, 0, count).sorted().asDoubleStream().toArray();
         return Spread.quantile(sorted, share) / unitNanos;
     }
 

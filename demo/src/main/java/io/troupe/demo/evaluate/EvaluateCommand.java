@@ -22,7 +22,8 @@ import picocli.CommandLine.Spec;
 /** {@code troupe evaluate}: Figures 15, 18, 21, 22 and 23 again. */
 @Command(
         name = "evaluate",
-        description = "Measures what section 4 of the paper measured, and sets what the paper says beside what comes out.",
+        description =
+                "Measures what section 4 of the paper measured, and sets what the paper says beside what comes out.",
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class EvaluateCommand implements Callable<Integer> {
@@ -68,11 +69,14 @@ public final class EvaluateCommand implements Callable<Integer> {
     @Option(
             names = "--seconds",
             paramLabel = "N",
-            description = "how long robots change states, to count messages; " + SECONDS + " s unless given, " + REAL_SECONDS + " in real time",
+            description = "how long robots change states, to count messages; " + SECONDS + " s unless given, "
+                    + REAL_SECONDS + " in real time",
             showDefaultValue = Visibility.NEVER)
     private @Nullable Double seconds;
 
-    @Option(names = "--reconnect", description = "measure as well what a change of state costs when services connect anew, as the paper's do")
+    @Option(
+            names = "--reconnect",
+            description = "measure as well what a change of state costs when services connect anew, as the paper's do")
     private boolean reconnect;
 
     @Option(
@@ -124,15 +128,21 @@ public final class EvaluateCommand implements Callable<Integer> {
     private EvaluationSettings settings() {
         check(loops >= 2 && loops <= MOST_LOOPS, "--loops is " + loops + ", expected a number from 2 to " + MOST_LOOPS);
         for (int count : cores) {
-            check(count >= 1 && count <= MOST_CORES, "--cores is " + count + ", expected numbers from 1 to " + MOST_CORES);
+            check(
+                    count >= 1 && count <= MOST_CORES,
+                    "--cores is " + count + ", expected numbers from 1 to " + MOST_CORES);
         }
         int times = repetitions == null ? (realTime ? 1 : REPETITIONS) : repetitions;
         check(
                 times >= 1 && times <= MOST_REPETITIONS,
                 "--repetitions is " + times + ", expected a number from 1 to " + MOST_REPETITIONS);
-        check(warmUps >= 0 && warmUps <= MOST_WARM_UPS, "--warm-up is " + warmUps + ", expected a number from 0 to " + MOST_WARM_UPS);
+        check(
+                warmUps >= 0 && warmUps <= MOST_WARM_UPS,
+                "--warm-up is " + warmUps + ", expected a number from 0 to " + MOST_WARM_UPS);
         double changing = seconds == null ? (realTime ? REAL_SECONDS : SECONDS) : seconds;
-        check(changing > 0 && changing <= 1e6, "--seconds is " + changing + ", expected a number above 0 and up to 1000000");
+        check(
+                changing > 0 && changing <= 1e6,
+                "--seconds is " + changing + ", expected a number above 0 and up to 1000000");
         return new EvaluationSettings(
                 world,
                 loops,

@@ -33,7 +33,10 @@ final class Evaluation {
                 for (Job job : plan.repetition(repetition)) {
                     for (MeasuringProcess process : processes) {
                         progress.begins(job, process.cores());
-                        keep(settings.realTime() ? inRealTime(job, process) : process.measure(job), job, process.cores());
+                        keep(
+                                settings.realTime() ? inRealTime(job, process) : process.measure(job),
+                                job,
+                                process.cores());
                         progress.ended(Plan.expectedSeconds(job));
                     }
                 }
@@ -83,7 +86,8 @@ final class Evaluation {
 
     /** On the robots' clock, of all that takes time. */
     private double expectedSeconds() {
-        double once = plan.repetition(1).stream().mapToDouble(Plan::expectedSeconds).sum();
+        double once =
+                plan.repetition(1).stream().mapToDouble(Plan::expectedSeconds).sum();
         double warmUp = plan.warmUp(1).stream().mapToDouble(this::warmUpSeconds).sum();
         return (once * settings.repetitions() + warmUp * settings.warmUps())
                 * settings.cores().size();

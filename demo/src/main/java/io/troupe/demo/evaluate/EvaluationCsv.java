@@ -12,8 +12,7 @@ final class EvaluationCsv {
     private EvaluationCsv() {}
 
     static void write(Measurements measurements, Path file) throws IOException {
-        var lines = Stream.concat(
-                Stream.of(HEADER), measurements.all().stream().map(EvaluationCsv::line));
+        var lines = Stream.concat(Stream.of(HEADER), measurements.all().stream().map(EvaluationCsv::line));
         Files.write(file, (Iterable<String>) lines::iterator);
     }
 

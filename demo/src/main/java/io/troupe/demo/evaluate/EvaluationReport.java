@@ -115,7 +115,12 @@ final class EvaluationReport {
     private static String paragraph(Claim claim) {
         return String.format(
                 "%n  %-14s  %s: %s%n                  ours, %s: %s%n                  criterion: %s%n",
-                claim.verdict(), claim.source(), quoted(claim.words()), claim.measure(), claim.ours(), claim.criterion());
+                claim.verdict(),
+                claim.source(),
+                quoted(claim.words()),
+                claim.measure(),
+                claim.ours(),
+                claim.criterion());
     }
 
     private static String quoted(String words) {

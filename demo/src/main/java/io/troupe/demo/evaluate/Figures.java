@@ -20,8 +20,8 @@ final class Figures {
     private static final List<String> PASSING = List.of("wall follower", "space wanderer", "both");
     private static final List<String> COMPUTING = List.of("wall follower", "space wanderer", "both, with messages");
     /** Told apart by people who see few colours. */
-    private static final List<Color> COLOURS =
-            List.of(new Color(0x4477AA), new Color(0xDDAA33), new Color(0x228833), new Color(0x66CCEE), new Color(0xAA3377));
+    private static final List<Color> COLOURS = List.of(
+            new Color(0x4477AA), new Color(0xDDAA33), new Color(0x228833), new Color(0x66CCEE), new Color(0xAA3377));
 
     private final EvaluationSettings settings;
     private final Measurements measurements;
@@ -60,7 +60,8 @@ final class Figures {
         if (settings.modes().contains(mode)) {
             Map<String, Bars> series = new LinkedHashMap<>();
             for (int cores : settings.cores()) {
-                series.put("told " + cores + " cores", new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
+                series.put(
+                        "told " + cores + " cores", new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
             }
             charts.put("evaluation-" + figure, panels("Figure " + figure + ", " + mode, series));
         }
@@ -88,11 +89,12 @@ final class Figures {
             Spread[] millis = spreads(bars, List.of(Quantity.TIME, Quantity.TIME, Quantity.TIME));
             passing.addSeries(name, PASSING, medians(millis)).setFillColor(bars.colour());
             Spread[] micros = spreads(bars, List.of(Quantity.CYCLE, Quantity.CYCLE, Quantity.TURN));
-            computing.addSeries(
-                    name,
-                    COMPUTING,
-                    medians(micros),
-                    Arrays.stream(micros).map(Spread::halfWidth).toList())
+            computing
+                    .addSeries(
+                            name,
+                            COMPUTING,
+                            medians(micros),
+                            Arrays.stream(micros).map(Spread::halfWidth).toList())
                     .setFillColor(bars.colour());
         });
         return List.of(passing, computing);

@@ -5,6 +5,7 @@ import io.troupe.services.subsumption.Service;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 
 /** The numbers of one number of cores, as claims need them. */
 final class Findings {
@@ -45,13 +46,13 @@ final class Findings {
     }
 
     double[] ratio(Mode numerator, Mode denominator, Quantity quantity) {
-        return Measurements.ratios(
-                both(Part.LOOPS, numerator, quantity), both(Part.LOOPS, denominator, quantity));
+        return Measurements.ratios(both(Part.LOOPS, numerator, quantity), both(Part.LOOPS, denominator, quantity));
     }
 
     /** As text, in seconds. */
     static String seconds(double[] millis) {
-        return Spread.of(Arrays.stream(millis).map(each -> each / 1000).toArray()).text(1) + " s";
+        return Spread.of(Arrays.stream(millis).map(each -> each / 1000).toArray())
+                        .text(1) + " s";
     }
 
     static String micros(double[] micros) {
@@ -79,7 +80,7 @@ final class Findings {
         double[] changes = both(Part.SWITCHES, mode, Quantity.STATE_CHANGES);
         double[] sent = both(Part.SWITCHES, mode, Quantity.SENT);
         // a run without a change says nothing of how many messages one takes
-        var withChanges = java.util.stream.IntStream.range(0, changes.length)
+        var withChanges = IntStream.range(0, changes.length)
                 .filter(index -> changes[index] > 0)
                 .toArray();
         return Arrays.stream(withChanges)

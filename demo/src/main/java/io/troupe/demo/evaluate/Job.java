@@ -33,7 +33,8 @@ record Job(Part part, Mode mode, String subject, int loops, double seconds, long
     static Job parse(String line) {
         String[] fields = line.split(" ", -1);
         if (fields.length != FIELDS) {
-            throw new IllegalArgumentException("a job of " + fields.length + " fields, expected " + FIELDS + ": " + line);
+            throw new IllegalArgumentException(
+                    "a job of " + fields.length + " fields, expected " + FIELDS + ": " + line);
         }
         return new Job(
                 Part.valueOf(fields[0]),

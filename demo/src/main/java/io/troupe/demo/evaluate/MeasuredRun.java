@@ -54,8 +54,8 @@ final class MeasuredRun {
             try (var run = SubsumptionRun.start(settings(job, "localhost", port, simulation.clock(), meter))) {
                 for (long tick = 0; !meter.isDone(); tick++) {
                     if (tick == mostTicks) {
-                        throw new IllegalStateException(job.title() + ": after " + tick + " readings the services have not done "
-                                + job.loops() + " loops each");
+                        throw new IllegalStateException(job.title() + ": after " + tick
+                                + " readings the services have not done " + job.loops() + " loops each");
                     }
                     simulation.tick();
                     run.check();

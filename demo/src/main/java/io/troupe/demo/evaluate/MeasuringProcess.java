@@ -58,7 +58,8 @@ final class MeasuringProcess implements AutoCloseable {
             var value = Result.Value.parse(line);
             result.add(value.subject(), value.quantity(), value.value());
         }
-        throw new IOException(job.title() + ": the JVM that measures (told " + cores + " cores) has ended: " + status());
+        throw new IOException(
+                job.title() + ": the JVM that measures (told " + cores + " cores) has ended: " + status());
     }
 
     private String status() {

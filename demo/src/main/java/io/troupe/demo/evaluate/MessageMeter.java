@@ -23,7 +23,8 @@ final class MessageMeter {
 
     void received(int robot) {
         long now = System.nanoTime();
-        Long then = onTheirWay.computeIfAbsent(robot, index -> new ArrayDeque<>()).poll();
+        Long then =
+                onTheirWay.computeIfAbsent(robot, index -> new ArrayDeque<>()).poll();
         if (then != null) { // else it was sent when nobody counted any more
             received++;
             delays.add(now - then);

@@ -26,7 +26,8 @@ final class RealTimeServer implements AutoCloseable {
         try {
             simulation.lockStep(false);
             var server = TcpServer.open(PlayerPorts.find(world.port()).orElseThrow(), 0);
-            var runner = SimulationRunner.start(simulation, 1, snapshot -> passed.accept(snapshot.timeMicros() / 1e6), new Pace.RealTime(1));
+            var runner = SimulationRunner.start(
+                    simulation, 1, snapshot -> passed.accept(snapshot.timeMicros() / 1e6), new Pace.RealTime(1));
             return new RealTimeServer(simulation, server, runner);
         } catch (RuntimeException e) {
             simulation.close();

@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 class ClaimsTest {
     private static Verdict verdict(MadeUp made, String words, String measure) {
         return made.claims().stream()
-                .filter(claim -> claim.words().contains(words) && claim.measure().equals(measure))
+                .filter(claim ->
+                        claim.words().contains(words) && claim.measure().equals(measure))
                 .findFirst()
                 .orElseThrow()
                 .verdict();
@@ -27,7 +28,8 @@ class ClaimsTest {
     void everythingAsThePaperSays_holds() {
         assertThat(MadeUp.asThePaperSays().claims())
                 .hasSize(16)
-                .allSatisfy(claim -> assertThat(claim.verdict()).as(claim.words()).isEqualTo(HOLDS));
+                .allSatisfy(
+                        claim -> assertThat(claim.verdict()).as(claim.words()).isEqualTo(HOLDS));
     }
 
     @Test
@@ -92,8 +94,8 @@ class ClaimsTest {
 
     @Test
     void noChangeOfState_tellsNothingOfMessages() {
-        var made = MadeUp.asThePaperSays()
-                .add(Part.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.STATE_CHANGES, 0);
+        var made =
+                MadeUp.asThePaperSays().add(Part.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.STATE_CHANGES, 0);
         assertThat(verdict(made, "only single time", "messages")).isEqualTo(CANNOT_BE_TOLD);
     }
 

@@ -58,8 +58,19 @@ class EvaluateCommandTest {
     private Path small(String name) {
         Path to = directory.resolve(name);
         assertThat(evaluate(
-                        "--loops", "20", "--cores", "2", "--repetitions", "2", "--warm-up", "0", "--seconds", "40",
-                        "--reconnect", "--out", to.toString()))
+                        "--loops",
+                        "20",
+                        "--cores",
+                        "2",
+                        "--repetitions",
+                        "2",
+                        "--warm-up",
+                        "0",
+                        "--seconds",
+                        "40",
+                        "--reconnect",
+                        "--out",
+                        to.toString()))
                 .as(out.toString())
                 .isZero();
         return to.resolve("evaluation.csv");
@@ -96,8 +107,19 @@ class EvaluateCommandTest {
     @Test
     void realTime_isMeasuredOverTcp() throws IOException {
         assertThat(evaluate(
-                        "--realtime", "--loops", "4", "--modes", "promise,sync", "--cores", "2", "--warm-up", "0",
-                        "--seconds", "0.5", "--out", directory.toString()))
+                        "--realtime",
+                        "--loops",
+                        "4",
+                        "--modes",
+                        "promise,sync",
+                        "--cores",
+                        "2",
+                        "--warm-up",
+                        "0",
+                        "--seconds",
+                        "0.5",
+                        "--out",
+                        directory.toString()))
                 .as(out.toString())
                 .isZero();
         assertThat(out.toString()).contains("4 loops of each service, over TCP, in real time");

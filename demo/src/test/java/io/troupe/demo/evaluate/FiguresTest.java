@@ -29,8 +29,7 @@ class FiguresTest {
     void everyFigureOfThePaper_hasItsBars() {
         var charts = figures(MadeUp.asThePaperSays()).charts();
         assertThat(charts.keySet())
-                .containsExactly(
-                        "evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
+                .containsExactly("evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
         assertThat(charts.get("evaluation-15").getFirst().getSeriesCollection())
                 .extracting(CategorySeries::getName)
                 .containsExactly("told 2 cores", "told 3 cores");

@@ -58,7 +58,8 @@ class SpreadTest {
 
     @Test
     void ratios_areOfTheSameRepetition() {
-        assertThat(Measurements.ratios(new double[] {2, 9}, new double[] {1, 3})).containsExactly(2, 3);
+        assertThat(Measurements.ratios(new double[] {2, 9}, new double[] {1, 3}))
+                .containsExactly(2, 3);
         assertThatThrownBy(() -> Measurements.ratios(new double[2], new double[1]))
                 .hasMessage("2 numerators, expected 1 as there are denominators");
     }

@@ -21,7 +21,8 @@ final class RobotLink implements AutoCloseable {
 
     private RobotLink(PlayerClient client, int robot) {
         this.client = client;
-        client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // behind a socket, too, a frame is all readings of a time
+        client.requestDataDeliveryMode(
+                PlayerConstants.PLAYER_DATAMODE_PULL); // behind a socket, too, a frame is all readings of a time
         devices = new RobotDevices(client, robot);
         client.runThreaded(-1, -1);
     }
