@@ -56,6 +56,22 @@ class ClaimsTest {
     }
 
     @Test
+    void onTheWall_aDifferenceOfLessThanACycle_isNone() {
+        var claims = Claims.of(MadeUp.asThePaperSays().measurements(), MadeUp.MODES, MadeUp.CORES, true);
+        assertThat(claims)
+                .filteredOn(claim -> claim.measure().equals("time on the wall")
+                        && claim.words().contains("It [promise] is faster"))
+                .singleElement()
+                .extracting(Claim::verdict)
+                .isEqualTo(CANNOT_BE_TOLD);
+        assertThat(claims)
+                .filteredOn(claim -> claim.words().contains("It [callback] is faster"))
+                .singleElement()
+                .extracting(Claim::verdict)
+                .isEqualTo(HOLDS);
+    }
+
+    @Test
     void computing_isJudgedByItself() {
         var made = MadeUp.asThePaperSays()
                 .loops(Mode.CALLBACK, Measurement.BOTH, Quantity.TURN, 2_000)
