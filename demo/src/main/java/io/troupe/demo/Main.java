@@ -3,6 +3,7 @@ package io.troupe.demo;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
+import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
@@ -37,6 +38,7 @@ import picocli.CommandLine.ParameterException;
         subcommands = {
             RunCommand.class,
             ModesCommand.class,
+            EvaluateCommand.class,
             CrowdCommand.class,
             TableCommand.class,
             AppCommand.class,

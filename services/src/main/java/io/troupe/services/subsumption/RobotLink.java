@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.player.PlayerClient;
+import io.troupe.player.structures.PlayerConstants;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,6 +21,8 @@ final class RobotLink implements AutoCloseable {
 
     private RobotLink(PlayerClient client, int robot) {
         this.client = client;
+        client.requestDataDeliveryMode(
+                PlayerConstants.PLAYER_DATAMODE_PULL); // behind a socket, too, a frame is all readings of a time
         devices = new RobotDevices(client, robot);
         client.runThreaded(-1, -1);
     }

@@ -93,7 +93,7 @@ final class ServiceLoop {
     }
 
     private void react(boolean dataAreReady) {
-        if (dataAreReady && isToRun() && cycle.isDue()) {
+        if (dataAreReady && isToRun() && link.devices().hasData() && cycle.isDue()) {
             if (!inCharge) {
                 takeCharge();
             }

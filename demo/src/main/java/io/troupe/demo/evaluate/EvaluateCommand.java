@@ -1,0 +1,172 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.services.subsumption.Mode;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe evaluate}: Figures 15, 18, 21, 22 and 23 again. */
+@Command(
+        name = "evaluate",
+        description =
+                "Measures what section 4 of the paper measured, and sets what the paper says beside what comes out.",
+        mixinStandardHelpOptions = true,
+        showDefaultValues = true)
+public final class EvaluateCommand implements Callable<Integer> {
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+    private static final int MOST_LOOPS = 1_000_000;
+    private static final int MOST_CORES = 64;
+    private static final int MOST_REPETITIONS = 1000;
+    private static final int REPETITIONS = 15;
+    private static final int SECONDS = 300;
+    private static final int REAL_SECONDS = 60;
+    private static final int MOST_WARM_UPS = 100;
+
+    @Spec
+    private CommandSpec spec;
+
+    @Option(names = "--loops", paramLabel = "N", description = "how often each service loops in a measurement")
+    private int loops = 1000;
+
+    @Option(
+            names = "--cores",
+            paramLabel = "N",
+            split = ",",
+            description = "what the Java machines that measure are told to have")
+    private List<Integer> cores = List.of(2, 3);
+
+    @Option(names = "--modes", paramLabel = "MODE", split = ",", description = "of ${COMPLETION-CANDIDATES}")
+    private List<Mode> modes = List.of(Mode.values());
+
+    @Option(
+            names = "--repetitions",
+            paramLabel = "N",
+            description = "of each measurement, from slightly different start poses; " + REPETITIONS
+                    + " unless given, 1 in real time",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Integer repetitions;
+
+    @Option(
+            names = "--warm-up",
+            paramLabel = "N",
+            description = "how often everything is done before it is measured, so that Java has compiled it")
+    private int warmUps = 3;
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "N",
+            description = "how long robots change states, to count messages; " + SECONDS + " s unless given, "
+                    + REAL_SECONDS + " in real time",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Double seconds;
+
+    @Option(
+            names = "--reconnect",
+            description = "measure as well what a change of state costs when services connect anew, as the paper's do")
+    private boolean reconnect;
+
+    @Option(
+            names = "--realtime",
+            description =
+                    "by the clock on the wall, over TCP; with --loops 100 and one of --cores that takes 4 minutes, with 1000 loops 13")
+    private boolean realTime;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "a .world or .cfg file with two robots; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
+
+    @Option(names = "--out", paramLabel = "DIR", description = "where evaluation.csv and the pictures go")
+    private Path out = Path.of("out");
+
+    @Override
+    public Integer call() throws IOException {
+        System.setProperty("java.awt.headless", "true"); // pictures need no screen
+        var settings = settings();
+        makeOutputDirectory();
+        Files.deleteIfExists(settings.log());
+        long begin = System.nanoTime();
+        Measurements measurements;
+        try (var progress = new EvaluationProgress(TerminalLine.open())) {
+            measurements = new Evaluation(settings, progress).measure();
+        }
+        double tookSeconds = (System.nanoTime() - begin) / 1e9;
+        Path csv = out.resolve("evaluation.csv");
+        EvaluationCsv.write(measurements, csv);
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.print(new EvaluationReport(settings, measurements).text());
+        if (Files.size(settings.log()) == 0) {
+            Files.delete(settings.log());
+        } else {
+            terminal.println("\nwhat was logged meanwhile is in " + settings.log());
+        }
+        terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
+        terminal.flush();
+        var names = new Figures(settings, measurements).write(out);
+        terminal.println("and, as .svg and .png: "
+                + names.stream().map(name -> out.resolve(name).toString()).collect(Collectors.joining(", ")));
+        terminal.flush();
+        return 0;
+    }
+
+    private EvaluationSettings settings() {
+        check(loops >= 2 && loops <= MOST_LOOPS, "--loops is " + loops + ", expected a number from 2 to " + MOST_LOOPS);
+        for (int count : cores) {
+            check(
+                    count >= 1 && count <= MOST_CORES,
+                    "--cores is " + count + ", expected numbers from 1 to " + MOST_CORES);
+        }
+        int times = repetitions == null ? (realTime ? 1 : REPETITIONS) : repetitions;
+        check(
+                times >= 1 && times <= MOST_REPETITIONS,
+                "--repetitions is " + times + ", expected a number from 1 to " + MOST_REPETITIONS);
+        check(
+                warmUps >= 0 && warmUps <= MOST_WARM_UPS,
+                "--warm-up is " + warmUps + ", expected a number from 0 to " + MOST_WARM_UPS);
+        double changing = seconds == null ? (realTime ? REAL_SECONDS : SECONDS) : seconds;
+        check(
+                changing > 0 && changing <= 1e6,
+                "--seconds is " + changing + ", expected a number above 0 and up to 1000000");
+        return new EvaluationSettings(
+                world,
+                loops,
+                cores.stream().distinct().sorted().toList(),
+                Arrays.stream(Mode.values()).filter(modes::contains).toList(),
+                times,
+                warmUps,
+                changing,
+                reconnect,
+                realTime,
+                out.resolve("evaluation.log"));
+    }
+
+    private void check(boolean fine, String complaint) {
+        if (!fine) {
+            throw new ParameterException(spec.commandLine(), complaint);
+        }
+    }
+
+    private void makeOutputDirectory() {
+        try {
+            Files.createDirectories(out);
+        } catch (IOException e) {
+            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+        }
+    }
+}

@@ -1,0 +1,95 @@
+package io.troupe.demo.evaluate;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Measures everything, one job at a time, so that no two measurements disturb each other: the JVMs take turns.
+ */
+final class Evaluation {
+    private final EvaluationSettings settings;
+    private final PaperWorld world;
+    private final Plan plan;
+    private final EvaluationProgress progress;
+    private final Measurements measurements = new Measurements();
+
+    Evaluation(EvaluationSettings settings, EvaluationProgress progress) {
+        this.settings = settings;
+        this.world = PaperWorld.read(settings.world());
+        this.plan = new Plan(settings);
+        this.progress = progress;
+    }
+
+    Measurements measure() throws IOException {
+        var processes = new ArrayList<MeasuringProcess>();
+        try {
+            for (int cores : settings.cores()) {
+                processes.add(MeasuringProcess.start(cores, settings.world(), settings.log()));
+            }
+            progress.expect(expectedSeconds());
+            warmUp(processes);
+            for (int repetition = 1; repetition <= settings.repetitions(); repetition++) {
+                for (Job job : plan.repetition(repetition)) {
+                    for (MeasuringProcess process : processes) {
+                        progress.begins(job, process.cores());
+                        keep(
+                                settings.realTime() ? inRealTime(job, process) : process.measure(job),
+                                job,
+                                process.cores());
+                        progress.ended(Plan.expectedSeconds(job));
+                    }
+                }
+            }
+            return measurements;
+        } finally {
+            processes.forEach(MeasuringProcess::close);
+        }
+    }
+
+    private void warmUp(List<MeasuringProcess> processes) throws IOException {
+        for (int round = 1; round <= settings.warmUps(); round++) {
+            for (Job job : plan.warmUp(round)) {
+                for (MeasuringProcess process : processes) {
+                    progress.warmsUp(process.cores());
+                    process.measure(job);
+                    progress.ended(warmUpSeconds(job));
+                }
+            }
+        }
+    }
+
+    /** In real time the warm-up takes next to nothing. */
+    private double warmUpSeconds(Job job) {
+        return settings.realTime() ? 0 : Plan.expectedSeconds(job);
+    }
+
+    private Result inRealTime(Job job, MeasuringProcess process) throws IOException {
+        try (var server = RealTimeServer.open(world, job.seed(), progress::within)) {
+            return process.measure(new Job(
+                    job.part(), job.mode(), job.subject(), job.loops(), job.seconds(), job.seed(), server.port()));
+        }
+    }
+
+    private void keep(Result result, Job job, int cores) {
+        for (var value : result.values()) {
+            measurements.add(new Measurement(
+                    job.part(),
+                    job.mode(),
+                    cores,
+                    Math.toIntExact(job.seed()),
+                    value.subject(),
+                    value.quantity(),
+                    value.value()));
+        }
+    }
+
+    /** On the robots' clock, of all that takes time. */
+    private double expectedSeconds() {
+        double once =
+                plan.repetition(1).stream().mapToDouble(Plan::expectedSeconds).sum();
+        double warmUp = plan.warmUp(1).stream().mapToDouble(this::warmUpSeconds).sum();
+        return (once * settings.repetitions() + warmUp * settings.warmUps())
+                * settings.cores().size();
+    }
+}

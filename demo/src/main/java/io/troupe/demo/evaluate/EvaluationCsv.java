@@ -1,0 +1,31 @@
+package io.troupe.demo.evaluate;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+
+/** All numbers as a table, one to a line. */
+final class EvaluationCsv {
+    static final String HEADER = "part,mode,cores_told,repetition,subject,quantity,unit,value";
+
+    private EvaluationCsv() {}
+
+    static void write(Measurements measurements, Path file) throws IOException {
+        var lines = Stream.concat(Stream.of(HEADER), measurements.all().stream().map(EvaluationCsv::line));
+        Files.write(file, (Iterable<String>) lines::iterator);
+    }
+
+    private static String line(Measurement each) {
+        return String.join(
+                ",",
+                each.part().toString(),
+                each.mode().toString(),
+                Integer.toString(each.cores()),
+                Integer.toString(each.repetition()),
+                each.subject(),
+                each.quantity().toString(),
+                each.quantity().unit(),
+                Double.toString(each.value()));
+    }
+}

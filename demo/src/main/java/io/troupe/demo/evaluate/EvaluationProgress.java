@@ -1,0 +1,74 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.demo.terminal.TerminalLine;
+import java.util.Locale;
+
+/** How far an evaluation is, and how long it may still take, on the last line of a terminal. */
+final class EvaluationProgress implements AutoCloseable {
+    private static final int WIDTH = 30;
+
+    private final TerminalLine line;
+    private final long beganNanos = System.nanoTime();
+    private double expected = 1;
+    private double done;
+    private String doing = "";
+
+    EvaluationProgress(TerminalLine line) {
+        this.line = line;
+    }
+
+    /** How much there is to do, in any unit. */
+    void expect(double amount) {
+        expected = amount;
+    }
+
+    void warmsUp(int cores) {
+        show(String.format(Locale.ROOT, "warming up, told %d cores", cores));
+    }
+
+    void begins(Job job, int cores) {
+        show(String.format(Locale.ROOT, "%s, told %d cores", job.title(), cores));
+    }
+
+    /** So much of what is going on has been done; any thread may say it, one at a time. */
+    void within(double amount) {
+        show(Math.min(1, (done + amount) / expected));
+    }
+
+    void ended(double amount) {
+        done += amount;
+    }
+
+    private void show(String what) {
+        doing = what;
+        show(Math.min(1, done / expected));
+    }
+
+    private void show(double share) {
+        if (!line.isVisible()) {
+            return;
+        }
+        int full = (int) (share * WIDTH);
+        line.show(String.format(
+                Locale.ROOT,
+                "[%s%s] %3.0f %%%s  %s",
+                "#".repeat(full),
+                ".".repeat(WIDTH - full),
+                100 * share,
+                left(share),
+                doing));
+    }
+
+    private String left(double share) {
+        if (share < 0.02) {
+            return "";
+        }
+        double passed = (System.nanoTime() - beganNanos) / 1e9;
+        return String.format(Locale.ROOT, ", %.0f s left", passed * (1 - share) / share);
+    }
+
+    @Override
+    public void close() {
+        line.close();
+    }
+}

@@ -1,0 +1,129 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.services.subsumption.Mode;
+import java.util.List;
+import java.util.Locale;
+
+/** What came out, for the terminal. */
+final class EvaluationReport {
+    private final EvaluationSettings settings;
+    private final Measurements measurements;
+
+    EvaluationReport(EvaluationSettings settings, Measurements measurements) {
+        this.settings = settings;
+        this.measurements = measurements;
+    }
+
+    List<Claim> claims() {
+        return Claims.of(measurements, settings.modes(), settings.cores(), settings.realTime());
+    }
+
+    String text() {
+        var text = new StringBuilder();
+        text.append(machine());
+        text.append(String.format(
+                Locale.ROOT,
+                "%n%d loops of each service, %s; medians of %d repetitions, in brackets the quartiles%n%n",
+                settings.loops(),
+                settings.realTime() ? "over TCP, in real time" : "in simulated time with a cycle of 100 ms",
+                settings.repetitions()));
+        text.append(String.format(
+                "  %-9s %-6s %-22s %-22s %-22s %-22s %-22s%n",
+                "",
+                "cores",
+                settings.realTime() ? "time, s" : "simulated time, s",
+                "wall follower, us/loop",
+                "wanderer, us/loop",
+                "both + messages, us",
+                "processor time, us"));
+        for (Mode mode : settings.modes()) {
+            settings.cores().forEach(cores -> text.append(row(mode, cores)));
+        }
+        text.append(changes());
+        text.append("\nThe paper, and what we find\n");
+        claims().forEach(claim -> text.append(paragraph(claim)));
+        return text.toString();
+    }
+
+    private String machine() {
+        int real = Runtime.getRuntime().availableProcessors();
+        String machine = String.format(
+                Locale.ROOT,
+                "Java %s, %s %s, a machine with %d cores%n",
+                System.getProperty("java.version"),
+                System.getProperty("os.name"),
+                System.getProperty("os.arch"),
+                real);
+        var missing = settings.cores().stream().filter(cores -> cores > real).toList();
+        return missing.isEmpty()
+                ? machine
+                : machine + "told " + missing + " cores, the machine has " + real
+                        + ": that changes how many threads Java starts, not how many run\n";
+    }
+
+    private String row(Mode mode, int cores) {
+        return String.format(
+                "  %-9s %-6d %-22s %-22s %-22s %-22s %-22s%n",
+                mode,
+                cores,
+                seconds(mode, cores),
+                text(mode, cores, Findings.FOLLOWER, Quantity.CYCLE),
+                text(mode, cores, Findings.WANDERER, Quantity.CYCLE),
+                text(mode, cores, Measurement.BOTH, Quantity.TURN),
+                text(mode, cores, Measurement.BOTH, Quantity.PROCESSOR));
+    }
+
+    private String seconds(Mode mode, int cores) {
+        double[] millis = measurements.values(Part.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME);
+        return Findings.seconds(millis).replace(" s", "");
+    }
+
+    private String text(Mode mode, int cores, String subject, Quantity quantity) {
+        return measurements.spread(Part.LOOPS, mode, cores, subject, quantity).text(2);
+    }
+
+    private String changes() {
+        var text = new StringBuilder("\nChanges of state, connection kept");
+        text.append(settings.reconnect() ? "; below it with a new connection for each service\n" : "\n");
+        for (Part part : List.of(Part.SWITCHES, Part.RECONNECTS)) {
+            for (Mode mode : settings.modes()) {
+                for (int cores : settings.cores()) {
+                    if (measurements.has(part, mode, cores, Measurement.BOTH, Quantity.SWITCH_TIME)) {
+                        text.append(change(part, mode, cores));
+                    }
+                }
+            }
+        }
+        return text.toString();
+    }
+
+    private String change(Part part, Mode mode, int cores) {
+        return String.format(
+                "  %-9s %-6d %s changes, %s messages; until all robots have had a cycle of the next state %s ms%s%n",
+                mode,
+                cores,
+                spread(part, mode, cores, Quantity.STATE_CHANGES).text(0),
+                spread(part, mode, cores, Quantity.SENT).text(0),
+                spread(part, mode, cores, Quantity.SWITCH_TIME).text(0),
+                part == Part.RECONNECTS ? " (connecting anew)" : "");
+    }
+
+    private Spread spread(Part part, Mode mode, int cores, Quantity quantity) {
+        return measurements.spread(part, mode, cores, Measurement.BOTH, quantity);
+    }
+
+    private static String paragraph(Claim claim) {
+        return String.format(
+                "%n  %-14s  %s: %s%n                  ours, %s: %s%n                  criterion: %s%n",
+                claim.verdict(),
+                claim.source(),
+                quoted(claim.words()),
+                claim.measure(),
+                claim.ours(),
+                claim.criterion());
+    }
+
+    private static String quoted(String words) {
+        return words.startsWith("(") ? words : "\"" + words + "\"";
+    }
+}

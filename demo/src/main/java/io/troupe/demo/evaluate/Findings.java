@@ -1,0 +1,98 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.Service;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.IntStream;
+
+/** The numbers of one number of cores, as claims need them. */
+final class Findings {
+    static final String FOLLOWER = Service.WALL_FOLLOWER.name();
+    static final String WANDERER = Service.SPACE_WANDERER.name();
+
+    private final Measurements measurements;
+    private final Mode alone;
+    private final int cores;
+
+    Findings(Measurements measurements, Mode alone, int cores) {
+        this.measurements = measurements;
+        this.alone = alone;
+        this.cores = cores;
+    }
+
+    int cores() {
+        return cores;
+    }
+
+    boolean has(Mode... modes) {
+        return Arrays.stream(modes)
+                .allMatch(mode -> measurements.has(Part.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME));
+    }
+
+    /** Of both services together, or of the run. */
+    double[] both(Part part, Mode mode, Quantity quantity) {
+        return measurements.values(part, mode, cores, Measurement.BOTH, quantity);
+    }
+
+    double[] service(Mode mode, String service, Quantity quantity) {
+        return measurements.values(Part.LOOPS, mode, cores, service, quantity);
+    }
+
+    /** Milliseconds of a service by itself. */
+    double[] aloneMs(String service) {
+        return measurements.values(Part.ALONE, alone, cores, service, Quantity.TIME);
+    }
+
+    double[] ratio(Mode numerator, Mode denominator, Quantity quantity) {
+        return Measurements.ratios(both(Part.LOOPS, numerator, quantity), both(Part.LOOPS, denominator, quantity));
+    }
+
+    /** As text, in seconds. */
+    static String seconds(double[] millis) {
+        return Spread.of(Arrays.stream(millis).map(each -> each / 1000).toArray())
+                        .text(1) + " s";
+    }
+
+    static String micros(double[] micros) {
+        return Spread.of(micros).text(2) + " us";
+    }
+
+    static String times(double[] ratios) {
+        return Spread.of(ratios).text(2) + " times";
+    }
+
+    static double[] sum(double[] one, double[] other) {
+        double[] sum = one.clone();
+        Arrays.setAll(sum, index -> one[index] + other[index]);
+        return sum;
+    }
+
+    static double[] longer(double[] one, double[] other) {
+        double[] longer = one.clone();
+        Arrays.setAll(longer, index -> Math.max(one[index], other[index]));
+        return longer;
+    }
+
+    /** The numbers of all services that a mode's main code gets for one change of state. */
+    double[] messagesPerChange(Mode mode) {
+        double[] changes = both(Part.SWITCHES, mode, Quantity.STATE_CHANGES);
+        double[] sent = both(Part.SWITCHES, mode, Quantity.SENT);
+        // a run without a change says nothing of how many messages one takes
+        var withChanges = IntStream.range(0, changes.length)
+                .filter(index -> changes[index] > 0)
+                .toArray();
+        return Arrays.stream(withChanges)
+                .mapToDouble(index -> sent[index] / changes[index])
+                .toArray();
+    }
+
+    static String format(String text, Object... values) {
+        return String.format(Locale.ROOT, text, values);
+    }
+
+    static List<Mode> asynchronous() {
+        return List.of(Mode.CALLBACK, Mode.PROMISE);
+    }
+}

@@ -1,0 +1,116 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.actor.time.Clock;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.Scenario;
+import java.util.List;
+
+/**
+ * Does a job.
+ *
+ * <p><b>Threads.</b> The calling one moves the world, if the job has one of its own; the services have theirs.
+ */
+final class MeasuredRun {
+    private static final double JITTER_M = 0.02;
+    private static final double JITTER_RAD = StrictMath.toRadians(2);
+    private static final long POLL_MILLIS = 20;
+    /** Longer than any mode takes for a loop of both services; a run that needs more does not get on. */
+    private static final int MOST_TICKS_PER_LOOP = 4;
+
+    private final Scenario scenario;
+    private final int port;
+
+    /** @param port where the scenario offers its robots */
+    MeasuredRun(Scenario scenario, int port) {
+        this.scenario = scenario;
+        this.port = port;
+    }
+
+    Result measure(Job job) throws InterruptedException {
+        return job.server() == 0 ? inLockStep(job) : inRealTime(job);
+    }
+
+    private Result inLockStep(Job job) throws InterruptedException {
+        var settings = WorldSettings.DEFAULT.withSeed(job.seed()).withJitter(JITTER_M, JITTER_RAD);
+        try (var simulation = Simulation.open(scenario, settings)) {
+            long intervalNanos = scenario.world().intervalMillis() * 1_000_000L;
+            var time = new RobotTime() {
+                @Override
+                public long nanos() {
+                    return simulation.clock().nanos();
+                }
+
+                @Override
+                public long endOfCycleNanos() {
+                    return nanos() + intervalNanos;
+                }
+            };
+            Meter meter = meter(job, time);
+            long mostTicks = job.countsLoops() ? (long) MOST_TICKS_PER_LOOP * job.loops() : Long.MAX_VALUE;
+            try (var run = SubsumptionRun.start(settings(job, "localhost", port, simulation.clock(), meter))) {
+                for (long tick = 0; !meter.isDone(); tick++) {
+                    if (tick == mostTicks) {
+                        throw new IllegalStateException(job.title() + ": after " + tick
+                                + " readings the services have not done " + job.loops() + " loops each");
+                    }
+                    simulation.tick();
+                    run.check();
+                }
+                return meter.result();
+            }
+        }
+    }
+
+    private static Result inRealTime(Job job) throws InterruptedException {
+        var clock = Clock.system();
+        var time = new RobotTime() {
+            @Override
+            public long nanos() {
+                return clock.nanos();
+            }
+
+            @Override
+            public long endOfCycleNanos() {
+                return clock.nanos();
+            }
+        };
+        Meter meter = meter(job, time);
+        try (var run = SubsumptionRun.start(settings(job, "127.0.0.1", job.server(), clock, meter))) {
+            while (!meter.isDone()) {
+                Thread.sleep(POLL_MILLIS);
+                run.check();
+            }
+        }
+        return meter.result();
+    }
+
+    private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
+        return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter)
+                .withReconnection(job.part() == Part.RECONNECTS);
+    }
+
+    private static Meter meter(Job job, RobotTime time) {
+        return job.countsLoops()
+                ? new LoopMeter(job.mode(), table(job).first(), job.loops(), time)
+                : new SwitchMeter(job.seconds(), time);
+    }
+
+    private static SubsumptionTable table(Job job) {
+        return switch (job.part()) {
+            case LOOPS -> Tables.oneState();
+            case ALONE -> Tables.alone(service(job.subject()));
+            case SWITCHES, RECONNECTS -> SubsumptionTable.ofThePaper();
+        };
+    }
+
+    private static Service service(String name) {
+        return List.of(Service.WALL_FOLLOWER, Service.SPACE_WANDERER).stream()
+                .filter(each -> each.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("there is no service " + name));
+    }
+}

@@ -1,0 +1,59 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.services.subsumption.Mode;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** All numbers of an evaluation. */
+final class Measurements {
+    private final List<Measurement> all = new ArrayList<>();
+
+    void add(Measurement measurement) {
+        all.add(measurement);
+    }
+
+    List<Measurement> all() {
+        return List.copyOf(all);
+    }
+
+    boolean has(Part part, Mode mode, int cores, String subject, Quantity quantity) {
+        return values(part, mode, cores, subject, quantity).length > 0;
+    }
+
+    /** In the order of repetitions; none if it was not measured. */
+    double[] values(Part part, Mode mode, int cores, String subject, Quantity quantity) {
+        return all.stream()
+                .filter(each -> each.part() == part
+                        && each.mode() == mode
+                        && each.cores() == cores
+                        && each.subject().equals(subject)
+                        && each.quantity() == quantity)
+                .sorted(Comparator.comparingInt(Measurement::repetition))
+                .mapToDouble(Measurement::value)
+                .toArray();
+    }
+
+    /** @throws IllegalArgumentException if it was not measured */
+    Spread spread(Part part, Mode mode, int cores, String subject, Quantity quantity) {
+        double[] values = values(part, mode, cores, subject, quantity);
+        if (values.length == 0) {
+            throw new IllegalArgumentException(
+                    quantity + " of " + subject + " in " + mode + " mode, " + part + ", was not measured");
+        }
+        return Spread.of(values);
+    }
+
+    /** The quotients of what was measured in the same repetition. */
+    static double[] ratios(double[] numerators, double[] denominators) {
+        if (numerators.length != denominators.length) {
+            throw new IllegalArgumentException(
+                    numerators.length + " numerators, expected " + denominators.length + " as there are denominators");
+        }
+        var ratios = new double[numerators.length];
+        for (int index = 0; index < ratios.length; index++) {
+            ratios[index] = numerators[index] / denominators[index];
+        }
+        return ratios;
+    }
+}

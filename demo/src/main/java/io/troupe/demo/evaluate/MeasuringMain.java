@@ -1,0 +1,41 @@
+package io.troupe.demo.evaluate;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+
+/**
+ * What the JVM does that measures: reads jobs from standard input, one to a line, and answers each with its values and a line {@value #END}, or with one
+ * line that begins with {@value #ERROR}. It ends with its input.
+ */
+final class MeasuringMain {
+    static final String END = "end";
+    static final String ERROR = "error ";
+
+    private MeasuringMain() {}
+
+    /** @param arguments the world file */
+    public static void main(String[] arguments) throws IOException, InterruptedException {
+        PrintStream out = System.out;
+        System.setOut(System.err); // nobody else may write between our lines
+        var world = PaperWorld.read(Path.of(arguments[0]));
+        var run = new MeasuredRun(world.scenario(), world.port());
+        var in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+        for (String line = in.readLine(); line != null; line = in.readLine()) {
+            answer(run, Job.parse(line), out);
+        }
+    }
+
+    private static void answer(MeasuredRun run, Job job, PrintStream out) throws InterruptedException {
+        try {
+            run.measure(job).values().forEach(value -> out.println(value.line()));
+            out.println(END);
+        } catch (RuntimeException failed) {
+            out.println(ERROR + failed.toString().replaceAll("\\R", " "));
+        }
+        out.flush();
+    }
+}

@@ -1,0 +1,79 @@
+package io.troupe.demo.evaluate;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+
+/**
+ * A JVM of its own that measures, and is told how many processors it has.
+ *
+ * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails or ends; what it logs goes to a file.
+ */
+final class MeasuringProcess implements AutoCloseable {
+    private final int cores;
+    private final Process process;
+    private final PrintWriter jobs;
+    private final BufferedReader answers;
+
+    private MeasuringProcess(int cores, Process process) {
+        this.cores = cores;
+        this.process = process;
+        this.jobs = new PrintWriter(process.outputWriter(StandardCharsets.UTF_8));
+        this.answers = process.inputReader(StandardCharsets.UTF_8);
+    }
+
+    static MeasuringProcess start(int cores, Path world, Path log) throws IOException {
+        var java = Path.of(System.getProperty("java.home"), "bin", "java");
+        var process = new ProcessBuilder(
+                        java.toString(),
+                        "-XX:ActiveProcessorCount=" + cores,
+                        "-Xms256m",
+                        "-Xmx256m",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        MeasuringMain.class.getName(),
+                        world.toString())
+                .redirectError(ProcessBuilder.Redirect.appendTo(log.toFile()))
+                .start();
+        return new MeasuringProcess(cores, process);
+    }
+
+    int cores() {
+        return cores;
+    }
+
+    Result measure(Job job) throws IOException {
+        jobs.println(job.line());
+        jobs.flush();
+        var result = new Result.Builder();
+        for (String line = answers.readLine(); line != null; line = answers.readLine()) {
+            if (line.equals(MeasuringMain.END)) {
+                return result.build();
+            }
+            if (line.startsWith(MeasuringMain.ERROR)) {
+                throw new IOException(job.title() + ": " + line.substring(MeasuringMain.ERROR.length()));
+            }
+            var value = Result.Value.parse(line);
+            result.add(value.subject(), value.quantity(), value.value());
+        }
+        throw new IOException(
+                job.title() + ": the JVM that measures (told " + cores + " cores) has ended: " + status());
+    }
+
+    private String status() {
+        try {
+            return "exit status " + process.waitFor();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return "interrupted while waiting for it";
+        }
+    }
+
+    @Override
+    public void close() {
+        jobs.close();
+        process.destroy();
+    }
+}

@@ -1,0 +1,49 @@
+package io.troupe.demo.evaluate;
+
+import io.troupe.player.PlayerPorts;
+import io.troupe.player.wire.TcpServer;
+import io.troupe.sim.Pace;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.SimulationRunner;
+import io.troupe.sim.WorldSettings;
+import java.util.function.DoubleConsumer;
+
+/** The world behind a socket of this machine, in real time, as Stage offers it: it waits for nobody. */
+final class RealTimeServer implements AutoCloseable {
+    private final Simulation simulation;
+    private final TcpServer server;
+    private final SimulationRunner runner;
+
+    private RealTimeServer(Simulation simulation, TcpServer server, SimulationRunner runner) {
+        this.simulation = simulation;
+        this.server = server;
+        this.runner = runner;
+    }
+
+    /** @param passed is told how many seconds have passed, on a thread of the world's */
+    static RealTimeServer open(PaperWorld world, long seed, DoubleConsumer passed) {
+        var simulation = Simulation.open(world.scenario(), WorldSettings.DEFAULT.withSeed(seed));
+        try {
+            simulation.lockStep(false);
+            var server = TcpServer.open(PlayerPorts.find(world.port()).orElseThrow(), 0);
+            var runner = SimulationRunner.start(
+                    simulation, 1, snapshot -> passed.accept(snapshot.timeMicros() / 1e6), new Pace.RealTime(1));
+            return new RealTimeServer(simulation, server, runner);
+        } catch (RuntimeException e) {
+            simulation.close();
+            throw e;
+        }
+    }
+
+    int port() {
+        return server.port();
+    }
+
+    @Override
+    public void close() {
+        try (simulation;
+                server) {
+            runner.close();
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package io.troupe.demo.evaluate;
+
+import java.util.Arrays;
+import java.util.Locale;
+
+/**
+ * Where repeated measurements lie.
+ *
+ * <p><b>Units and shapes.</b> Those of the values. Quartiles lie on the straight line between neighbours in the order of size.
+ */
+record Spread(double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
+    /**
+     * Of some values.
+     *
+     * @throws IllegalArgumentException if there is none, or one is no finite number
+     */
+    static Spread of(double... values) {
+        if (values.length == 0) {
+            throw new IllegalArgumentException("0 values, expected at least one");
+        }
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        for (double value : sorted) {
+            if (!Double.isFinite(value)) {
+                throw new IllegalArgumentException("a value is " + value + ", expected a finite number");
+            }
+        }
+        return new Spread(
+                quantile(sorted, 0.5),
+                quantile(sorted, 0.25),
+                quantile(sorted, 0.75),
+                sorted[0],
+                sorted[sorted.length - 1],
+                sorted.length);
+    }
+
+    /**
+     * The value below which a share of the others lies.
+     *
+     * @param sorted upwards, at least one
+     */
+    static double quantile(double[] sorted, double share) {
+        double at = share * (sorted.length - 1);
+        int below = (int) Math.floor(at);
+        int above = Math.min(below + 1, sorted.length - 1);
+        return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
+    }
+
+    /** Half the distance between the quartiles. */
+    double halfWidth() {
+        return (upperQuartile - lowerQuartile) / 2;
+    }
+
+    /** The median, and in brackets the quartiles where they differ from it in the digits that are shown. */
+    String text(int decimals) {
+        String format = "%." + decimals + "f";
+        String middle = String.format(Locale.ROOT, format, median);
+        String lower = String.format(Locale.ROOT, format, lowerQuartile);
+        String upper = String.format(Locale.ROOT, format, upperQuartile);
+        return lower.equals(upper) ? middle : middle + " (" + lower + ".." + upper + ")";
+    }
+}

@@ -1,0 +1,50 @@
+package io.troupe.demo.evaluate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.services.subsumption.Mode;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(60)
+class MeasuringProcessTest {
+    private static final Path WORLD = Path.of("worlds", "paper-arena.cfg");
+
+    @TempDir
+    private Path directory;
+
+    @Test
+    void jobAndValue_areReadAsTheyAreWritten() {
+        var job = new Job(Part.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
+        assertThat(Job.parse(job.line())).isEqualTo(job);
+        var value = new Result.Value("both", Quantity.DELAY_P99, 0.1);
+        assertThat(Result.Value.parse(value.line())).isEqualTo(value);
+        assertThatThrownBy(() -> Job.parse("ALONE SYNC")).hasMessageContaining("a job of 2 fields, expected 7");
+    }
+
+    @Test
+    void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
+        try (var process = MeasuringProcess.start(2, WORLD, directory.resolve("log"))) {
+            var nobodyThere = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
+            assertThatThrownBy(() -> process.measure(nobodyThere))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
+            var fine = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            assertThat(process.measure(fine).values()).contains(new Result.Value("both", Quantity.TIME, 200));
+        }
+    }
+
+    @Test
+    void jvmThatEnds_isToldWithItsStatus() throws IOException {
+        try (var process = MeasuringProcess.start(2, directory.resolve("no.world"), directory.resolve("log"))) {
+            var job = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            assertThatThrownBy(() -> process.measure(job))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1");
+        }
+    }
+}
