@@ -35,8 +35,7 @@ class FaultsInEveryModeTest {
     }
 
     private static Simulation open() {
-        return Simulation.open(
-                ScenarioReader.read(Path.of("worlds", "paper-arena.world")), WorldSettings.DEFAULT);
+        return Simulation.open(ScenarioReader.read(Path.of("worlds", "paper-arena.world")), WorldSettings.DEFAULT);
     }
 
     @ParameterizedTest

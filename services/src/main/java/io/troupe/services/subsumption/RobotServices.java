@@ -5,15 +5,10 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.ColourFinder;
 import java.lang.System.Logger.Level;
-import java.util.ArrayList;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.IdentityHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
-import java.util.Set;
-import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
 import java.util.stream.IntStream;
@@ -70,9 +65,7 @@ public class RobotServices extends Actor {
     private static final System.Logger LOG = System.getLogger(RobotServices.class.getName());
 
     private final Settings settings;
-    private final Map<Integer, RobotLink> links = new TreeMap<>();
-    private final Set<Integer> reconnecting = new HashSet<>();
-    private final List<RobotLink> leaving = new ArrayList<>();
+    private @Nullable RobotLinks links;
     private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
     private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
 
@@ -227,9 +220,9 @@ public class RobotServices extends Actor {
 
     @Override
     protected void stopped() {
-        links.values().forEach(RobotLink::close);
-        links.clear();
-        closeLeaving();
+        if (links != null) {
+            links.closeAll();
+        }
     }
 
     private Promise<@Nullable Void> begin(
@@ -255,33 +248,26 @@ public class RobotServices extends Actor {
             throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
                     + other.service() + " of another robot: give each service a reference of its own");
         }
-        RobotLink link =
-                links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
+        if (links == null) {
+            links = new RobotLinks(settings, space());
+        }
+        RobotLinks robotLinks = links;
+        RobotLink link = robotLinks.connect(robot);
         var loop = new ServiceLoop(
-                space(), robot, service, link, reference, finder, settings.observer(), reconnecting.remove(robot));
+                space(),
+                robot,
+                service,
+                link,
+                reference,
+                finder,
+                settings.observer(),
+                robotLinks.takeReconnected(robot));
         inCharge.put(robot, loop);
         byReference.put(reference, loop);
         return loop.ended().whenComplete((stopped, error) -> {
             inCharge.remove(robot, loop);
             byReference.remove(reference, loop);
-            if (settings.reconnects()) {
-                disconnect(robot);
-            }
+            robotLinks.serviceEnded(robot);
         });
-    }
-
-    /** The old connection is closed when nothing is left to do: in lock step a client that leaves is not waited for, and the new one is not there yet. */
-    private void disconnect(int robot) {
-        RobotLink link = links.remove(robot);
-        if (link != null) { // null if this actor has been stopped
-            reconnecting.add(robot);
-            leaving.add(link);
-            space().onIdle(this::closeLeaving);
-        }
-    }
-
-    private void closeLeaving() {
-        leaving.forEach(RobotLink::close);
-        leaving.clear();
     }
 }

@@ -1,0 +1,57 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.actor.ActorSpace;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+
+/** The connections of a {@link RobotServices}: one for each robot, or one for each service. <b>Threads.</b> The space's. */
+final class RobotLinks {
+    private final RobotServices.Settings settings;
+    private final ActorSpace space;
+    private final Map<Integer, RobotLink> links = new TreeMap<>();
+    private final Set<Integer> reconnecting = new HashSet<>();
+    private final List<RobotLink> leaving = new ArrayList<>();
+
+    RobotLinks(RobotServices.Settings settings, ActorSpace space) {
+        this.settings = settings;
+        this.space = space;
+    }
+
+    /** The connection with a robot, made if there is none. */
+    RobotLink connect(int robot) {
+        return links.computeIfAbsent(robot, index -> RobotLink.connect(settings.host(), settings.port(), index));
+    }
+
+    /** Whether the connection that has just been made replaces another. */
+    boolean takeReconnected(int robot) {
+        return reconnecting.remove(robot);
+    }
+
+    /**
+     * A robot's service has ended. Where each has a connection of its own, that is closed when nothing is left to do: in lock step a client that leaves is not waited
+     * for, and the new one is not there yet.
+     */
+    void serviceEnded(int robot) {
+        RobotLink link = settings.reconnects() ? links.remove(robot) : null;
+        if (link != null) { // null too if all are closed already
+            reconnecting.add(robot);
+            leaving.add(link);
+            space.onIdle(this::closeLeaving);
+        }
+    }
+
+    void closeAll() {
+        leaving.addAll(links.values());
+        links.clear();
+        closeLeaving();
+    }
+
+    private void closeLeaving() {
+        leaving.forEach(RobotLink::close);
+        leaving.clear();
+    }
+}
