@@ -1,9 +1,9 @@
 package io.troupe.services.bus;
 
-import io.troupe.services.text.Suggestions;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.bus.Message.Failure;
 import io.troupe.services.bus.Message.Purpose;
+import io.troupe.services.text.Suggestions;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -181,7 +181,10 @@ final class BusNode implements Bus {
         }
         Answering<?, ?> answering = port.answering(question.operation());
         if (answering == null) {
-            refuse(to, message, "it does not answer that; " + Suggestions.hint(question.operation(), port.operations()));
+            refuse(
+                    to,
+                    message,
+                    "it does not answer that; " + Suggestions.hint(question.operation(), port.operations()));
             return;
         }
         if (!answering.operation.question().isInstance(message.payload())) {

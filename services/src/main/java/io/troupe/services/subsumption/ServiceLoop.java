@@ -79,8 +79,8 @@ final class ServiceLoop {
     }
 
     /**
-     * Does a cycle, at once when it takes over. The service before has seen that reading too: it does not look for colours then, because two robots that
-     * each see the other's colour would else switch for ever, and never move.
+     * Does a cycle, at once when it takes over, or at the first reading of a new connection. It drives then and does not look for colours, because two
+     * robots that each see the other's colour would else switch for ever, and never move.
      */
     private Promise<?> round() {
         boolean takesOver = firstRound && link.devices().hasData();
@@ -94,10 +94,11 @@ final class ServiceLoop {
 
     private void react(boolean dataAreReady) {
         if (dataAreReady && isToRun() && link.devices().hasData() && cycle.isDue()) {
-            if (!inCharge) {
+            boolean takesOver = !inCharge;
+            if (takesOver) {
                 takeCharge();
             }
-            cycle.run(finder, this::isToRun);
+            cycle.run(takesOver ? ServiceCycle.Finder.LOOKS_AWAY : finder, this::isToRun);
         }
     }
 

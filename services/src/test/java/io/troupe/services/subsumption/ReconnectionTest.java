@@ -59,6 +59,19 @@ class ReconnectionTest {
     }
 
     @Test
+    void robotsThatSeeEachOthersColours_driveBetweenTheSwitches() {
+        robots.show(1, Colours.RED);
+        robots.show(0, Colours.BLUE);
+        for (int i = 0; i < 10; i++) {
+            robots.tick(100);
+            assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+            robots.tick(100);
+            assertThat(robots.lastCommand(0).vx()).isPositive();
+            assertThat(robots.lastCommand(1).vx()).isPositive();
+        }
+    }
+
+    @Test
     void everySwitch_makesNewConnections_andClosesTheOld() {
         assertThat(robots.connectionsMade()).isEqualTo(2);
         robots.show(1, Colours.RED);
