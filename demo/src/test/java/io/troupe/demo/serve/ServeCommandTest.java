@@ -83,7 +83,10 @@ class ServeCommandTest {
             Replay replay = Replay.read(reader);
             var hash = new SnapshotHash();
             replay.play(scenario.world(), hash::update);
-            assertThat(replay.ticks()).isGreaterThanOrEqualTo(20);
+            assertThat(replay.ticks())
+                    .as(
+                            "ticks recorded while the client had 20 readings, the first of which may be older than the recording")
+                    .isGreaterThanOrEqualTo(19);
         }
         assertThat(Files.readString(file)).contains(" velocity 0 0.3 0.0");
 
