@@ -41,6 +41,8 @@ final class ClientLine implements PlayerConnection {
     private boolean answers = true;
     private long publishedTick = NO_TICK;
     private long answeredTick = NO_TICK;
+    private long turnTick = NO_TICK; // whose frame began a turn of the space that has to end, even if the client leaves
+    private boolean asks; // on a space that is never idle: it answers by asking in vain, as a thread does
     private @Nullable String closed;
 
     ClientLine(Simulation simulation, PortServer server, DataSink sink, @Nullable ActorSpace space) {
@@ -96,7 +98,7 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean hasAnswered(long tick) {
-        return !isWaitedFor() || answeredTick >= tick || !expectsData();
+        return !isWaitedFor() || answeredTick >= tick || turnTick != tick && !expectsData();
     }
 
     void tickBegins(long tick) {
@@ -121,6 +123,9 @@ final class ClientLine implements PlayerConnection {
         if (closed != null) {
             return List.of();
         }
+        if (space != null && !asks) {
+            turnTick = now.tick();
+        }
         List<DataMessage> messages = new ArrayList<>(inFrameOrder.size());
         for (Offer offer : inFrameOrder) {
             if (simulation.publishes(offer)) {
@@ -133,10 +138,17 @@ final class ClientLine implements PlayerConnection {
     /** The answer of a client on a space, which may have closed itself in the same turn. Under the simulation's lock. */
     void spaceIsIdle(long tick) {
         answeredTick = Math.max(answeredTick, tick);
+        asks = false;
     }
 
+    /** A client ends with the space it lives on, and a turn that was not ended there is not waited for. */
+    void endWithSpace() {
+        shut("actor space " + space + ", on which this client lived, has been closed", false);
+    }
+
+    /** It is not waited for any more, even if it had left in its turn before. */
     void lose(String reason) {
-        if (shut(reason)) {
+        if (shut(reason, false)) {
             sink.lost(reason);
         }
     }
@@ -221,6 +233,7 @@ final class ClientLine implements PlayerConnection {
         simulation.under(() -> {
             checkOpen();
             begun = true;
+            asks |= tick != NO_TICK;
             answeredTick = Math.max(answeredTick, tick);
             return tick;
         });
@@ -248,12 +261,17 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public void close() {
-        shut("this line to port " + server.port() + " has been closed");
+        // by another thread it is gone at once: its space may be busy with something that never ends
+        boolean inItsTurn = space != null && ActorSpace.current() == space;
+        shut("this line to port " + server.port() + " has been closed", inItsTurn);
     }
 
     /** In one step, so that a tick never sees the client gone and its robot still driving. */
-    private boolean shut(String reason) {
+    private boolean shut(String reason, boolean inItsTurn) {
         return simulation.under(() -> {
+            if (!inItsTurn) {
+                turnTick = NO_TICK;
+            }
             if (closed != null) {
                 return false;
             }
@@ -282,7 +300,9 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public String toString() {
-        String devices = subscribed.stream().map(Offer::toString).collect(Collectors.joining(" "));
+        String devices = closed != null
+                ? "it has left"
+                : subscribed.stream().map(Offer::toString).collect(Collectors.joining(" "));
         return "client " + number + " on port " + server.port() + " (" + devices
                 + (space == null ? ")" : "; on actor space " + space + ")");
     }

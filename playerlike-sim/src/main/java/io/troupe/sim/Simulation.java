@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
@@ -28,7 +29,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its clients.
  * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and command from any thread.
  * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their answers takes effect, in the order of robots, and the world
- * advances by one interval. Clients of one actor space get their frames in one turn of it and have answered when the space is idle (ADR 0003).
+ * advances by one interval. Clients of one actor space get their frames in one turn of it and have answered when the space is idle, also one that closes itself in that turn; so a client
+ * that the turn connects anew takes part from the next tick on (ADR 0003). A thread that changes its client connects the new one before it closes the old: between the two the world would run on.
  * <p><b>Errors.</b> {@link UnansweredTickException} if a client does not answer in time.
  */
 public final class Simulation implements AutoCloseable {
@@ -115,9 +117,9 @@ public final class Simulation implements AutoCloseable {
         under(() -> lockStep = waits);
     }
 
-    /** Under the lock. */
+    /** Under the lock. A closed simulation waits for nobody. */
     boolean isLockStep() {
-        return lockStep;
+        return lockStep && !closed;
     }
 
     /** Whether a client that does not answer in time is disconnected, with a warning in the log, instead of ending the tick; for worlds that strangers connect to. */
@@ -282,17 +284,23 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void publish(Snapshot now, long nanos, ActorSpace space, List<ClientLine> members) {
+        Promise<@Nullable Void> end = space.whenClosed();
+        end.toCompletableFuture().thenRun(() -> members.forEach(ClientLine::endWithSpace));
         try {
             space.execute(() -> {
                 clock.advanceTo(nanos); // in the same turn, so that what is due runs after the frames, not beside them
                 members.forEach(line -> line.deliver(now));
             });
-            space.onIdle(() -> under(() -> {
-                members.forEach(line -> line.spaceIsIdle(now.tick()));
-                return now;
-            }));
+            space.onIdle(() -> {
+                end.cancel();
+                under(() -> {
+                    members.forEach(line -> line.spaceIsIdle(now.tick()));
+                    return now;
+                });
+            });
         } catch (ActorStoppedException spaceIsClosed) {
-            members.forEach(ClientLine::close); // clients end with the space they live on
+            end.cancel();
+            members.forEach(ClientLine::endWithSpace);
         }
     }
 
