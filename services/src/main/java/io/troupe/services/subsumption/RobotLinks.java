@@ -32,8 +32,8 @@ final class RobotLinks {
     }
 
     /**
-     * A robot's service has ended. Where each has a connection of its own, that is closed when nothing is left to do: in lock step a client that leaves is not waited
-     * for, and the new one is not there yet.
+     * A robot's service has ended. Where each has a connection of its own, that is closed when nothing is left to do, and so after the new one is there: in lock step
+     * a server behind a socket does not wait for a client that has left; one in this JVM would wait for the end of the turn.
      */
     void serviceEnded(int robot) {
         RobotLink link = settings.reconnects() ? links.remove(robot) : null;
