@@ -17,9 +17,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Queueing, and asking for its state, from any thread; turns on the space's.
  */
 abstract sealed class SpaceHome extends Home permits ActorSpace {
-    /*
-     * Of the space itself, not of a part of it, because every call that comes from outside and every answer reads them.
-     */
+    // the space's own and not a part's, because every call from outside and every answer reads them
     private final NodeQueue inbox = new NodeQueue();
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
