@@ -2,20 +2,12 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
-import io.troupe.actor.promise.Node;
-import io.troupe.actor.promise.NodeQueue;
-import io.troupe.actor.promise.Owner;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.Timer;
-import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
@@ -33,46 +25,21 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed.
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single thread.
  */
-public final class ActorSpace extends Home implements AutoCloseable {
-    private static final long GRACE_NANOS = 1_000_000_000;
+public final class ActorSpace extends SpaceHome implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
     private static final class Global {
         static final ActorSpace SPACE = open(new ActorSpace(SpaceSettings.named("actor-space"), false));
     }
 
-    private final SpaceSettings settings;
-    private final Dispatcher dispatcher;
-    private final NodeQueue inbox = new NodeQueue();
-    private final NodeRing callbacks = new NodeRing();
-    private final NodeRing mails = new NodeRing();
-    private final Reports reports;
-    private final Lifeline lifeline = new Lifeline();
-    private final Rejections rejections = new Rejections();
-    private final ActorList actors = new ActorList();
-    private final AtomicInteger spawned = new AtomicInteger();
-    private final AtomicBoolean closing = new AtomicBoolean();
-    private final AtomicBoolean refusing = new AtomicBoolean();
     private final boolean closeable;
     private final Offload offload;
-    private final Sequences sequences = new Sequences(this);
-    private final Probing metrics;
-    private final CountDownLatch ended = new CountDownLatch(1);
-    private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
-    private final Runnable clockRegistration;
-    private @Nullable Thread thread; // the one that serves now; only ever equal to a reader that set it itself
-    private volatile @Nullable Leftovers leftovers;
-    private boolean stopping;
+    private final AtomicInteger spawned = new AtomicInteger();
 
     private ActorSpace(SpaceSettings settings, boolean closeable) {
-        this.settings = settings;
+        super(settings);
         this.closeable = closeable;
-        this.reports = new Reports(this, settings);
-        this.dispatcher =
-                new Dispatcher(this, inbox, callbacks, mails, new TimerWheel(settings.clock(), this::isCurrent));
-        this.metrics = new Probing(this, dispatcher, reports);
         this.offload = new Offload(settings.offloadLimit());
-        this.clockRegistration = settings.clock().onMove(lifeline::wake);
     }
 
     /** The space that everybody shares: one daemon thread, started on first use, never closed. */
@@ -86,8 +53,8 @@ public final class ActorSpace extends Home implements AutoCloseable {
     }
 
     private static ActorSpace open(ActorSpace space) {
-        if (!space.settings.handCranked()) {
-            new SpaceThread(space, space.callbacks, space.mails).start();
+        if (!space.isCrankedByHand()) {
+            space.startThread();
         }
         return space;
     }
@@ -146,7 +113,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
      */
     public Promise<@Nullable Void> whenClosed() {
         var own = new Deferred<@Nullable Void>((Home) null);
-        own.resolveFrom(closed);
+        own.resolveFrom(closing.closed());
         return own;
     }
 
@@ -156,6 +123,12 @@ public final class ActorSpace extends Home implements AutoCloseable {
                     + proxy.getClass().getName());
         }
         return actor.troupe$cell();
+    }
+
+    private void checkOpen(String call) {
+        if (isClosing() && !isCurrent()) {
+            throw new ActorStoppedException(call + " came too late: space " + this + " is closed");
+        }
     }
 
     /** Runs a task on the space's thread, in its turn. */
@@ -186,7 +159,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
     public <T extends @Nullable Object> Promise<T> sequential(Callable<? extends T> body) {
         Objects.requireNonNull(body, "body");
         checkOpen("sequential(..)");
-        return sequences.start(body, isCurrent() ? owner() : itself());
+        return sequences().start(body, isCurrent() ? owner() : itself());
     }
 
     /** Fulfilled after a while, by this space's clock; rejected with {@link CancellationException} if the space is closed before. */
@@ -249,32 +222,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
      * @throws IllegalStateException if the space has a thread of its own, or is being cranked already
      */
     public void crank() {
-        if (!settings.handCranked()) {
-            throw new IllegalStateException("space " + this + " has a thread of its own and cannot be cranked by hand");
-        }
-        if (ended.getCount() == 0) {
-            return; // it is closed, and whoever still calls it is turned away at once
-        }
-        if (thread != null) {
-            throw new IllegalStateException("space " + this + " is being cranked already, by " + thread.getName());
-        }
-        Home before = enter();
-        try {
-            boolean working = true;
-            while (working && !stopping) {
-                working = dispatcher.pass() | settle();
-            }
-            if (stopping) {
-                shut();
-            }
-        } finally {
-            thread = null;
-            leaveThread(before);
-        }
-    }
-
-    boolean isCrankedByHand() {
-        return settings.handCranked();
+        loop.crank();
     }
 
     /** The clock by which this space's timers run. */
@@ -289,7 +237,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
 
     /** How much this space has done, and how far it is behind. */
     public SpaceMetrics metrics() {
-        return metrics;
+        return figures();
     }
 
     /**
@@ -321,7 +269,7 @@ public final class ActorSpace extends Home implements AutoCloseable {
         }
         beginClosing();
         awaitEnd(patience);
-        return Objects.requireNonNull(leftovers);
+        return closing.leftovers();
     }
 
     private void beginClosing() {
@@ -329,400 +277,19 @@ public final class ActorSpace extends Home implements AutoCloseable {
             throw new IllegalStateException(
                     "the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
         }
-        if (closing.compareAndSet(false, true)) {
-            Runnable stop = () -> {
-                stopping = true;
-                dispatcher.halt();
-            };
-            enqueueMail(new Entry(stop, stop));
+        closing.begin(loop::stop);
+    }
+
+    private void awaitEnd(Duration patience) {
+        if (isCrankedByHand()) {
+            crank();
+        } else {
+            closing.await(patience);
         }
     }
 
     @Override
     public String toString() {
         return settings.name();
-    }
-
-    // ---- home
-
-    @Override
-    protected boolean isCurrent() {
-        return Thread.currentThread() == thread;
-    }
-
-    @Override
-    protected void enqueue(Node node) {
-        enqueueCallback(node);
-    }
-
-    void enqueueCallback(Node node) {
-        if (isCurrent()) {
-            callbacks.add(node);
-        } else {
-            offer(node);
-        }
-    }
-
-    @Override
-    protected void enqueueFromAfar(Node node) {
-        offer(node);
-    }
-
-    @Override
-    protected void enqueueAtHome(Node node) {
-        if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
-            own.callbacks().add(node);
-        } else {
-            callbacks.add(node);
-        }
-    }
-
-    void enqueueMail(Node node) {
-        if (isCurrent()) {
-            mails.add(node);
-        } else {
-            offer(node);
-        }
-    }
-
-    private void offer(Node node) {
-        inbox.offer(node);
-        if (!lifeline.wake()) {
-            refuseLeftovers();
-        }
-    }
-
-    @Override
-    protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
-        var expiry = new Expiry(task, ifClosed);
-        if (isCurrent() && hasEnded()) {
-            ifClosed.run(); // nobody looks at the timers any more
-            return () -> {};
-        }
-        if (isCurrent()) {
-            Timer timer = dispatcher.timers.set(expiry, delayNanos, 0);
-            return () -> onThread(timer::cancel);
-        }
-        var pending = new Timer[1]; // both touched on the space's thread only
-        var withdrawn = new boolean[1];
-        long deadline = settings.clock().nanos() + delayNanos;
-        enqueueMail(new Entry(
-                () -> {
-                    if (!withdrawn[0]) {
-                        pending[0] = dispatcher.timers.set(
-                                expiry, deadline - settings.clock().nanos(), 0);
-                    }
-                },
-                ifClosed));
-        return () -> onThread(() -> {
-            withdrawn[0] = true;
-            if (pending[0] != null) {
-                pending[0].cancel();
-            }
-        });
-    }
-
-    @Override
-    protected void rejected(Promise<?> promise, Throwable error) {
-        if (lifeline.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
-            return; // a late asker has the refusal in its hands, and the others are counted
-        }
-        if (!isCurrent()) {
-            enqueueMail(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
-        } else if (isMadeOutside(promise)) {
-            rejections.hold(promise, error);
-            dispatcher.timers.set(() -> rejections.release(promise), GRACE_NANOS, 0);
-        } else {
-            rejections.add(promise, error);
-        }
-    }
-
-    @Override
-    protected void await(Promise<?> promise) {
-        sequences.await(promise);
-    }
-
-    // ---- for this room, on the space's thread
-
-    ActorList actors() {
-        return actors;
-    }
-
-    Reports reports() {
-        return reports;
-    }
-
-    Sequences sequences() {
-        return sequences;
-    }
-
-    static void runNode(Node node) throws Throwable {
-        run(node);
-    }
-
-    /** Lets a node deal with what running it has thrown. */
-    void fail(Node node, Throwable thrown) {
-        try {
-            threw(node, thrown);
-        } catch (Throwable again) {
-            reports.error("an entry of space " + this, again, null);
-        }
-    }
-
-    static boolean goesToMailbox(Node node) {
-        return isMail(node);
-    }
-
-    static long countedNanos(Duration duration) {
-        return nanosOf(duration);
-    }
-
-    static boolean isListenedTo(Promise<?> promise) {
-        return isHeard(promise);
-    }
-
-    void whenPromiseSettled(Promise<?> promise, Runnable action) {
-        whenSettled(promise, action);
-    }
-
-    void beginTurnOf(Owner owner) {
-        begin(owner);
-    }
-
-    /** See {@link Home#renewTurn}. */
-    void renewOwner() {
-        renewTurn();
-    }
-
-    Owner currentOwner() {
-        return owner();
-    }
-
-    /** Runs an action when the entry that is being served has returned, before anything else. */
-    void afterTurn(Runnable action) {
-        dispatcher.afterTurn(action);
-    }
-
-    /** How far a request has come, for a message about it. */
-    String progressOf(Request<?> request) {
-        if (!isCurrent()) {
-            return "";
-        }
-        int inMailbox = request.receiver().placeInMailbox(request);
-        int before = inMailbox >= 0 ? inMailbox : dispatcher.mailsBefore(request);
-        return before < 0 ? ", which has begun it" : ", which has not begun it: " + before + " calls come first";
-    }
-
-    /** The sequence's thread is this space's until it gives the baton back. */
-    void lendThreadTo(Sequence<?> sequence) {
-        Thread mine = thread;
-        thread = sequence.thread();
-        try {
-            sequence.go();
-        } finally {
-            thread = mine;
-        }
-    }
-
-    /** Runs something on a thread that holds the baton. */
-    void runOnLoan(Runnable body) {
-        Home before = enterThread();
-        try {
-            body.run();
-        } finally {
-            leaveThread(before);
-        }
-    }
-
-    Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
-        Life life = cell.life();
-        Timer timer = dispatcher.timers.set(() -> life.run("a timer", task), nanosOf(delay), nanosOf(period));
-        life.own(timer);
-        return timer;
-    }
-
-    /** On the space's own behalf, in the midst of whatever turn it is. */
-    void asItself(Runnable action) {
-        if (!isCurrent()) {
-            action.run();
-            return;
-        }
-        Owner before = owner();
-        beginForItself();
-        try {
-            action.run();
-        } finally {
-            begin(before);
-        }
-    }
-
-    /** On the space's own behalf. */
-    void runGuarded(Runnable task) {
-        beginForItself();
-        try {
-            task.run();
-        } catch (Throwable thrown) {
-            reports.error("a task of space " + this, thrown, null);
-        }
-    }
-
-    /** A turn of its own, on behalf of the actor that is running now. */
-    void nextTurn(Runnable task, Runnable ifStopped) {
-        Life life = owner() instanceof Life mine ? mine : null;
-        enqueueMail(new Entry(
-                () -> {
-                    if (life == null) {
-                        runGuarded(task);
-                    } else if (!life.run("a repetition", task)) {
-                        ifStopped.run();
-                    }
-                },
-                ifStopped));
-    }
-
-    boolean isClosing() {
-        return closing.get();
-    }
-
-    /** Whether it is closed, so that whoever still queues something turns that away himself. */
-    boolean hasEnded() {
-        return lifeline.isClosed();
-    }
-
-    /** Whether it has served what it will ever serve; on its thread. */
-    boolean isStopping() {
-        return stopping;
-    }
-
-    void checkOpen(String call) {
-        if (closing.get() && !isCurrent()) {
-            throw new ActorStoppedException(call + " came too late: space " + this + " is closed");
-        }
-    }
-
-    void checkCurrent(String call) {
-        if (!isCurrent()) {
-            throw new IllegalStateException(call + " belongs on the thread of space " + this + ", and was called on "
-                    + Thread.currentThread().getName() + ": call the actor through its proxy");
-        }
-    }
-
-    // ---- the thread
-
-    /** What the thread does until the space is closed. */
-    void live() {
-        Home before = enter();
-        Watchdog.watch(this, settings, lifeline, dispatcher);
-        try {
-            while (!stopping) {
-                if (!dispatcher.pass() & !settle()) {
-                    lifeline.sleep(dispatcher, settings.clock());
-                }
-            }
-        } finally {
-            shut();
-            leaveThread(before);
-        }
-    }
-
-    /** Between two passes: lost rejections, then, if all is quiet, those who waited for that. */
-    private boolean settle() {
-        settleRejections();
-        return stopping || !dispatcher.isQuiet() || dispatcher.runIdleActions();
-    }
-
-    private @Nullable Home enter() {
-        thread = Thread.currentThread();
-        beginForItself();
-        return enterThread();
-    }
-
-    /** The one that holds the baton now; a moment later it may be another. */
-    @Nullable
-    Thread servingThread() {
-        return thread;
-    }
-
-    private void shut() {
-        stopping = true; // also if an error has ended the thread
-        var last = new Closing(this, dispatcher);
-        refusing.set(true); // nobody else turns leftovers away before this thread has
-        int bodies = sequences.count();
-        try {
-            actors.all().forEach(ActorCell::stop);
-            sequences.cancelAll();
-            clockRegistration.run();
-            lifeline.close();
-            last.dropTimers(dispatcher.timers);
-            last.dropIdleActions();
-            last.refuseAll();
-            closed.resolve(null);
-            last.refuseAll(); // what those who watched have queued
-            rejections.releaseAll();
-            settleRejections();
-            last.refuseAll(); // what the error handler has asked of actors
-        } finally {
-            leftovers = last.leftovers(bodies);
-            lifeline.close();
-            thread = null;
-            refusing.set(false);
-            ended.countDown();
-        }
-        refuseLeftovers();
-    }
-
-    private void settleRejections() {
-        rejections.report((promise, error) -> reports.error("a promise nobody listens to: " + promise, error, null));
-    }
-
-    /** After the end: whoever finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. */
-    private void refuseLeftovers() {
-        while (!inbox.isEmpty() && refusing.compareAndSet(false, true)) {
-            Home before = enter();
-            try {
-                new Closing(this, dispatcher).refuseAll();
-                settleRejections();
-            } finally {
-                thread = null;
-                leaveThread(before);
-                refusing.set(false);
-            }
-        }
-    }
-
-    private void onThread(Runnable task) {
-        if (isCurrent()) {
-            task.run();
-        } else {
-            enqueueMail(new Entry(task, () -> {}));
-        }
-    }
-
-    private void awaitEnd(Duration patience) {
-        if (settings.handCranked()) {
-            if (ended.getCount() > 0) {
-                crank();
-            }
-            return;
-        }
-        try {
-            if (!ended.await(nanosOf(patience), TimeUnit.NANOSECONDS)) {
-                throw new ActorException(
-                        "space " + this + " did not end within " + patience + ": its thread is busy" + whatItDoes());
-            }
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
-            if (ended.getCount() > 0) {
-                throw new ActorException(
-                        "interrupted while waiting for the end of space " + this + ": it ends when its thread is free",
-                        interrupted);
-            }
-        }
-    }
-
-    private String whatItDoes() {
-        Thread busy = thread;
-        StackTraceElement[] stack = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
-        return stack.length == 0 ? "" : " at " + stack[0];
     }
 }

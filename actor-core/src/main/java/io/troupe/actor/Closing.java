@@ -1,94 +1,137 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Node;
-import io.troupe.actor.time.TimerWheel;
-import java.util.ArrayList;
-import java.util.List;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Home;
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.Objects;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
 
-/** Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space. */
+/**
+ * The end of a space: asked for by {@link #begin}, carried out by {@link #shut}, waited for with {@link #await}; after that, whoever still queues something
+ * turns it away himself.
+ *
+ * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any.
+ */
 final class Closing {
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final Dispatcher dispatcher;
-    private final List<String> examples = new ArrayList<>();
-    private int messages;
-    private int requests;
-    private int tasks;
-    private int timers;
+    private final Lifeline lifeline;
+    private final Rejections rejections;
+    private final Runnable clockRegistration;
+    private final AtomicBoolean begun = new AtomicBoolean();
+    private final AtomicBoolean refusing = new AtomicBoolean();
+    private final CountDownLatch ended = new CountDownLatch(1);
+    private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
+    private volatile @Nullable Leftovers leftovers;
 
-    Closing(ActorSpace space, Dispatcher dispatcher) {
+    /**
+     * The end of a space that lives.
+     *
+     * @param clockRegistration runs when the clock need not wake the space any more
+     */
+    Closing(
+            SpaceHome space,
+            Dispatcher dispatcher,
+            Lifeline lifeline,
+            Rejections rejections,
+            Runnable clockRegistration) {
         this.space = space;
         this.dispatcher = dispatcher;
+        this.lifeline = lifeline;
+        this.rejections = rejections;
+        this.clockRegistration = clockRegistration;
     }
 
-    void dropTimers(TimerWheel wheel) {
-        for (Runnable task : wheel.clear()) {
-            timers++;
-            if (task instanceof Expiry expiry) {
-                space.runGuarded(expiry.ifClosed());
+    /** Stops the space behind what is queued now; only the first call does. */
+    void begin(Runnable stop) {
+        if (begun.compareAndSet(false, true)) {
+            space.enqueueMail(new Entry(stop, stop));
+        }
+    }
+
+    boolean hasBegun() {
+        return begun.get();
+    }
+
+    boolean isOver() {
+        return ended.getCount() == 0;
+    }
+
+    /** Fulfilled, on the space's thread, after its actors have stopped. */
+    Promise<@Nullable Void> closed() {
+        return closed;
+    }
+
+    /** What was not done; when it is over. */
+    Leftovers leftovers() {
+        return Objects.requireNonNull(leftovers);
+    }
+
+    void shut() {
+        var last = new Refusal(space, dispatcher);
+        refusing.set(true); // nobody else turns leftovers away before this thread has
+        int bodies = space.sequences().count();
+        try {
+            space.actors().all().forEach(ActorCell::stop);
+            space.sequences().cancelAll();
+            clockRegistration.run();
+            lifeline.close();
+            last.dropTimers(dispatcher.timers);
+            last.dropIdleActions();
+            last.refuseAll();
+            closed.resolve(null);
+            last.refuseAll(); // what those who watched have queued
+            rejections.releaseAll();
+            rejections.report();
+            last.refuseAll(); // what the error handler has asked of actors
+        } finally {
+            leftovers = last.leftovers(bodies);
+            lifeline.close();
+            space.giveUpThread();
+            refusing.set(false);
+            ended.countDown();
+        }
+        refuseLeftovers();
+    }
+
+    /** After the end: whoever finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. */
+    void refuseLeftovers() {
+        while (!dispatcher.inbox.isEmpty() && refusing.compareAndSet(false, true)) {
+            Home before = space.enter();
+            try {
+                new Refusal(space, dispatcher).refuseAll();
+                rejections.report();
+            } finally {
+                space.giveUpThread();
+                SpaceHome.leave(before);
+                refusing.set(false);
             }
         }
     }
 
-    void dropIdleActions() {
-        for (int count = dispatcher.takeIdleActions().size(); count > 0; count--) {
-            tasks++;
-            refuseTask();
-        }
-    }
-
-    private void refuseTask() {
-        space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
-    }
-
-    /** Until nothing waits any more; what is refused may lead to more. */
-    void refuseAll() {
-        for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
-            refuse(node);
-        }
-    }
-
-    private void refuse(Node node) {
-        switch (node) {
-            case Message ticket -> count(ticket.receiver().callOf(ticket));
-            case Request<?> ticket -> count(ticket.receiver().callOf(ticket));
-            case Entry entry -> {
-                refuse(entry);
-                return;
+    void await(Duration patience) {
+        try {
+            if (!ended.await(SpaceHome.countedNanos(patience), TimeUnit.NANOSECONDS)) {
+                throw new ActorException(
+                        "space " + space + " did not end within " + patience + ": its thread is busy" + whatItDoes());
             }
-            default -> {}
-        }
-        dispatcher.serve(node); // its actor has stopped: it turns the call away
-    }
-
-    private void count(Node call) {
-        if (call instanceof Message message) {
-            messages++;
-            note(message + " to " + message.receiver());
-        } else if (call instanceof Request<?> request && !request.isDone()) {
-            requests++;
-            note(request.toString());
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+            if (!isOver()) {
+                throw new ActorException(
+                        "interrupted while waiting for the end of space " + space + ": it ends when its thread is free",
+                        interrupted);
+            }
         }
     }
 
-    private void refuse(Entry entry) {
-        Runnable ifClosed = entry.ifClosed();
-        if (ActorSpace.goesToMailbox(entry)) {
-            tasks++;
-        }
-        if (ifClosed != null) {
-            space.runGuarded(ifClosed);
-        } else {
-            refuseTask();
-        }
-    }
-
-    private void note(String call) {
-        if (examples.size() < Leftovers.EXAMPLES) {
-            examples.add(call);
-        }
-    }
-
-    Leftovers leftovers(int sequences) {
-        return new Leftovers(messages, requests, tasks, timers, sequences, examples);
+    private String whatItDoes() {
+        Thread busy = space.servingThread();
+        StackTraceElement[] stack = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
+        return stack.length == 0 ? "" : " at " + stack[0];
     }
 }

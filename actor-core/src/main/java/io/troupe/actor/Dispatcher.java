@@ -22,7 +22,7 @@ final class Dispatcher {
 
     final NodeQueue inbox;
     final TimerWheel timers;
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final NodeRing callbacks;
     private final NodeRing mails;
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
@@ -32,7 +32,7 @@ final class Dispatcher {
     private boolean turnLeavesWork;
     private int quota = QUOTA;
 
-    Dispatcher(ActorSpace space, NodeQueue inbox, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
+    Dispatcher(SpaceHome space, NodeQueue inbox, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
         this.space = space;
         this.inbox = inbox;
         this.callbacks = callbacks;
@@ -128,7 +128,7 @@ final class Dispatcher {
     void serve(Node node) {
         progress.step(); // before, so that a message that never ends is one that was seen to begin
         try {
-            ActorSpace.runNode(node);
+            SpaceHome.runNode(node);
         } catch (Throwable thrown) {
             space.fail(node, thrown);
         }
@@ -165,7 +165,7 @@ final class Dispatcher {
                 last = node;
                 if (callbacks.isEmpty() && mails.isEmpty()) {
                     serve(node);
-                } else if (ActorSpace.goesToMailbox(node)) {
+                } else if (SpaceHome.goesToMailbox(node)) {
                     mails.add(node);
                 } else {
                     callbacks.add(node);

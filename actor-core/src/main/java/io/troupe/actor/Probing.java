@@ -11,14 +11,14 @@ final class Probing implements SpaceMetrics {
 
     private record Finding(long waiting, Duration latency) {}
 
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final Dispatcher dispatcher;
     private final Reports reports;
     private final Clock clock = Clock.system();
     private final AtomicReference<@Nullable Probe> underWay = new AtomicReference<>();
     private volatile Finding found = new Finding(0, Duration.ZERO);
 
-    Probing(ActorSpace space, Dispatcher dispatcher, Reports reports) {
+    Probing(SpaceHome space, Dispatcher dispatcher, Reports reports) {
         this.space = space;
         this.dispatcher = dispatcher;
         this.reports = reports;

@@ -1,29 +1,39 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiConsumer;
 
 /** Promises that were rejected while nobody listened, until it is fair to say that nobody does. On the space's thread. */
 final class Rejections {
     private record Lost(Promise<?> promise, Throwable error) {}
 
+    private static final long GRACE_NANOS = 1_000_000_000;
+
+    private final TimerWheel timers;
+    private final Reports reports;
     private final List<Lost> lost = new ArrayList<>();
     private final Map<Promise<?>, Throwable> held = new LinkedHashMap<>();
+
+    Rejections(TimerWheel timers, Reports reports) {
+        this.timers = timers;
+        this.reports = reports;
+    }
 
     void add(Promise<?> promise, Throwable error) {
         lost.add(new Lost(promise, error));
     }
 
-    /** Keeps one whose asker, on another thread, may be just about to listen. */
+    /** Keeps one for a while whose asker, on another thread, may be just about to listen. */
     void hold(Promise<?> promise, Throwable error) {
         held.put(promise, error);
+        timers.set(() -> release(promise), GRACE_NANOS, 0);
     }
 
-    void release(Promise<?> promise) {
+    private void release(Promise<?> promise) {
         Throwable error = held.remove(promise);
         if (error != null) {
             add(promise, error);
@@ -35,15 +45,15 @@ final class Rejections {
     }
 
     /** Reports those that still have no listener. */
-    void report(BiConsumer<Promise<?>, Throwable> reporter) {
+    void report() {
         if (lost.isEmpty()) {
             return;
         }
         var candidates = List.copyOf(lost);
         lost.clear();
         for (var candidate : candidates) {
-            if (!ActorSpace.isListenedTo(candidate.promise)) {
-                reporter.accept(candidate.promise, candidate.error);
+            if (!SpaceHome.isListenedTo(candidate.promise)) {
+                reports.error("a promise nobody listens to: " + candidate.promise, candidate.error, null);
             }
         }
     }

@@ -40,14 +40,27 @@ final class Repetition {
             }
             Promise<?> step = body.get();
             if (step == null) {
-                space.nextTurn(
-                        this::round, () -> end.reject(new CancellationException("the actor of this loop has stopped")));
+                nextTurn(() -> end.reject(new CancellationException("the actor of this loop has stopped")));
             } else {
                 await(step);
             }
         } catch (Throwable thrown) {
             end.reject(thrown);
         }
+    }
+
+    /** The next round, in a turn of its own, on behalf of the actor that is running now. */
+    private void nextTurn(Runnable ifStopped) {
+        Life life = space.currentOwner() instanceof Life mine ? mine : null;
+        space.enqueueMail(new Entry(
+                () -> {
+                    if (life == null) {
+                        space.runGuarded(this::round);
+                    } else if (!life.run("a repetition", this::round)) {
+                        ifStopped.run();
+                    }
+                },
+                ifStopped));
     }
 
     /** The listener is not called if the actor of this loop stops meanwhile; then its promise says so. */

@@ -9,12 +9,12 @@ import org.jspecify.annotations.Nullable;
 final class Reports {
     private static final System.Logger LOG = System.getLogger(ActorSpace.class.getName());
 
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final SpaceSettings settings;
     private final LongAdder errors = new LongAdder();
     private final LongAdder deadLetters = new LongAdder();
 
-    Reports(ActorSpace space, SpaceSettings settings) {
+    Reports(SpaceHome space, SpaceSettings settings) {
         this.space = space;
         this.settings = settings;
     }

@@ -76,7 +76,13 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     protected final String progress() {
-        return isDone() ? "" : cell.space().progressOf(this);
+        ActorSpace space = cell.space();
+        if (isDone() || !space.isCurrent()) {
+            return "";
+        }
+        int inMailbox = cell.placeInMailbox(this);
+        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.mailsBefore(this);
+        return before < 0 ? ", which has begun it" : ", which has not begun it: " + before + " calls come first";
     }
 
     /** Passes the outcome of the method on. */

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 
 /** One body that may wait, and its virtual thread; see {@link Sequences}. The semaphores pass the baton, and with it all that was written. */
 final class Sequence<T extends @Nullable Object> {
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final Owner owner;
     private final Callable<? extends T> body;
     private final Deferred<T> end;
@@ -18,7 +18,7 @@ final class Sequence<T extends @Nullable Object> {
     private @Nullable Thread thread;
     private @Nullable RuntimeException cancelled;
 
-    Sequence(ActorSpace space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
+    Sequence(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
         this.space = space;
         this.owner = owner;
         this.body = body;

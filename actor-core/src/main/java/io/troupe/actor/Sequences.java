@@ -15,11 +15,11 @@ import org.jspecify.annotations.Nullable;
  * space's thread hands it over and does nothing until it comes back, so that never more than one of them runs. On the thread that holds the baton.
  */
 final class Sequences {
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final Set<Sequence<?>> waiting = new LinkedHashSet<>();
     private @Nullable Sequence<?> running;
 
-    Sequences(ActorSpace space) {
+    Sequences(SpaceHome space) {
         this.space = space;
     }
 

@@ -42,8 +42,8 @@ final class SpaceFiguresEvent extends Event {
     @Label("Dead Letters")
     long deadLetters;
 
-    void fill(ActorSpace from) {
-        SpaceMetrics metrics = from.metrics();
+    void fill(SpaceHome from) {
+        SpaceMetrics metrics = from.figures();
         space = from.toString();
         served = metrics.served();
         waiting = metrics.waiting();

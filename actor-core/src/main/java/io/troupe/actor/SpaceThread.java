@@ -7,19 +7,21 @@ package io.troupe.actor;
  * depends on a long way through the objects of this one. From the thread the way is short, and the same for all messages.
  */
 final class SpaceThread extends Thread {
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final NodeRing callbacks;
     private final NodeRing mails;
+    private final SpaceLoop loop;
 
-    SpaceThread(ActorSpace space, NodeRing callbacks, NodeRing mails) {
+    SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing mails, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
         this.space = space;
+        this.loop = loop;
         this.callbacks = callbacks;
         this.mails = mails;
         setDaemon(true);
     }
 
-    boolean serves(ActorSpace which) {
+    boolean serves(SpaceHome which) {
         return space == which;
     }
 
@@ -33,6 +35,6 @@ final class SpaceThread extends Thread {
 
     @Override
     public void run() {
-        space.live();
+        loop.live();
     }
 }

@@ -14,23 +14,23 @@ final class Watchdog {
 
     private static final System.Logger LOG = System.getLogger(Watchdog.class.getName());
 
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final Lifeline lifeline;
     private final Dispatcher dispatcher;
     private final long limitNanos;
     private final Consumer<Stall> listener;
 
     private Watchdog(
-            ActorSpace space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
+            SpaceHome space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
         this.space = space;
         this.lifeline = lifeline;
         this.dispatcher = dispatcher;
-        this.limitNanos = ActorSpace.countedNanos(limit);
+        this.limitNanos = SpaceHome.countedNanos(limit);
         this.listener = listener;
     }
 
     /** Watches until the space is closed. */
-    static void watch(ActorSpace space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
+    static void watch(SpaceHome space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
         if (!settings.stallLimit().isZero()) {
             var watchdog = new Watchdog(space, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
             Thread.ofVirtual().name(settings.name() + "-watchdog").start(watchdog::run);

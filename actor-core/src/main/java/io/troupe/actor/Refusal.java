@@ -1,0 +1,94 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Node;
+import io.troupe.actor.time.TimerWheel;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space. */
+final class Refusal {
+    private final SpaceHome space;
+    private final Dispatcher dispatcher;
+    private final List<String> examples = new ArrayList<>();
+    private int messages;
+    private int requests;
+    private int tasks;
+    private int timers;
+
+    Refusal(SpaceHome space, Dispatcher dispatcher) {
+        this.space = space;
+        this.dispatcher = dispatcher;
+    }
+
+    void dropTimers(TimerWheel wheel) {
+        for (Runnable task : wheel.clear()) {
+            timers++;
+            if (task instanceof Expiry expiry) {
+                space.runGuarded(expiry.ifClosed());
+            }
+        }
+    }
+
+    void dropIdleActions() {
+        for (int count = dispatcher.takeIdleActions().size(); count > 0; count--) {
+            tasks++;
+            refuseTask();
+        }
+    }
+
+    private void refuseTask() {
+        space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
+    }
+
+    /** Until nothing waits any more; what is refused may lead to more. */
+    void refuseAll() {
+        for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
+            refuse(node);
+        }
+    }
+
+    private void refuse(Node node) {
+        switch (node) {
+            case Message ticket -> count(ticket.receiver().callOf(ticket));
+            case Request<?> ticket -> count(ticket.receiver().callOf(ticket));
+            case Entry entry -> {
+                refuse(entry);
+                return;
+            }
+            default -> {}
+        }
+        dispatcher.serve(node); // its actor has stopped: it turns the call away
+    }
+
+    private void count(Node call) {
+        if (call instanceof Message message) {
+            messages++;
+            note(message + " to " + message.receiver());
+        } else if (call instanceof Request<?> request && !request.isDone()) {
+            requests++;
+            note(request.toString());
+        }
+    }
+
+    private void refuse(Entry entry) {
+        Runnable ifClosed = entry.ifClosed();
+        if (SpaceHome.goesToMailbox(entry)) {
+            tasks++;
+        }
+        if (ifClosed != null) {
+            space.runGuarded(ifClosed);
+        } else {
+            refuseTask();
+        }
+    }
+
+    private void note(String call) {
+        if (examples.size() < Leftovers.EXAMPLES) {
+            examples.add(call);
+        }
+    }
+
+    Leftovers leftovers(int sequences) {
+        return new Leftovers(messages, requests, tasks, timers, sequences, examples);
+    }
+}

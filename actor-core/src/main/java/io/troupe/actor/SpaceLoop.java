@@ -1,0 +1,95 @@
+package io.troupe.actor;
+
+import io.troupe.actor.promise.Home;
+
+/** What the thread of a space does from the beginning to the end: pass after pass through the queues, or as many as there is work for when it is cranked. */
+final class SpaceLoop {
+    private final SpaceHome space;
+    private final SpaceSettings settings;
+    private final Dispatcher dispatcher;
+    private final Lifeline lifeline;
+    private final Rejections rejections;
+    private final Closing closing;
+    private boolean stopping;
+
+    SpaceLoop(
+            SpaceHome space,
+            SpaceSettings settings,
+            Dispatcher dispatcher,
+            Lifeline lifeline,
+            Rejections rejections,
+            Closing closing) {
+        this.space = space;
+        this.settings = settings;
+        this.dispatcher = dispatcher;
+        this.lifeline = lifeline;
+        this.rejections = rejections;
+        this.closing = closing;
+    }
+
+    /** What the thread does until the space is closed. */
+    void live() {
+        Home before = space.enter();
+        Watchdog.watch(space, settings, lifeline, dispatcher);
+        try {
+            while (!stopping) {
+                if (!dispatcher.pass() & !settle()) {
+                    lifeline.sleep(dispatcher, settings.clock());
+                }
+            }
+        } finally {
+            shut();
+            SpaceHome.leave(before);
+        }
+    }
+
+    /** See {@link ActorSpace#crank}. */
+    void crank() {
+        if (!settings.handCranked()) {
+            throw new IllegalStateException(
+                    "space " + space + " has a thread of its own and cannot be cranked by hand");
+        }
+        if (closing.isOver()) {
+            return; // whoever still calls it is turned away at once
+        }
+        Thread serving = space.servingThread();
+        if (serving != null) {
+            throw new IllegalStateException("space " + space + " is being cranked already, by " + serving.getName());
+        }
+        Home before = space.enter();
+        try {
+            boolean working = true;
+            while (working && !stopping) {
+                working = dispatcher.pass() | settle();
+            }
+            if (stopping) {
+                shut();
+            }
+        } finally {
+            space.giveUpThread();
+            SpaceHome.leave(before);
+        }
+    }
+
+    /** Between two passes: lost rejections, then, if all is quiet, those who waited for that. */
+    private boolean settle() {
+        rejections.report();
+        return stopping || !dispatcher.isQuiet() || dispatcher.runIdleActions();
+    }
+
+    /** Serves nothing more after the present turn. */
+    void stop() {
+        stopping = true;
+        dispatcher.halt();
+    }
+
+    /** Whether it has served what it will ever serve. */
+    boolean isStopping() {
+        return stopping;
+    }
+
+    private void shut() {
+        stopping = true; // also if an error has ended the thread
+        closing.shut();
+    }
+}

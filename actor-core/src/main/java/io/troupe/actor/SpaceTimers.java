@@ -1,0 +1,69 @@
+package io.troupe.actor;
+
+import io.troupe.actor.time.Clock;
+import io.troupe.actor.time.Timer;
+import io.troupe.actor.time.TimerWheel;
+import java.time.Duration;
+
+/** Sets what waits on the wheel of a space: for its actors, and for promises from any thread. */
+final class SpaceTimers {
+    private final SpaceHome space;
+    private final Clock clock;
+    private final TimerWheel wheel;
+
+    SpaceTimers(SpaceHome space, Clock clock, TimerWheel wheel) {
+        this.space = space;
+        this.clock = clock;
+        this.wheel = wheel;
+    }
+
+    /** One that ends with the present instance of an actor; on the space's thread. */
+    Timer set(ActorCell cell, Duration delay, Duration period, Runnable task) {
+        Life life = cell.life();
+        Timer timer = wheel.set(
+                () -> life.run("a timer", task), SpaceHome.countedNanos(delay), SpaceHome.countedNanos(period));
+        life.own(timer);
+        return timer;
+    }
+
+    /** See {@link SpaceHome#schedule}. */
+    Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
+        var expiry = new Expiry(task, ifClosed);
+        if (!space.isCurrent()) {
+            return scheduleFromAfar(delayNanos, expiry);
+        }
+        if (space.hasEnded()) {
+            ifClosed.run(); // nobody looks at the timers any more
+            return () -> {};
+        }
+        Timer timer = wheel.set(expiry, delayNanos, 0);
+        return () -> onThread(timer::cancel);
+    }
+
+    private Runnable scheduleFromAfar(long delayNanos, Expiry expiry) {
+        var pending = new Timer[1]; // both touched on the space's thread only
+        var withdrawn = new boolean[1];
+        long deadline = clock.nanos() + delayNanos;
+        space.enqueueMail(new Entry(
+                () -> {
+                    if (!withdrawn[0]) {
+                        pending[0] = wheel.set(expiry, deadline - clock.nanos(), 0);
+                    }
+                },
+                expiry.ifClosed()));
+        return () -> onThread(() -> {
+            withdrawn[0] = true;
+            if (pending[0] != null) {
+                pending[0].cancel();
+            }
+        });
+    }
+
+    private void onThread(Runnable task) {
+        if (space.isCurrent()) {
+            task.run();
+        } else {
+            space.enqueueMail(new Entry(task, () -> {}));
+        }
+    }
+}
