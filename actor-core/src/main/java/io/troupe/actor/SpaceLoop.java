@@ -66,7 +66,9 @@ final class SpaceLoop {
                 shut();
             }
         } finally {
-            space.giveUpThread();
+            if (!closing.isOver()) { // after the end another thread may be acting for the space already
+                space.giveUpThread();
+            }
             SpaceHome.leave(before);
         }
     }
