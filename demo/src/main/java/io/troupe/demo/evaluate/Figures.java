@@ -61,7 +61,7 @@ final class Figures {
             Map<String, Bars> series = new LinkedHashMap<>();
             for (int cores : settings.cores()) {
                 series.put(
-                        "told " + cores + " cores", new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
+                        "told " + Findings.cores(cores), new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
             }
             charts.put("evaluation-" + figure, panels("Figure " + figure + ", " + mode, series));
         }
@@ -74,7 +74,7 @@ final class Figures {
             for (Mode mode : modes) {
                 series.put(mode.toString(), new Bars(mode, cores, COLOURS.get(mode.ordinal())));
             }
-            charts.put("evaluation-" + figure, panels("Figure " + figure + ", told " + cores + " cores", series));
+            charts.put("evaluation-" + figure, panels("Figure " + figure + ", told " + Findings.cores(cores), series));
         }
     }
 
