@@ -60,7 +60,8 @@ final class EvaluationReport {
         var missing = settings.cores().stream().filter(cores -> cores > real).toList();
         return missing.isEmpty()
                 ? machine
-                : machine + "told " + missing.stream().map(Findings::cores).collect(Collectors.joining(", ")) + ", the machine has " + real
+                : machine + "told " + missing.stream().map(Findings::cores).collect(Collectors.joining(", "))
+                        + ", the machine has " + real
                         + ": that changes how many threads Java starts, not how many run\n";
     }
 
@@ -109,7 +110,8 @@ final class EvaluationReport {
                 spread(part, mode, cores, Quantity.SENT).text(0),
                 measurements.has(part, mode, cores, Measurement.BOTH, Quantity.SWITCH_TIME)
                         ? "; until all robots have had a cycle of the next state "
-                                + spread(part, mode, cores, Quantity.SWITCH_TIME).text(0) + " ms"
+                                + spread(part, mode, cores, Quantity.SWITCH_TIME)
+                                        .text(0) + " ms"
                         : "",
                 part == Part.RECONNECTS ? " (connecting anew)" : "");
     }
