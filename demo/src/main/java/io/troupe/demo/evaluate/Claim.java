@@ -34,7 +34,7 @@ record Claim(String source, String words, String measure, String criterion, List
             return findings.getFirst().ours();
         }
         return findings.stream()
-                .map(each -> each.cores() + " cores: " + each.ours())
+                .map(each -> Findings.cores(each.cores()) + ": " + each.ours())
                 .collect(Collectors.joining("; "));
     }
 }

@@ -11,6 +11,9 @@ import java.util.function.Function;
 
 /** What sections 3.4 to 4 of the paper say about time and messages, and the numbers that decide it. */
 final class Claims {
+    static final String WANDERER_TAKES_LESS =
+            "Space Wanderer service takes very less time than Wall Follower in covering 1000 loops of the service.";
+
     private final ClaimSheet sheet;
 
     private Claims(ClaimSheet sheet) {
@@ -29,108 +32,22 @@ final class Claims {
                         .map(count -> new Findings(measurements, alone, count))
                         .toList(),
                 realTime));
-        claims.timeOfModes();
-        claims.timeOfPromise();
-        claims.timeOfServices();
+        new TimeClaims(claims.sheet).add();
         claims.computing();
         claims.messages();
         return claims.sheet.claims();
     }
 
-    private static double[] time(Findings in, Mode mode) {
-        return in.both(Part.LOOPS, mode, Quantity.TIME);
-    }
-
-    private void timeOfModes() {
-        sheet.add(
-                "3.4, Figure 15",
-                "The total time taken is equal to a sum of the time taken by both the services.",
-                sheet.elapsed(),
-                "synchronous within 2 % or a cycle of the sum of both by themselves",
-                ClaimSheet.has(SYNC),
-                in -> {
-                    double[] follower = in.aloneMs(Findings.FOLLOWER);
-                    double[] wanderer = in.aloneMs(Findings.WANDERER);
-                    return new Finding(
-                            in.cores(),
-                            Findings.seconds(time(in, SYNC)) + ", the services by themselves "
-                                    + Findings.seconds(follower) + " and " + Findings.seconds(wanderer),
-                            ClaimSheet.same(time(in, SYNC), Findings.sum(follower, wanderer)));
-                });
-        for (Mode mode : Findings.asynchronous()) {
-            sheet.add(
-                    mode == CALLBACK ? "3.5, Figure 18" : "3.6, Figure 21",
-                    "(both services run at once, so that " + mode + " takes as long as the longer one)",
-                    sheet.elapsed(),
-                    "within 2 % or a cycle of the longer one by itself",
-                    ClaimSheet.has(mode),
-                    in -> {
-                        double[] longer = Findings.longer(in.aloneMs(Findings.FOLLOWER), in.aloneMs(Findings.WANDERER));
-                        return new Finding(
-                                in.cores(),
-                                Findings.seconds(time(in, mode)) + ", the longer one by itself "
-                                        + Findings.seconds(longer),
-                                ClaimSheet.same(time(in, mode), longer));
-                    });
-        }
-        sheet.ratio(
-                "3.5",
-                "It [callback] is faster than the synchronous model.",
-                sheet.elapsed(),
-                SYNC,
-                CALLBACK,
-                Quantity.TIME,
-                1);
-        sheet.ratio(
-                "4, Figure 23",
-                "The time taken in running services synchronously takes much time than the other because both the services run one after the other.",
-                sheet.elapsed(),
-                SYNC,
-                PROMISE,
-                Quantity.TIME,
-                ClaimSheet.MUCH);
-    }
-
-    private void timeOfPromise() {
-        sheet.ratio(
-                "3.6, Figure 21",
-                "It [promise] is faster than synchronous and actor with callback.",
-                sheet.elapsed(),
-                CALLBACK,
-                PROMISE,
-                Quantity.TIME,
-                1);
-        sheet.close(sheet.elapsed(), Quantity.TIME);
-    }
-
-    private void timeOfServices() {
-        String words =
-                "Space Wanderer service takes very less time than Wall Follower in covering 1000 loops of the service.";
-        sheet.services(words, sheet.elapsed(), PROMISE, Quantity.TIME);
-        sheet.services(words, "computing time", PROMISE, Quantity.CYCLE);
-        sheet.add(
-                "3.4",
-                "The switching [from one service to the other] is fast (200-300 milliseconds)",
-                sheet.elapsed(),
-                "from one cycle of a service to its next: 200 to 300 ms",
-                ClaimSheet.has(SYNC),
-                in -> {
-                    double[] interval = in.service(SYNC, Findings.WANDERER, Quantity.INTERVAL);
-                    return new Finding(
-                            in.cores(),
-                            Spread.of(interval).text(0) + " ms",
-                            Verdict.within(interval, 200 - 1, 300 + 1));
-                });
-    }
-
+    /** Without waking up: what that costs is the operating system's affair, and many times all else. */
     private void computing() {
+        sheet.services(WANDERER_TAKES_LESS, "computing time", PROMISE, Quantity.CYCLE);
         sheet.ratio(
                 "4, Figure 23",
                 "running services synchronously takes much time than the other",
-                "processor time",
+                "computing time with messages",
                 SYNC,
                 PROMISE,
-                Quantity.PROCESSOR,
+                Quantity.TURN,
                 ClaimSheet.MUCH);
         sheet.ratio(
                 "3.6, Figure 21",

@@ -99,23 +99,23 @@ public final class EvaluateCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         System.setProperty("java.awt.headless", "true"); // pictures need no screen
         var settings = settings();
-        makeOutputDirectory();
-        Files.deleteIfExists(settings.log());
+        prepare(settings.log());
         long begin = System.nanoTime();
         Measurements measurements;
         try (var progress = new EvaluationProgress(TerminalLine.open())) {
             measurements = new Evaluation(settings, progress).measure();
         }
         double tookSeconds = (System.nanoTime() - begin) / 1e9;
-        Path csv = out.resolve("evaluation.csv");
-        EvaluationCsv.write(measurements, csv);
         PrintWriter terminal = spec.commandLine().getOut();
-        terminal.print(new EvaluationReport(settings, measurements).text());
+        terminal.print(new EvaluationReport(settings, measurements).text()); // first: files may fail
+        terminal.flush();
         if (Files.size(settings.log()) == 0) {
             Files.delete(settings.log());
         } else {
             terminal.println("\nwhat was logged meanwhile is in " + settings.log());
         }
+        Path csv = out.resolve("evaluation.csv");
+        EvaluationCsv.write(measurements, csv);
         terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
         terminal.flush();
         var names = new Figures(settings, measurements).write(out);
@@ -162,11 +162,14 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    private void makeOutputDirectory() {
+    /** Now rather than when all has been measured. */
+    private void prepare(Path log) {
         try {
             Files.createDirectories(out);
+            Files.write(log, new byte[0]);
         } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
+            throw new ParameterException(
+                    spec.commandLine(), "--out " + out + " is no directory that can be written to: " + e);
         }
     }
 }

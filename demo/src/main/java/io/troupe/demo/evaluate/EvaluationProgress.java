@@ -23,11 +23,11 @@ final class EvaluationProgress implements AutoCloseable {
     }
 
     void warmsUp(int cores) {
-        show(String.format(Locale.ROOT, "warming up, told %d cores", cores));
+        show("warming up, told " + Findings.cores(cores));
     }
 
     void begins(Job job, int cores) {
-        show(String.format(Locale.ROOT, "%s, told %d cores", job.title(), cores));
+        show(job.title() + ", told " + Findings.cores(cores));
     }
 
     /** So much of what is going on has been done; any thread may say it, one at a time. */

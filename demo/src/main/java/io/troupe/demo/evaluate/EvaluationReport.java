@@ -3,6 +3,7 @@ package io.troupe.demo.evaluate;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 
 /** What came out, for the terminal. */
 final class EvaluationReport {
@@ -23,19 +24,21 @@ final class EvaluationReport {
         text.append(machine());
         text.append(String.format(
                 Locale.ROOT,
-                "%n%d loops of each service, %s; medians of %d repetitions, in brackets the quartiles%n%n",
+                "%n%d loops of each service, %s; %s%n%n",
                 settings.loops(),
                 settings.realTime() ? "over TCP, in real time" : "in simulated time with a cycle of 100 ms",
-                settings.repetitions()));
+                settings.repetitions() == 1
+                        ? "measured once"
+                        : "medians of " + settings.repetitions() + " repetitions, in brackets the quartiles"));
         text.append(String.format(
-                "  %-9s %-6s %-22s %-22s %-22s %-22s %-22s%n",
+                "  %-9s %-6s %-22s %-22s %-22s %-24s %-22s%n",
                 "",
                 "cores",
                 settings.realTime() ? "time, s" : "simulated time, s",
                 "wall follower, us/loop",
                 "wanderer, us/loop",
-                "both + messages, us",
-                "processor time, us"));
+                "both + messages, us/loop",
+                "processor time, us/loop"));
         for (Mode mode : settings.modes()) {
             settings.cores().forEach(cores -> text.append(row(mode, cores)));
         }
@@ -57,13 +60,14 @@ final class EvaluationReport {
         var missing = settings.cores().stream().filter(cores -> cores > real).toList();
         return missing.isEmpty()
                 ? machine
-                : machine + "told " + missing + " cores, the machine has " + real
+                : machine + "told " + missing.stream().map(Findings::cores).collect(Collectors.joining(", "))
+                        + ", the machine has " + real
                         + ": that changes how many threads Java starts, not how many run\n";
     }
 
     private String row(Mode mode, int cores) {
         return String.format(
-                "  %-9s %-6d %-22s %-22s %-22s %-22s %-22s%n",
+                "  %-9s %-6d %-22s %-22s %-22s %-24s %-22s%n",
                 mode,
                 cores,
                 seconds(mode, cores),
@@ -88,7 +92,7 @@ final class EvaluationReport {
         for (Part part : List.of(Part.SWITCHES, Part.RECONNECTS)) {
             for (Mode mode : settings.modes()) {
                 for (int cores : settings.cores()) {
-                    if (measurements.has(part, mode, cores, Measurement.BOTH, Quantity.SWITCH_TIME)) {
+                    if (measurements.has(part, mode, cores, Measurement.BOTH, Quantity.STATE_CHANGES)) {
                         text.append(change(part, mode, cores));
                     }
                 }
@@ -99,12 +103,16 @@ final class EvaluationReport {
 
     private String change(Part part, Mode mode, int cores) {
         return String.format(
-                "  %-9s %-6d %s changes, %s messages; until all robots have had a cycle of the next state %s ms%s%n",
+                "  %-9s %-6d %s changes, %s messages%s%s%n",
                 mode,
                 cores,
                 spread(part, mode, cores, Quantity.STATE_CHANGES).text(0),
                 spread(part, mode, cores, Quantity.SENT).text(0),
-                spread(part, mode, cores, Quantity.SWITCH_TIME).text(0),
+                measurements.has(part, mode, cores, Measurement.BOTH, Quantity.SWITCH_TIME)
+                        ? "; until all robots have had a cycle of the next state "
+                                + spread(part, mode, cores, Quantity.SWITCH_TIME)
+                                        .text(0) + " ms"
+                        : "",
                 part == Part.RECONNECTS ? " (connecting anew)" : "");
     }
 

@@ -61,7 +61,8 @@ final class Figures {
             Map<String, Bars> series = new LinkedHashMap<>();
             for (int cores : settings.cores()) {
                 series.put(
-                        "told " + cores + " cores", new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
+                        "told " + Findings.cores(cores),
+                        new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
             }
             charts.put("evaluation-" + figure, panels("Figure " + figure + ", " + mode, series));
         }
@@ -74,7 +75,7 @@ final class Figures {
             for (Mode mode : modes) {
                 series.put(mode.toString(), new Bars(mode, cores, COLOURS.get(mode.ordinal())));
             }
-            charts.put("evaluation-" + figure, panels("Figure " + figure + ", told " + cores + " cores", series));
+            charts.put("evaluation-" + figure, panels("Figure " + figure + ", told " + Findings.cores(cores), series));
         }
     }
 
@@ -82,22 +83,29 @@ final class Figures {
         String time = settings.realTime() ? "real time" : "simulated time";
         CategoryChart passing = chart(title + ": " + time, "ms for " + settings.loops() + " loops");
         passing.getStyler().setYAxisDecimalPattern("#,##0");
-        CategoryChart computing =
-                chart(title + ": computing time", "\u00b5s for a loop \u00b1 half the quartile distance");
+        CategoryChart computing = chart(
+                title + ": computing time",
+                "\u00b5s for a loop" + (repeated() ? " \u00b1 half the quartile distance" : ", measured once"));
         computing.getStyler().setYAxisDecimalPattern("#,##0.0#");
         series.forEach((name, bars) -> {
             Spread[] millis = spreads(bars, List.of(Quantity.TIME, Quantity.TIME, Quantity.TIME));
             passing.addSeries(name, PASSING, medians(millis)).setFillColor(bars.colour());
             Spread[] micros = spreads(bars, List.of(Quantity.CYCLE, Quantity.CYCLE, Quantity.TURN));
-            computing
-                    .addSeries(
+            var computed = repeated()
+                    ? computing.addSeries(
                             name,
                             COMPUTING,
                             medians(micros),
                             Arrays.stream(micros).map(Spread::halfWidth).toList())
-                    .setFillColor(bars.colour());
+                    : computing.addSeries(name, COMPUTING, medians(micros));
+            computed.setFillColor(bars.colour());
         });
         return List.of(passing, computing);
+    }
+
+    /** Else there is no spread, and a bar's error is not 0 but unknown. */
+    private boolean repeated() {
+        return settings.repetitions() > 1;
     }
 
     private Spread[] spreads(Bars bars, List<Quantity> quantities) {

@@ -92,6 +92,10 @@ final class Findings {
         return String.format(Locale.ROOT, text, values);
     }
 
+    static String cores(int count) {
+        return count + (count == 1 ? " core" : " cores");
+    }
+
     static List<Mode> asynchronous() {
         return List.of(Mode.CALLBACK, Mode.PROMISE);
     }

@@ -5,7 +5,6 @@ import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
-import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.Scenario;
 import java.util.List;
 
@@ -15,8 +14,6 @@ import java.util.List;
  * <p><b>Threads.</b> The calling one moves the world, if the job has one of its own; the services have theirs.
  */
 final class MeasuredRun {
-    private static final double JITTER_M = 0.02;
-    private static final double JITTER_RAD = StrictMath.toRadians(2);
     private static final long POLL_MILLIS = 20;
     /** Longer than any mode takes for a loop of both services; a run that needs more does not get on. */
     private static final int MOST_TICKS_PER_LOOP = 4;
@@ -35,8 +32,7 @@ final class MeasuredRun {
     }
 
     private Result inLockStep(Job job) throws InterruptedException {
-        var settings = WorldSettings.DEFAULT.withSeed(job.seed()).withJitter(JITTER_M, JITTER_RAD);
-        try (var simulation = Simulation.open(scenario, settings)) {
+        try (var simulation = Simulation.open(scenario, PaperWorld.settings(job.seed()))) {
             long intervalNanos = scenario.world().intervalMillis() * 1_000_000L;
             var time = new RobotTime() {
                 @Override

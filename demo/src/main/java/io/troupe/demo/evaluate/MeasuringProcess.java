@@ -13,12 +13,14 @@ import java.nio.file.Path;
  */
 final class MeasuringProcess implements AutoCloseable {
     private final int cores;
+    private final Path log;
     private final Process process;
     private final PrintWriter jobs;
     private final BufferedReader answers;
 
-    private MeasuringProcess(int cores, Process process) {
+    private MeasuringProcess(int cores, Path log, Process process) {
         this.cores = cores;
+        this.log = log;
         this.process = process;
         this.jobs = new PrintWriter(process.outputWriter(StandardCharsets.UTF_8));
         this.answers = process.inputReader(StandardCharsets.UTF_8);
@@ -37,7 +39,7 @@ final class MeasuringProcess implements AutoCloseable {
                         world.toString())
                 .redirectError(ProcessBuilder.Redirect.appendTo(log.toFile()))
                 .start();
-        return new MeasuringProcess(cores, process);
+        return new MeasuringProcess(cores, log, process);
     }
 
     int cores() {
@@ -58,8 +60,8 @@ final class MeasuringProcess implements AutoCloseable {
             var value = Result.Value.parse(line);
             result.add(value.subject(), value.quantity(), value.value());
         }
-        throw new IOException(
-                job.title() + ": the JVM that measures (told " + cores + " cores) has ended: " + status());
+        throw new IOException(job.title() + ": the JVM that measures (told " + Findings.cores(cores) + ") has ended: "
+                + status() + ", see " + log);
     }
 
     private String status() {

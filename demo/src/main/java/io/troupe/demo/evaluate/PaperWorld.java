@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
 import io.troupe.sim.scenario.WorldFileException;
@@ -8,6 +9,13 @@ import java.nio.file.Path;
 /** A world with the two robots of the paper. */
 record PaperWorld(Scenario scenario, int port) {
     private static final int ROBOTS = 2;
+    private static final double JITTER_M = 0.02;
+    private static final double JITTER_RAD = StrictMath.toRadians(2);
+
+    /** Start poses that the seed has moved a little, in simulated time as on the wall. */
+    static WorldSettings settings(long seed) {
+        return WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
+    }
 
     /** @throws WorldFileException if it is none */
     static PaperWorld read(Path file) {

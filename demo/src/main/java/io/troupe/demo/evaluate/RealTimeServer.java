@@ -5,7 +5,6 @@ import io.troupe.player.wire.TcpServer;
 import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
-import io.troupe.sim.WorldSettings;
 import java.util.function.DoubleConsumer;
 
 /** The world behind a socket of this machine, in real time, as Stage offers it: it waits for nobody. */
@@ -22,7 +21,7 @@ final class RealTimeServer implements AutoCloseable {
 
     /** @param passed is told how many seconds have passed, on a thread of the world's */
     static RealTimeServer open(PaperWorld world, long seed, DoubleConsumer passed) {
-        var simulation = Simulation.open(world.scenario(), WorldSettings.DEFAULT.withSeed(seed));
+        var simulation = Simulation.open(world.scenario(), PaperWorld.settings(seed));
         try {
             simulation.lockStep(false);
             var server = TcpServer.open(PlayerPorts.find(world.port()).orElseThrow(), 0);

@@ -131,6 +131,44 @@ class EvaluateCommandTest {
     }
 
     @Test
+    void runWithoutAChangeOfState_saysSo_andWhatCannotBeWrittenCostsNoResult() throws IOException {
+        Files.createDirectories(directory.resolve("evaluation.csv")); // a directory where the file should be
+        assertThat(evaluate(
+                        "--loops",
+                        "4",
+                        "--modes",
+                        "promise",
+                        "--cores",
+                        "1",
+                        "--repetitions",
+                        "1",
+                        "--warm-up",
+                        "0",
+                        "--seconds",
+                        "0.5",
+                        "--out",
+                        directory.toString()))
+                .isEqualTo(1);
+        assertThat(out.toString())
+                .contains("0 changes, 0 messages\n", "The paper, and what we find", "no state has changed")
+                .contains("evaluation.csv");
+        assertThat(directory.resolve("evaluation.log")).doesNotExist();
+    }
+
+    @Test
+    void directoryThatIsNone_isRefusedBeforeAnythingIsMeasured() throws IOException {
+        Path file = Files.createFile(directory.resolve("file"));
+        assertThat(evaluate("--out", file.toString())).isEqualTo(2);
+        Path taken = Files.createDirectories(directory.resolve("taken"));
+        Files.createDirectories(taken.resolve("evaluation.log"));
+        assertThat(evaluate("--out", taken.toString())).isEqualTo(2);
+        assertThat(out.toString())
+                .contains(
+                        "--out " + file + " is no directory that can be written to",
+                        "--out " + taken + " is no directory that can be written to");
+    }
+
+    @Test
     void wrongNumbers_areRefused() {
         assertThat(evaluate("--loops", "1")).isEqualTo(2);
         assertThat(evaluate("--cores", "2,0")).isEqualTo(2);

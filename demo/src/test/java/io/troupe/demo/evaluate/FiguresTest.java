@@ -79,6 +79,23 @@ class FiguresTest {
     }
 
     @Test
+    void whatWasMeasuredOnce_hasNoSpread() {
+        var once = new EvaluationSettings(
+                out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, true, out.resolve("log"));
+        var charts = new Figures(once, MadeUp.asThePaperSays().measurements()).charts();
+        var computing = charts.get("evaluation-21").getLast();
+        assertThat(computing.getYAxisTitle()).endsWith("measured once");
+        assertThat(computing.getSeries("told 2 cores").getExtraValues()).isNull();
+        assertThat(figures(MadeUp.asThePaperSays())
+                        .charts()
+                        .get("evaluation-21")
+                        .getLast()
+                        .getSeries("told 2 cores")
+                        .getExtraValues())
+                .isNotNull();
+    }
+
+    @Test
     void modesThatWereNotMeasured_haveNoFigure() {
         var settings = new EvaluationSettings(
                 out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, false, out.resolve("log"));

@@ -10,7 +10,7 @@ import java.util.Map;
 final class MadeUp {
     static final List<Mode> MODES = List.of(Mode.values());
     static final List<Integer> CORES = List.of(2, 3);
-    static final int REPETITIONS = 3;
+    static final int REPETITIONS = Verdict.ENOUGH_REPETITIONS;
 
     private record Key(Part part, Mode mode, String subject, Quantity quantity) {}
 
@@ -38,7 +38,7 @@ final class MadeUp {
         made.loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 8_000)
                 .add(Part.ALONE, Mode.PROMISE, Findings.FOLLOWER, Quantity.TIME, 4_000)
                 .add(Part.ALONE, Mode.PROMISE, Findings.WANDERER, Quantity.TIME, 4_000);
-        made.loops(Mode.SYNC, Measurement.BOTH, Quantity.PROCESSOR, 20_000)
+        made.loops(Mode.SYNC, Measurement.BOTH, Quantity.TURN, 8_000)
                 .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1_500)
                 .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY_P99, 2_000)
                 .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 300)

@@ -44,7 +44,8 @@ class MeasuringProcessTest {
             var job = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
             assertThatThrownBy(() -> process.measure(job))
                     .isInstanceOf(IOException.class)
-                    .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1");
+                    .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "
+                            + directory.resolve("log"));
         }
     }
 }

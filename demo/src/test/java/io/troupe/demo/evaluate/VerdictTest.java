@@ -16,9 +16,9 @@ class VerdictTest {
 
     @Test
     void above_isDecidedByTheQuartiles() {
-        assertThat(Verdict.above(numbers(1.1, 1.2, 1.3, 0.9), 1)).isEqualTo(HOLDS);
-        assertThat(Verdict.above(numbers(0.8, 0.9, 0.95, 1.1), 1)).isEqualTo(DOES_NOT_HOLD);
-        assertThat(Verdict.above(numbers(0.8, 0.9, 1.1, 1.2), 1)).isEqualTo(CANNOT_BE_TOLD);
+        assertThat(Verdict.above(numbers(1.1, 1.2, 1.3, 1.4, 0.9), 1)).isEqualTo(HOLDS);
+        assertThat(Verdict.above(numbers(0.8, 0.85, 0.9, 0.95, 1.1), 1)).isEqualTo(DOES_NOT_HOLD);
+        assertThat(Verdict.above(numbers(0.8, 0.9, 1.05, 1.1, 1.2), 1)).isEqualTo(CANNOT_BE_TOLD);
     }
 
     @Test
@@ -37,9 +37,9 @@ class VerdictTest {
 
     @Test
     void within_isDecidedByTheQuartiles() {
-        assertThat(Verdict.within(numbers(1, 1.5, 2), 1, 2)).isEqualTo(HOLDS);
-        assertThat(Verdict.within(numbers(3, 4, 5), 1, 2)).isEqualTo(DOES_NOT_HOLD);
-        assertThat(Verdict.within(numbers(0.1, 0.2, 0.3), 1, 2)).isEqualTo(DOES_NOT_HOLD);
+        assertThat(Verdict.within(numbers(1, 1.2, 1.5, 1.7, 2), 1, 2)).isEqualTo(HOLDS);
+        assertThat(Verdict.within(numbers(2, 2.1, 4, 5, 6), 1, 2)).isEqualTo(DOES_NOT_HOLD);
+        assertThat(Verdict.within(numbers(0.1, 0.2, 0.3, 0.4, 1), 1, 2)).isEqualTo(DOES_NOT_HOLD);
         assertThat(Verdict.within(numbers(1, 2, 5), 1, 2)).isEqualTo(CANNOT_BE_TOLD);
     }
 
@@ -51,8 +51,8 @@ class VerdictTest {
 
     @Test
     void numbersThatAreNeverTwiceTheSame_tellNothingOnce() {
-        assertThat(HOLDS.ifRepeated(2)).isEqualTo(CANNOT_BE_TOLD);
-        assertThat(HOLDS.ifRepeated(3)).isEqualTo(HOLDS);
+        assertThat(HOLDS.ifRepeated(4)).isEqualTo(CANNOT_BE_TOLD);
+        assertThat(HOLDS.ifRepeated(5)).isEqualTo(HOLDS);
     }
 
     @Test

@@ -1,0 +1,114 @@
+package io.troupe.demo.evaluate;
+
+import static io.troupe.services.subsumption.Mode.CALLBACK;
+import static io.troupe.services.subsumption.Mode.PROMISE;
+import static io.troupe.services.subsumption.Mode.SYNC;
+
+import io.troupe.demo.evaluate.Claim.Finding;
+import io.troupe.services.subsumption.Mode;
+
+/** What the paper says about time as it passes for the robots. */
+final class TimeClaims {
+    private final ClaimSheet sheet;
+
+    TimeClaims(ClaimSheet sheet) {
+        this.sheet = sheet;
+    }
+
+    void add() {
+        modes();
+        promise();
+        services();
+    }
+
+    private static double[] time(Findings in, Mode mode) {
+        return in.both(Part.LOOPS, mode, Quantity.TIME);
+    }
+
+    private void modes() {
+        sheet.add(
+                "3.4, Figure 15",
+                "The total time taken is equal to a sum of the time taken by both the services.",
+                sheet.elapsed(),
+                "synchronous within 2 % or a cycle of the sum of both by themselves",
+                ClaimSheet.has(SYNC),
+                in -> {
+                    double[] follower = in.aloneMs(Findings.FOLLOWER);
+                    double[] wanderer = in.aloneMs(Findings.WANDERER);
+                    return new Finding(
+                            in.cores(),
+                            Findings.seconds(time(in, SYNC)) + ", the services by themselves "
+                                    + Findings.seconds(follower) + " and " + Findings.seconds(wanderer),
+                            ClaimSheet.same(time(in, SYNC), Findings.sum(follower, wanderer)));
+                });
+        for (Mode mode : Findings.asynchronous()) {
+            sheet.add(
+                    mode == CALLBACK ? "3.5, Figure 18" : "3.6, Figure 21",
+                    "(both services run at once, so that " + mode + " takes as long as the longer one)",
+                    sheet.elapsed(),
+                    "within 2 % or a cycle of the longer one by itself",
+                    ClaimSheet.has(mode),
+                    in -> {
+                        double[] longer = Findings.longer(in.aloneMs(Findings.FOLLOWER), in.aloneMs(Findings.WANDERER));
+                        return new Finding(
+                                in.cores(),
+                                Findings.seconds(time(in, mode)) + ", the longer one by itself "
+                                        + Findings.seconds(longer),
+                                ClaimSheet.same(time(in, mode), longer));
+                    });
+        }
+        sheet.ratio(
+                "3.5",
+                "It [callback] is faster than the synchronous model.",
+                sheet.elapsed(),
+                SYNC,
+                CALLBACK,
+                Quantity.TIME,
+                1);
+        sheet.ratio(
+                "4, Figure 23",
+                "The time taken in running services synchronously takes much time than the other because both the services run one after the other.",
+                sheet.elapsed(),
+                SYNC,
+                PROMISE,
+                Quantity.TIME,
+                ClaimSheet.MUCH);
+    }
+
+    private void promise() {
+        sheet.ratio(
+                "3.6, Figure 21",
+                "It [promise] is faster than synchronous [..]",
+                sheet.elapsed(),
+                SYNC,
+                PROMISE,
+                Quantity.TIME,
+                1);
+        sheet.ratio(
+                "3.6, Figure 21",
+                "It [promise] is faster than [..] actor with callback.",
+                sheet.elapsed(),
+                CALLBACK,
+                PROMISE,
+                Quantity.TIME,
+                1);
+        sheet.close(sheet.elapsed(), Quantity.TIME);
+    }
+
+    private void services() {
+        sheet.services(Claims.WANDERER_TAKES_LESS, sheet.elapsed(), PROMISE, Quantity.TIME);
+        sheet.add(
+                "3.4",
+                "The switching is fast (200-300 milliseconds)",
+                sheet.elapsed(),
+                "from one cycle of a service to its next 200 to 300 ms; to the other service's it takes half as long",
+                ClaimSheet.has(SYNC),
+                in -> {
+                    double[] interval = in.service(SYNC, Findings.WANDERER, Quantity.INTERVAL);
+                    return new Finding(
+                            in.cores(),
+                            Spread.of(interval).text(0) + " ms",
+                            Verdict.within(interval, 200 - 1, 300 + 1));
+                });
+    }
+}
