@@ -20,7 +20,6 @@ import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -59,7 +58,7 @@ final class AppRun {
 
     /** Runs until so much time has passed, or {@code stop} says so; throws what has ended the application before. */
     void run(double seconds, boolean realtime, BooleanSupplier stop) throws IOException, InterruptedException {
-        String declaration = Files.readString(file);
+        String declaration = ApplicationReader.text(file);
         int port = port();
         var failure = new AtomicReference<@Nullable Throwable>();
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
@@ -109,7 +108,7 @@ final class AppRun {
         var bus = InProcessBus.open("troupe", BusSettings.on(space));
         var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
         var settings = ApplicationSettings.DEFAULT.withObservers(report, report::onApplication);
-        var listener = bus.attach("report");
+        var listener = bus.attach(":report");
         for (var component : plan.components().values()) {
             component.publishes().stream()
                     .filter(topic -> topic.type().equals(ColourSeen.class))
