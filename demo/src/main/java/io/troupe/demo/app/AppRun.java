@@ -40,6 +40,12 @@ import org.jspecify.annotations.Nullable;
  * waits for the other.
  */
 final class AppRun {
+    /**
+     * Player keeps the last command for ever. A robot whose driver has gone without a last word, such as a process that was killed, stops after half a second, as one does that is driven
+     * over the bus.
+     */
+    static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
+
     private static final String TCP = "${tcp}";
     /** By our clock: simulated time stands still while services start and stop. */
     private static final Duration START_LIMIT = Duration.ofSeconds(60);
@@ -61,7 +67,7 @@ final class AppRun {
         String declaration = ApplicationReader.text(file);
         int port = port();
         var failure = new AtomicReference<@Nullable Throwable>();
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WORLD);
                 var tcp = declaration.contains(TCP) ? tcp(simulation, port) : null;
                 var space = ActorSpace.create(SpaceSettings.named("application")
                         .withClock(simulation.clock())
