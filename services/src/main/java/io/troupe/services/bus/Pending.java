@@ -31,13 +31,12 @@ final class Pending<A extends Record> {
 
     /** Whether a reply can belong to this question: it comes from whoever was asked, and names the operation. */
     boolean isOf(Message reply) {
-        String replied =
-                switch (reply.purpose()) {
-                    case Message.Purpose.Answer is -> is.operation();
-                    case Message.Purpose.Refusal is -> is.operation();
-                    case Message.Purpose.Publication none -> "";
-                    case Message.Purpose.Question none -> "";
-                };
+        String replied = switch (reply.purpose()) {
+            case Message.Purpose.Answer is -> is.operation();
+            case Message.Purpose.Refusal is -> is.operation();
+            case Message.Purpose.Publication none -> "";
+            case Message.Purpose.Question none -> "";
+        };
         return reply.from().equals(to) && replied.equals(operation.name());
     }
 

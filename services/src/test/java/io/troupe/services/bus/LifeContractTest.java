@@ -87,7 +87,9 @@ class LifeContractTest extends BusContract {
         var publisher = near().attach("publisher");
         publisher.publish(COUNTS, new Count(1));
         test.crank();
-        assertThat(heard).as("heard by the first subscription, whose actor stopped then").containsExactly(1);
+        assertThat(heard)
+                .as("heard by the first subscription, whose actor stopped then")
+                .containsExactly(1);
         publisher.publish(COUNTS, new Count(2));
         assertThat(take(losses).stream().map(loss -> ((Loss.Discarded) loss).count()))
                 .as("unheard by the first and by the second")

@@ -178,8 +178,8 @@ public final class Application {
         return all.stream()
                 .filter(each -> each.provider().equals(face.address()))
                 .findFirst()
-                .orElseThrow(() -> new ApplicationException(
-                        face.address().name() + " offers nothing now, expected a component in whose place another can be put"));
+                .orElseThrow(() -> new ApplicationException(face.address().name()
+                        + " offers nothing now, expected a component in whose place another can be put"));
     }
 
     /**
@@ -223,7 +223,8 @@ public final class Application {
         settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
         int met = usage.timesMet();
         space.delay(settings.patience()).handle((over, closed) -> {
-            if (closed == null && usage.timesMet() == met) { // else it had one meanwhile, and a later loss has its own time
+            if (closed == null
+                    && usage.timesMet() == met) { // else it had one meanwhile, and a later loss has its own time
                 end(why);
             }
             return null;

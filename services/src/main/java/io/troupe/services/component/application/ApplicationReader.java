@@ -75,7 +75,8 @@ public final class ApplicationReader {
         }
         var bytes = ByteBuffer.wrap(Files.readAllBytes(file));
         var text = CharBuffer.allocate(bytes.remaining());
-        boolean bad = StandardCharsets.UTF_8.newDecoder().decode(bytes, text, true).isError();
+        boolean bad =
+                StandardCharsets.UTF_8.newDecoder().decode(bytes, text, true).isError();
         String read = text.flip().toString();
         if (bad) {
             long line = read.chars().filter(each -> each == '\n').count() + 1;

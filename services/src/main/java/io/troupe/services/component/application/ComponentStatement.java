@@ -61,7 +61,10 @@ record ComponentStatement(String name, Word kind, Component<?, ?> component) {
                 ? List.of(given.text())
                 : Arrays.stream(given.text().split(",", -1)).map(String::strip).toList();
         if (names.stream().anyMatch(String::isBlank)) {
-            throw words.problem(given, key + " is \"" + given.text() + "\", expected " + (key.equals(SERVICE) ? "a name" : "names with commas between them"));
+            throw words.problem(
+                    given,
+                    key + " is \"" + given.text() + "\", expected "
+                            + (key.equals(SERVICE) ? "a name" : "names with commas between them"));
         }
         return names;
     }

@@ -43,7 +43,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                     .directory(settings.directory().toFile())
                     .start();
         } catch (IOException e) {
-            return Promise.failed(new ProviderException(words() + " cannot be started: " + String.valueOf(e.getMessage()).strip(), e));
+            return Promise.failed(new ProviderException(
+                    words() + " cannot be started: "
+                            + String.valueOf(e.getMessage()).strip(),
+                    e));
         }
         process = begun;
         signals.tell("process " + begun.pid() + ": " + words());
@@ -148,7 +151,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         if (past == null || !past.isAlive()) {
             return Promise.done();
         }
-        List<ProcessHandle> family = new ArrayList<>(past.descendants().toList()); // those of a script that starts programs
+        List<ProcessHandle> family =
+                new ArrayList<>(past.descendants().toList()); // those of a script that starts programs
         family.add(past.toHandle());
         family.forEach(ProcessHandle::destroy);
         return Promise.from(ends(family)
@@ -160,7 +164,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     private static CompletableFuture<@Nullable Void> ends(List<ProcessHandle> family) {
-        return CompletableFuture.allOf(family.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
+        return CompletableFuture.allOf(
+                        family.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
                 .thenApply(gone -> null);
     }
 

@@ -112,7 +112,8 @@ class ApplicationReaderTest {
                 .isInstanceOf(ApplicationFileException.class)
                 .hasMessage(file + ":2:3: the byte here is no UTF-8, expected a text in UTF-8");
         Files.writeString(file, "\uFEFFapplication a\n");
-        assertThat(ApplicationReader.read(file, Kinds.standard(), Map.of()).name()).isEqualTo("a");
+        assertThat(ApplicationReader.read(file, Kinds.standard(), Map.of()).name())
+                .isEqualTo("a");
         assertThatThrownBy(() -> ApplicationReader.text(directory))
                 .hasMessage(directory + ": a directory, expected the file of a declaration");
     }

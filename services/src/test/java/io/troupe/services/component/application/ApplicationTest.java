@@ -168,8 +168,9 @@ class ApplicationTest {
         start(plan(TWO_ROBOTS + "connect idle/velocity to robot1/velocity\n"));
         assertThat(test.error(application.started()))
                 .isInstanceOf(ApplicationException.class)
-                .hasMessage("robot1/velocity would be fed twice, because idle/velocity -> robot1/velocity is declared and"
-                        + " because robot1 needs wallFollower, expected once");
+                .hasMessage(
+                        "robot1/velocity would be fed twice, because idle/velocity -> robot1/velocity is declared and"
+                                + " because robot1 needs wallFollower, expected once");
     }
 
     @Test
@@ -177,8 +178,9 @@ class ApplicationTest {
         start(plan(TWO_ROBOTS + "connect robot1/velocity to follower/velocity\n"));
         assertThat(test.error(application.started()))
                 .isInstanceOf(ApplicationException.class)
-                .hasMessage("over follower/velocity -> robot1/velocity values would go round in a circle, expected wires"
-                        + " that end somewhere");
+                .hasMessage(
+                        "over follower/velocity -> robot1/velocity values would go round in a circle, expected wires"
+                                + " that end somewhere");
     }
 
     @Test
@@ -213,7 +215,9 @@ class ApplicationTest {
             robots.tick(100);
             assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
             test.advance(Duration.ofMillis(900)); // the second time 3.4 s after the first loss
-            assertThat(application.ended().isDone()).as("ended by loss %d", loss).isFalse();
+            assertThat(application.ended().isDone())
+                    .as("ended by loss %d", loss)
+                    .isFalse();
             test.advance(Duration.ofMillis(1600));
             assertThat(events.getLast()).startsWith("robot1 uses flickering");
         }
