@@ -152,6 +152,7 @@ class ActorServicesTest {
             for (int round = 0; round < 4; round++) {
                 brokers.crank();
                 providers.crank();
+                callers.crank();
             }
         }
     }
