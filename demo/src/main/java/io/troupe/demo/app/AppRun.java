@@ -41,8 +41,8 @@ import org.jspecify.annotations.Nullable;
  */
 final class AppRun {
     /**
-     * Player keeps the last command for ever. A robot whose driver has gone without a last word, such as a process that was killed, stops after half a second, as one does that is driven
-     * over the bus.
+     * A robot whose driver has gone without a last word, such as a process that was killed, is stopped by the server only if nobody else has it open. Here it stops after half a second, as
+     * one does that is driven over the bus.
      */
     static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
 

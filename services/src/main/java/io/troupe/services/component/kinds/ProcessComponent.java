@@ -15,8 +15,8 @@ import java.util.List;
  * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its standard output, and is ended, with the processes that it has started, as the system does that. Data
  * signals are lines of text: under the name {@code c} it hears {@code c/in} on its standard input, and each line of its standard output is said as
  * {@code c/out}.
- * <p><b>Errors.</b> It has failed when it ends by itself; the error has its exit status and the end of what it wrote to its standard error. Nobody stops then what it moved
- * over a connection of its own: that is for the server, with a watchdog.
+ * <p><b>Errors.</b> It has failed when it ends by itself; the error has its exit status and the end of what it wrote to its standard error. What it moved over a
+ * connection of its own is for the server to stop: ours does when nobody has the robot open any more.
  * <p><b>Source.</b> Paper, section 2.1.1: packages may be built in different programming languages.
  */
 public final class ProcessComponent {
