@@ -88,7 +88,8 @@ class PythonComponentTest {
     }
 
     private Application start(ActorSpace space, int tcpPort, BrokerSettings brokerSettings) throws Exception {
-        // with a second connection to the script's robot, so that the server does not stop it when the script's own goes
+        // with a second connection to the script's robot, so that the server does not stop it when the script's own
+        // goes
         String text = ApplicationReader.text(FILE).replace("robots=1\n", "robots=1,2\n");
         var plan = ApplicationReader.parse(
                 text, FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
