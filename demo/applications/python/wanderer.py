@@ -122,7 +122,8 @@ def main(host, port, index):
 if __name__ == "__main__":
     if len(sys.argv) != 4:
         sys.exit(f"{sys.argv[0]}: {len(sys.argv) - 1} arguments, expected HOST PORT INDEX")
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(0))
+    for ending in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(ending, lambda *_: sys.exit(0))
     try:
         main(sys.argv[1], int(sys.argv[2]), int(sys.argv[3]))
     except ConnectionError as gone:

@@ -86,6 +86,23 @@ class AppCommandTest {
     }
 
     @Test
+    void directoryInPlaceOfAFile_isStatus1_andNamed() {
+        assertThat(app("applications")).isEqualTo(1);
+        assertThat(err.toString().strip())
+                .isEqualTo("troupe: applications: a directory, expected the file of a declaration");
+    }
+
+    @Test
+    void component_mayHaveAnyName() throws IOException {
+        assertThat(app(file("""
+                application a
+                component report        is wallFollower
+                component a.application is spaceWanderer
+                a needs service wallFollower
+                """), "--seconds", "0.2")).as(err.toString()).isZero();
+    }
+
+    @Test
     void robotThatTwoDrive_isStatus1() throws IOException {
         assertThat(app(file("""
                         application quarrel

@@ -20,7 +20,6 @@ import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashMap;
@@ -41,6 +40,12 @@ import org.jspecify.annotations.Nullable;
  * waits for the other.
  */
 final class AppRun {
+    /**
+     * A robot whose driver has gone without a last word, such as a process that was killed, is stopped by the server only if nobody else has it open. Here it stops after half a second, as
+     * one does that is driven over the bus.
+     */
+    static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
+
     private static final String TCP = "${tcp}";
     /** By our clock: simulated time stands still while services start and stop. */
     private static final Duration START_LIMIT = Duration.ofSeconds(60);
@@ -59,10 +64,10 @@ final class AppRun {
 
     /** Runs until so much time has passed, or {@code stop} says so; throws what has ended the application before. */
     void run(double seconds, boolean realtime, BooleanSupplier stop) throws IOException, InterruptedException {
-        String declaration = Files.readString(file);
+        String declaration = ApplicationReader.text(file);
         int port = port();
         var failure = new AtomicReference<@Nullable Throwable>();
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WORLD);
                 var tcp = declaration.contains(TCP) ? tcp(simulation, port) : null;
                 var space = ActorSpace.create(SpaceSettings.named("application")
                         .withClock(simulation.clock())
@@ -109,7 +114,7 @@ final class AppRun {
         var bus = InProcessBus.open("troupe", BusSettings.on(space));
         var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
         var settings = ApplicationSettings.DEFAULT.withObservers(report, report::onApplication);
-        var listener = bus.attach("report");
+        var listener = bus.attach(":report");
         for (var component : plan.components().values()) {
             component.publishes().stream()
                     .filter(topic -> topic.type().equals(ColourSeen.class))

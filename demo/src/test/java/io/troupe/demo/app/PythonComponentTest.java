@@ -22,7 +22,6 @@ import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.Simulation;
-import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -89,8 +88,11 @@ class PythonComponentTest {
     }
 
     private Application start(ActorSpace space, int tcpPort, BrokerSettings brokerSettings) throws Exception {
-        var plan =
-                ApplicationReader.read(FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
+        // with a second connection to the script's robot, so that the server does not stop it when the script's own
+        // goes
+        String text = ApplicationReader.text(FILE).replace("robots=1\n", "robots=1,2\n");
+        var plan = ApplicationReader.parse(
+                text, FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(
                 plan,
@@ -106,7 +108,7 @@ class PythonComponentTest {
     void robotInTheCareOfAPythonScript_moves_andItsUserHearsWhenTheProcessIsKilled() throws Exception {
         assumePython();
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, AppRun.WORLD);
                 var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
                 var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
             var application = start(space, tcp.port(), BrokerSettings.DEFAULT.withoutRestart());
@@ -123,6 +125,12 @@ class PythonComponentTest {
                         .isGreaterThan(0.5);
             }
             kill();
+            for (int tick = 0; tick < 6; tick++) {
+                simulation.tick();
+            }
+            var stopped = simulation.latest().robots().get(1).pose();
+            simulation.tick();
+            assertThat(simulation.latest().robots().get(1).pose()).isEqualTo(stopped);
             for (int tick = 0; tick < 300 && !application.ended().isDone(); tick++) {
                 simulation.tick();
             }
@@ -154,7 +162,7 @@ class PythonComponentTest {
 
     private String poseAfter(int ticks) throws Exception {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, AppRun.WORLD);
                 var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
                 var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
             var application = start(space, tcp.port(), BrokerSettings.DEFAULT);

@@ -57,12 +57,18 @@ final class Directory {
     }
 
     void add(Hearing<?> hearing) {
-        hearings.computeIfAbsent(hearing.topic.name(), name -> new CopyOnWriteArrayList<>())
-                .add(hearing);
+        hearings.compute(hearing.topic.name(), (topic, before) -> {
+            List<Hearing<?>> all = before == null ? new CopyOnWriteArrayList<>() : before;
+            all.add(hearing); // here, since one that is empty is forgotten
+            return all;
+        });
     }
 
     void remove(Hearing<?> hearing) {
-        hearings.getOrDefault(hearing.topic.name(), new ArrayList<>()).remove(hearing);
+        hearings.computeIfPresent(hearing.topic.name(), (topic, all) -> {
+            all.remove(hearing);
+            return all.isEmpty() ? null : all; // topics come and go, as components do
+        });
     }
 
     List<Hearing<?>> hearings(String topic) {

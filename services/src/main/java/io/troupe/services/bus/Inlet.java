@@ -81,6 +81,8 @@ abstract class Inlet {
         }
         if (signal) {
             signal();
+        } else {
+            isOver(); // the actor may have stopped with the signal on its way, and would never look
         }
         return null;
     }

@@ -29,6 +29,17 @@ final class Pending<A extends Record> {
         return answer;
     }
 
+    /** Whether a reply can belong to this question: it comes from whoever was asked, and names the operation. */
+    boolean isOf(Message reply) {
+        String replied = switch (reply.purpose()) {
+            case Message.Purpose.Answer is -> is.operation();
+            case Message.Purpose.Refusal is -> is.operation();
+            case Message.Purpose.Publication none -> "";
+            case Message.Purpose.Question none -> "";
+        };
+        return reply.from().equals(to) && replied.equals(operation.name());
+    }
+
     /** Tells when the time is over, or the space of the asker is; nothing once this is settled. */
     void limit(Duration limit, Consumer<Boolean> tellInTime) {
         over.orTimeout(limit).toCompletableFuture().whenComplete((nothing, error) -> {

@@ -34,9 +34,7 @@ final class Questions {
         long number = message.sequence();
         node.counters.asked.increment();
         pending.put(number, waiting);
-        String closed =
-                asker.whyClosed(); // asked after the question is in the table, so that either it or close() sees the
-        // other
+        String closed = asker.whyClosed(); // after the question is in the table: either this or close() sees the other
         if (closed != null) {
             refuse(number, "the asker has left: " + closed);
         } else {
@@ -59,8 +57,10 @@ final class Questions {
 
     /** An answer or a refusal has come. */
     void settle(Message reply, long question) {
-        Pending<?> asked = pending.remove(question);
-        if (asked == null) {
+        Pending<?> asked = pending.get(question);
+        if (asked != null && !asked.isOf(reply)) {
+            node.telling.late(reply, "it is for another question of that number, of an earlier life of this node");
+        } else if (asked == null || !pending.remove(question, asked)) {
             node.telling.late(reply, "nobody waits for it any more");
         } else if (!asked.settle(reply, node.counters)) {
             node.telling.late(reply, "the asker has cancelled");

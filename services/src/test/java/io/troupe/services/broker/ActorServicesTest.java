@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -113,6 +114,46 @@ class ActorServicesTest {
             assertThat(stage.get(answer)).isEqualTo("late: hello");
             stage.bench.test.crank();
             assertThat(stage.diary).containsExactly("late says hello", "late hears and this");
+        }
+    }
+
+    @Test
+    void call_waitsForTheNextProvider_ifTheOneItIsToldOfHasEndedMeanwhile() {
+        try (var callers = new TestSpace();
+                var providers = new TestSpace();
+                var brokers = new TestSpace()) {
+            var broker = ServiceBroker.open(
+                    brokers.space(), BrokerSettings.DEFAULT.withoutRestart().withObserver(event -> {}));
+            var services = new ActorServices(broker, "node", callers.space(), event -> {});
+            var diary = new ArrayList<String>();
+            for (String name : List.of("a", "b")) {
+                services.publish(
+                        providers.space(), Parrot.class, "parrot", List.of(), () -> new Parrot.Grey(name, diary));
+            }
+            var connection = services.connect(Parrot.class, PARROT);
+            var answer = connection.actor().say("hello");
+            callers.crank(); // asks the broker
+            brokers.crank(); // spawns a
+            providers.crank(); // starts it
+            brokers.crank(); // names it to the connection, which has not heard yet
+            providers.space().stop(services.running(BrokerBench.at("parrot")).proxy());
+            providers.crank(); // of which the broker has not heard yet
+            callers.crank();
+            assertThat(answer.isDone()).isFalse();
+            for (int round = 0; round < 4; round++) {
+                brokers.crank();
+                providers.crank();
+                callers.crank();
+            }
+            assertThat(callers.get(answer)).isEqualTo("b: hello");
+            connection.close();
+            callers.crank();
+            broker.close();
+            for (int round = 0; round < 4; round++) {
+                brokers.crank();
+                providers.crank();
+                callers.crank();
+            }
         }
     }
 

@@ -25,6 +25,8 @@ class LifeContractTest extends BusContract {
     interface Listener {
         void listen(BusPort port);
 
+        void listenOnce(BusPort port);
+
         void askAndForget(BusPort port, Address to);
     }
 
@@ -38,6 +40,14 @@ class LifeContractTest extends BusContract {
         @Override
         public void listen(BusPort port) {
             port.subscribe(COUNTS, (count, from) -> heard.add(count.value()));
+        }
+
+        @Override
+        public void listenOnce(BusPort port) {
+            port.subscribe(COUNTS, (count, from) -> {
+                heard.add(count.value());
+                stop();
+            });
         }
 
         @Override
@@ -63,6 +73,27 @@ class LifeContractTest extends BusContract {
         assertThat(heard).containsExactly(1);
         assertThat(take(losses)).singleElement().isInstanceOf(Loss.Discarded.class);
         publisher.publish(COUNTS, new Count(3));
+        test.crank();
+    }
+
+    @Test
+    void actorThatStopsWithValuesOnTheirWay_isMissedWithTheNextValue_andAllAreTold() {
+        var heard = new ArrayList<Integer>();
+        var listener = test.spawn(Listener.class, () -> new ListenerActor(heard));
+        var port = near().attach("a");
+        listener.listenOnce(port);
+        listener.listenOnce(port);
+        test.crank();
+        var publisher = near().attach("publisher");
+        publisher.publish(COUNTS, new Count(1));
+        test.crank();
+        assertThat(heard)
+                .as("heard by the first subscription, whose actor stopped then")
+                .containsExactly(1);
+        publisher.publish(COUNTS, new Count(2));
+        assertThat(take(losses).stream().map(loss -> ((Loss.Discarded) loss).count()))
+                .as("unheard by the first and by the second")
+                .containsExactly(1, 2);
         test.crank();
     }
 

@@ -3,6 +3,7 @@ package io.troupe.services.bus;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
+import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 
 /** What there is to say only of nodes that exchange bytes. */
@@ -47,6 +48,41 @@ class TwoNodesTest extends BusContract {
                         + " java.lang.IllegalStateException: cable cut");
         assertThat(take(losses)).hasSize(2).allMatch(Loss.Undeliverable.class::isInstance);
         broken.close();
+    }
+
+    @Test
+    void replyToAnotherQuestionOfThatNumber_settlesNothing() {
+        var sent = new ArrayList<Message>();
+        var node = new BusNode("near", settings(), new Transport() {
+            @Override
+            public boolean reaches(String node) {
+                return true;
+            }
+
+            @Override
+            public void send(String node, Message message) {
+                sent.add(message);
+            }
+
+            @Override
+            public void broadcast(Message publication) {}
+
+            @Override
+            public void close() {}
+        });
+        var asker = node.attach("a");
+        var asked = new Address("far", "b");
+        var answer = heard(asker.ask(asked, SPELL, new Count(1), SECOND));
+        long number = sent.getFirst().sequence();
+        var ofAnother = new Message.Purpose.Answer(asker.address(), SPELL.name(), number);
+        node.receive(new DataMessage(new Address("far", "c"), ofAnother, 1, new Text("c")));
+        var ofAnotherOperation = new Message.Purpose.Answer(asker.address(), START.name(), number);
+        node.receive(new DataMessage(asked, ofAnotherOperation, 2, new Text("started")));
+        assertThat(answer.isDone()).isFalse();
+        assertThat(take(losses)).hasSize(2).allMatch(Loss.Late.class::isInstance);
+        node.receive(new DataMessage(asked, ofAnother, 3, new Text("b")));
+        assertThat(test.get(answer)).isEqualTo(new Text("b"));
+        node.close();
     }
 
     @Test

@@ -53,7 +53,7 @@ public final class Application {
         this.bus = bus;
         this.broker = broker;
         this.settings = settings;
-        this.port = bus.attach(plan.name() + ".application");
+        this.port = bus.attach(plan.name() + ":application");
         this.wiring = new Wiring(port, plan.components(), settings.events());
     }
 
@@ -91,6 +91,7 @@ public final class Application {
                 var face = ComponentInterface.open(bus, each.getKey(), each.getValue(), settings.components());
                 interfaces.put(each.getKey(), face);
             }
+            wiring.claim(null, plan.wires());
             wiring.open(plan.wires());
             for (var face : interfaces.values()) {
                 if (plan.isOffered(face.address().name())) {
@@ -153,19 +154,32 @@ public final class Application {
     }
 
     /**
-     * Puts a component in the place of another, under the name of its service, while the application runs.
+     * Puts a component in the place of another, under the service that this one is registered for, while the application runs.
      *
      * @param by a component of the plan that is not in use
      */
     public Promise<@Nullable Void> replace(String old, String by) {
         var before = face(old);
         var next = face(by);
-        var capabilities = new ArrayList<>(before.component().capabilities());
-        next.component().capabilities().stream()
-                .filter(each -> !capabilities.contains(each))
-                .forEach(capabilities::add);
-        return broker.replace(before.address(), before.component().service(), capabilities, next.address(), next)
+        return broker.registered()
+                .thenCompose(all -> {
+                    var offer = offerOf(before, all);
+                    var capabilities = new ArrayList<>(offer.capabilities());
+                    next.component().capabilities().stream()
+                            .filter(each -> !capabilities.contains(each))
+                            .forEach(capabilities::add);
+                    return broker.replace(before.address(), offer.service(), capabilities, next.address(), next);
+                })
                 .thenAccept(replaced -> {});
+    }
+
+    /** What a component offers: not what it was made for, if it has itself taken the place of another. */
+    private ServiceRecord offerOf(ComponentInterface<?, ?> face, List<ServiceRecord> all) {
+        return all.stream()
+                .filter(each -> each.provider().equals(face.address()))
+                .findFirst()
+                .orElseThrow(() -> new ApplicationException(face.address().name()
+                        + " offers nothing now, expected a component in whose place another can be put"));
     }
 
     /**
@@ -207,8 +221,10 @@ public final class Application {
 
     private void awaitAnother(Usage usage, MissingServiceException why) {
         settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
+        int met = usage.timesMet();
         space.delay(settings.patience()).handle((over, closed) -> {
-            if (closed == null && !usage.isMet()) {
+            if (closed == null
+                    && usage.timesMet() == met) { // else it had one meanwhile, and a later loss has its own time
                 end(why);
             }
             return null;

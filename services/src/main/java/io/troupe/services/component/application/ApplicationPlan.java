@@ -4,11 +4,17 @@ import io.troupe.services.broker.Need;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
+import java.util.Deque;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -116,9 +122,34 @@ public record ApplicationPlan(
         return slash < 0 ? topic.name() : topic.name().substring(0, slash);
     }
 
-    /** With two topics connected. */
+    /**
+     * With two topics connected.
+     *
+     * @throws IllegalArgumentException if they are already, or if values would go round in a circle
+     */
     public <T extends Record> ApplicationPlan connecting(Topic<T> from, Topic<T> to) {
-        return new ApplicationPlan(name, components, needs, plus(wires, new Wire<>(from, to)), replacements);
+        var wire = new Wire<>(from, to);
+        if (wires.contains(wire)) {
+            throw new IllegalArgumentException(wire + " is there already, expected it once");
+        }
+        checkEnds(wire, wires);
+        return new ApplicationPlan(name, components, needs, plus(wires, wire), replacements);
+    }
+
+    /** @throws IllegalArgumentException if a value that went over this wire would come back to it over the others */
+    static void checkEnds(Wire<?> wire, Collection<? extends Wire<?>> others) {
+        Set<Topic<?>> reached = new LinkedHashSet<>(Set.of(wire.to()));
+        Deque<Topic<?>> open = new ArrayDeque<>(reached);
+        while (!open.isEmpty()) {
+            Topic<?> at = open.remove();
+            if (at.equals(wire.from())) {
+                throw new IllegalArgumentException(
+                        "over " + wire + " values would go round in a circle, expected wires that end somewhere");
+            }
+            others.stream()
+                    .filter(other -> other.from().equals(at) && reached.add(other.to()))
+                    .forEach(other -> open.add(other.to()));
+        }
     }
 
     /**
@@ -139,9 +170,13 @@ public record ApplicationPlan(
         return new ApplicationPlan(name, components, needs, wires, plus(replacements, new Replacement(after, old, by)));
     }
 
-    /** Whether a component is registered from the beginning. */
+    /** Whether a component is registered from the beginning: unless it takes a place before it gives one up. */
     boolean isOffered(String component) {
-        return replacements.stream().noneMatch(each -> each.by().equals(component));
+        return replacements.stream()
+                .filter(each -> each.old().equals(component) || each.by().equals(component))
+                .min(Comparator.comparing(Replacement::after))
+                .map(first -> first.old().equals(component))
+                .orElse(true);
     }
 
     private static <T> List<T> plus(List<T> list, T more) {

@@ -8,6 +8,10 @@ import io.troupe.services.component.kinds.Kinds;
 import io.troupe.services.text.Suggestions;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -30,6 +34,7 @@ import java.util.regex.Pattern;
  * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first mistake.
  */
 public final class ApplicationReader {
+    private static final String BYTE_ORDER_MARK = "\uFEFF"; // some editors write one
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
     private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
@@ -53,10 +58,33 @@ public final class ApplicationReader {
      */
     public static ApplicationPlan read(Path file, Kinds kinds, Map<String, String> values) {
         try {
-            return parse(Files.readString(file), file, kinds, values);
+            return parse(text(file), file, kinds, values);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
+    }
+
+    /**
+     * The text of a declaration, as {@link #parse} takes it.
+     *
+     * @throws ApplicationFileException if it is not UTF-8
+     */
+    public static String text(Path file) throws IOException {
+        if (Files.isDirectory(file)) {
+            throw new FileSystemException(file.toString(), null, "a directory, expected the file of a declaration");
+        }
+        var bytes = ByteBuffer.wrap(Files.readAllBytes(file));
+        var text = CharBuffer.allocate(bytes.remaining());
+        boolean bad =
+                StandardCharsets.UTF_8.newDecoder().decode(bytes, text, true).isError();
+        String read = text.flip().toString();
+        if (bad) {
+            long line = read.chars().filter(each -> each == '\n').count() + 1;
+            int column = read.length() - read.lastIndexOf('\n');
+            throw new ApplicationFileException(
+                    file + ":" + line + ":" + column + ": the byte here is no UTF-8, expected a text in UTF-8");
+        }
+        return read.startsWith(BYTE_ORDER_MARK) ? read.substring(BYTE_ORDER_MARK.length()) : read;
     }
 
     /** Reads a text as if it stood in that file. */
@@ -150,7 +178,11 @@ public final class ApplicationReader {
                         target,
                         to.name() + " is of " + to.type().getSimpleName() + ", expected a topic of "
                                 + from.type().getSimpleName() + " as " + from.name() + " is"));
-        plan = connecting(wire);
+        try {
+            plan = connecting(wire);
+        } catch (IllegalArgumentException circle) {
+            throw words.problem(target, circle.getMessage());
+        }
     }
 
     private <T extends Record> ApplicationPlan connecting(Wire<T> wire) {

@@ -37,17 +37,36 @@ record ComponentStatement(String name, Word kind, Component<?, ?> component) {
         Map<String, Word> arguments = arguments(kind, words);
         Map<String, String> given = new LinkedHashMap<>();
         arguments.forEach((key, word) -> given.put(key, word.text()));
-        String service = given.remove(SERVICE);
-        String capabilities = given.remove(CAPABILITIES);
+        List<String> service = names(SERVICE, arguments, words);
+        List<String> capabilities = names(CAPABILITIES, arguments, words);
+        given.keySet().removeAll(List.of(SERVICE, CAPABILITIES));
         try {
             var made = kind.maker().make(name, new Arguments(kind, given, directory));
             var offered = made.offering(
-                    service == null ? made.service() : service,
-                    capabilities == null ? made.capabilities() : Arrays.asList(capabilities.split(",")));
+                    service.isEmpty() ? made.service() : service.getFirst(),
+                    capabilities.isEmpty() ? made.capabilities() : capabilities);
             return new ComponentStatement(name, kindWord, offered);
         } catch (ArgumentException wrong) {
             throw words.problem(arguments.getOrDefault(wrong.parameter(), kindWord), wrong.getMessage());
         }
+    }
+
+    /** What is given for it, with commas between; empty if nothing is. */
+    private static List<String> names(String key, Map<String, Word> arguments, Words words) {
+        Word given = arguments.get(key);
+        if (given == null) {
+            return List.of();
+        }
+        List<String> names = key.equals(SERVICE)
+                ? List.of(given.text())
+                : Arrays.stream(given.text().split(",", -1)).map(String::strip).toList();
+        if (names.stream().anyMatch(String::isBlank)) {
+            throw words.problem(
+                    given,
+                    key + " is \"" + given.text() + "\", expected "
+                            + (key.equals(SERVICE) ? "a name" : "names with commas between them"));
+        }
+        return names;
     }
 
     private static Map<String, Word> arguments(Kind kind, Words words) {

@@ -23,7 +23,7 @@ final class Usage implements Broker.Connection {
     private final Consumer<ApplicationEvent> observer;
     private final Losses losses;
     private List<BusPort.Subscription> open = List.of();
-    private boolean met;
+    private int timesMet;
 
     Usage(Need need, Wiring wiring, Consumer<ApplicationEvent> observer, Losses losses) {
         this.need = need;
@@ -36,8 +36,9 @@ final class Usage implements Broker.Connection {
         return need;
     }
 
-    boolean isMet() {
-        return met;
+    /** How often it has got a provider; the same number as at a loss means that it has had none since. */
+    int timesMet() {
+        return timesMet;
     }
 
     @Override
@@ -52,7 +53,7 @@ final class Usage implements Broker.Connection {
         }
         disconnect(); // in the same turn: no value finds both connected, or none
         open = wiring.open(wires);
-        met = true;
+        timesMet++;
         observer.accept(new ApplicationEvent.Connected(need, provider, wires));
     }
 
@@ -60,7 +61,6 @@ final class Usage implements Broker.Connection {
     public void lost(MissingServiceException why) {
         disconnect();
         wiring.release(need);
-        met = false;
         losses.lost(this, why);
     }
 

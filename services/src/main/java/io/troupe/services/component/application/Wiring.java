@@ -7,13 +7,13 @@ import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Connects topics: of a user and its provider those that have the same last name and type.
@@ -22,9 +22,20 @@ import java.util.function.Function;
  * <p><b>Threads.</b> The application's space.
  */
 final class Wiring {
+    /** Why a topic is fed. */
+    private record Feed(Wire<?> wire, @Nullable Need need) {
+        String why() {
+            return need == null
+                    ? wire + " is declared"
+                    : need.by() + " needs "
+                            + (need.service() != null ? need.service() : "the capability " + need.capability());
+        }
+    }
+
     private final BusPort port;
     private final Map<String, Component<?, ?>> components;
     private final Consumer<ApplicationEvent> observer;
+    private final List<Feed> feeds = new ArrayList<>();
 
     Wiring(BusPort port, Map<String, Component<?, ?>> components, Consumer<ApplicationEvent> observer) {
         this.port = port;
@@ -36,32 +47,36 @@ final class Wiring {
         components.put(name, component);
     }
 
-    /** By which need a topic is fed. */
-    private final Map<Topic<?>, Need> feeders = new HashMap<>();
-
     /**
-     * Lets a need feed topics.
+     * Lets a need, or the declaration itself, feed topics.
      *
-     * @throws ApplicationException if another does already: a robot that two drive obeys none, and a control law that hears two robots drives neither
+     * @param need null for wires of the declaration, which may join several into one
+     * @throws ApplicationException if another feeds one already: a robot that two drive obeys none, and a control law that hears two robots drives neither; or if values
+     *     would go round in a circle
      */
-    void claim(Need need, List<Wire<?>> wires) {
+    void claim(@Nullable Need need, List<Wire<?>> wires) {
         for (var wire : wires) {
-            Need other = feeders.get(wire.to());
-            if (other != null && other != need) {
-                throw new ApplicationException(wire.to().name() + " would be fed twice, because " + words(other)
-                        + " and because " + words(need) + ", expected once");
+            for (var other : feeds) {
+                if (other.wire().to().equals(wire.to()) && (need != null || other.need() != null)) {
+                    throw new ApplicationException(wire.to().name() + " would be fed twice, because " + other.why()
+                            + " and because " + new Feed(wire, need).why() + ", expected once");
+                }
             }
         }
-        wires.forEach(wire -> feeders.put(wire.to(), need));
-    }
-
-    private static String words(Need need) {
-        return need.by() + " needs "
-                + (need.service() != null ? need.service() : "the capability " + need.capability());
+        List<Wire<?>> all = new ArrayList<>(wires);
+        feeds.forEach(feed -> all.add(feed.wire()));
+        for (var wire : wires) {
+            try {
+                ApplicationPlan.checkEnds(wire, all);
+            } catch (IllegalArgumentException circle) {
+                throw new ApplicationException(circle.getMessage());
+            }
+        }
+        wires.forEach(wire -> feeds.add(new Feed(wire, need)));
     }
 
     void release(Need need) {
-        feeders.values().removeIf(each -> each == need);
+        feeds.removeIf(each -> each.need() == need);
     }
 
     /** What is to be connected between a user and a provider; a provider that is no component of this application has no topics that are known here. */

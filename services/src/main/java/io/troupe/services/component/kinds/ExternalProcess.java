@@ -9,6 +9,8 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -41,7 +43,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                     .directory(settings.directory().toFile())
                     .start();
         } catch (IOException e) {
-            return Promise.failed(new ProviderException(words() + " cannot be started: " + e.getMessage(), e));
+            return Promise.failed(new ProviderException(
+                    words() + " cannot be started: "
+                            + String.valueOf(e.getMessage()).strip(),
+                    e));
         }
         process = begun;
         signals.tell("process " + begun.pid() + ": " + words());
@@ -52,7 +57,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                     firstLine.complete(null);
                     signals.data(line);
                 }));
-        thread("stdin", () -> write(begun));
+        thread("stdin", () -> write(begun, signals));
         begun.onExit().thenRunAsync(() -> ended(begun, signals, readErrors, readOutput), task -> thread("exit", task));
         return Promise.from(firstLine
                 .orTimeout(settings.startLimit().toMillis(), TimeUnit.MILLISECONDS)
@@ -74,6 +79,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
         var why = new ProviderException(words() + " ended with status " + past.exitValue() + said());
         firstLine.completeExceptionally(why);
+        tellUnwritten(signals);
         if (!ending) {
             signals.failed(why);
         }
@@ -105,7 +111,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
-    private void write(Process to) {
+    private void write(Process to, Signals<?> signals) {
         try (Writer writer = to.outputWriter(StandardCharsets.UTF_8)) {
             while (to.isAlive()) {
                 String line = input.poll(1, TimeUnit.SECONDS);
@@ -114,8 +120,20 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                     writer.flush();
                 }
             }
-        } catch (IOException | InterruptedException gone) {
-            // it has ended, or reads no more; the first is told by its exit, the second is its own business
+        } catch (IOException closed) {
+            if (to.isAlive() && !ending) { // else its exit says all
+                signals.tell(words() + " reads its standard input no more: " + closed.getMessage());
+            }
+        } catch (InterruptedException gone) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void tellUnwritten(Signals<?> signals) {
+        List<String> rest = new ArrayList<>();
+        input.drainTo(rest);
+        if (!rest.isEmpty()) {
+            signals.tell(rest.size() + " lines for " + words() + " were not written to it");
         }
     }
 
@@ -133,15 +151,22 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         if (past == null || !past.isAlive()) {
             return Promise.done();
         }
-        past.destroy();
-        var exit = past.onExit();
-        return Promise.from(exit.<@Nullable Void>thenApply(gone -> null)
-                .copy()
+        List<ProcessHandle> family =
+                new ArrayList<>(past.descendants().toList()); // those of a script that starts programs
+        family.add(past.toHandle());
+        family.forEach(ProcessHandle::destroy);
+        return Promise.from(ends(family)
                 .orTimeout(settings.stopLimit().toMillis(), TimeUnit.MILLISECONDS)
                 .exceptionallyCompose(deaf -> {
-                    past.destroyForcibly();
-                    return exit.thenApply(gone -> null);
+                    family.forEach(ProcessHandle::destroyForcibly);
+                    return ends(family);
                 }));
+    }
+
+    private static CompletableFuture<@Nullable Void> ends(List<ProcessHandle> family) {
+        return CompletableFuture.allOf(
+                        family.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
+                .thenApply(gone -> null);
     }
 
     @Override

@@ -12,10 +12,11 @@ import java.util.List;
 /**
  * A process of the operating system as a component: a program in any language that reaches the robots by itself, by the Player protocol for example.
  *
- * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its standard output, and is ended as the system does that. Data
+ * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its standard output, and is ended, with the processes that it has started, as the system does that. Data
  * signals are lines of text: under the name {@code c} it hears {@code c/in} on its standard input, and each line of its standard output is said as
  * {@code c/out}.
- * <p><b>Errors.</b> It has failed when it ends by itself; the error has its exit status and the end of what it wrote to its standard error.
+ * <p><b>Errors.</b> It has failed when it ends by itself; the error has its exit status and the end of what it wrote to its standard error. What it moved over a
+ * connection of its own is for the server to stop: ours does when nobody has the robot open any more.
  * <p><b>Source.</b> Paper, section 2.1.1: packages may be built in different programming languages.
  */
 public final class ProcessComponent {

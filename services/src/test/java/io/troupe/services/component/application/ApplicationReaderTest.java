@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.services.broker.Need;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
 import io.troupe.services.component.kinds.Kinds;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -62,6 +65,8 @@ class ApplicationReaderTest {
                 "component x is process; my.app:2:16: a component of kind process has no run, expected run=",
                 "component x is process run=\"a b; my.app:2:24: a quote is not closed",
                 "component x is player port=${prot}; my.app:2:23: ${prot} has no value here, expected one of [${port}]",
+                "component x is wallFollower service=; my.app:2:29: service is \"\", expected a name",
+                "component x is wallFollower capabilities=a,; my.app:2:29: capabilities is \"a,\", expected names with commas",
                 "application again; my.app:2:1: the name of the application stands here, expected it once, on the first line",
                 "connected needs service s; my.app:2:1: \"connected\" is neither the application",
                 "robots drive; my.app:2:1: found \"robots\", expected application, component, connect, at, or a user that needs a service",
@@ -85,6 +90,32 @@ class ApplicationReaderTest {
                         read("application demo\ncomponent r is player\nconnect robot1/sonar to robot1/velocity\n"))
                 .hasMessageStartingWith(
                         "my.app:3:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
+    }
+
+    @Test
+    void wiresInACircle_orTwice_areRefused() {
+        String two = "application demo\ncomponent r is player robots=1,2\nconnect robot1/velocity to robot2/velocity\n";
+        assertThatThrownBy(() -> read(two + "connect robot2/velocity to robot1/velocity\n"))
+                .hasMessage("my.app:4:28: over robot2/velocity -> robot1/velocity values would go round in a circle,"
+                        + " expected wires that end somewhere");
+        assertThatThrownBy(() -> read(two + "connect robot1/sonar to robot1/sonar\n"))
+                .hasMessageStartingWith("my.app:4:25: over robot1/sonar -> robot1/sonar values would go round");
+        assertThatThrownBy(() -> read(two + "connect robot1/velocity to robot2/velocity\n"))
+                .hasMessage("my.app:4:28: robot1/velocity -> robot2/velocity is there already, expected it once");
+    }
+
+    @Test
+    void text_thatIsNoUtf8_isNamedByItsPlace_andAByteOrderMarkIsNone(@TempDir Path directory) throws IOException {
+        Path file = directory.resolve("my.app");
+        Files.write(file, new byte[] {'a', '\n', (byte) 0xc3, (byte) 0xa4, '#', (byte) 0xe4, '\n'});
+        assertThatThrownBy(() -> ApplicationReader.text(file))
+                .isInstanceOf(ApplicationFileException.class)
+                .hasMessage(file + ":2:3: the byte here is no UTF-8, expected a text in UTF-8");
+        Files.writeString(file, "\uFEFFapplication a\n");
+        assertThat(ApplicationReader.read(file, Kinds.standard(), Map.of()).name())
+                .isEqualTo("a");
+        assertThatThrownBy(() -> ApplicationReader.text(directory))
+                .hasMessage(directory + ": a directory, expected the file of a declaration");
     }
 
     @Test

@@ -22,6 +22,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -160,6 +161,66 @@ class ApplicationTest {
                 .hasMessage("robot1/velocity would be fed twice, because robot1 needs wallFollower and because robot1"
                         + " needs idling, expected once");
         assertThat(robots.connections()).isZero();
+    }
+
+    @Test
+    void declaredWireAndNeedThatWouldDriveOneRobot_endTheApplication() {
+        start(plan(TWO_ROBOTS + "connect idle/velocity to robot1/velocity\n"));
+        assertThat(test.error(application.started()))
+                .isInstanceOf(ApplicationException.class)
+                .hasMessage(
+                        "robot1/velocity would be fed twice, because idle/velocity -> robot1/velocity is declared and"
+                                + " because robot1 needs wallFollower, expected once");
+    }
+
+    @Test
+    void needThatWouldSendValuesInACircle_endsTheApplication() {
+        start(plan(TWO_ROBOTS + "connect robot1/velocity to follower/velocity\n"));
+        assertThat(test.error(application.started()))
+                .isInstanceOf(ApplicationException.class)
+                .hasMessage(
+                        "over follower/velocity -> robot1/velocity values would go round in a circle, expected wires"
+                                + " that end somewhere");
+    }
+
+    @Test
+    void componentThatHasTakenAPlace_isReplacedUnderThatService_evenByTheOneBefore() {
+        start(plan(TWO_ROBOTS + "component relief is spaceWanderer\n"
+                + "at 150ms replace follower by relief\nat 250ms replace relief by follower\n"));
+        test.get(application.started().thenApply(runs -> true));
+        test.advance(Duration.ofMillis(160));
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(WANDERER_AHEAD);
+        test.advance(Duration.ofMillis(100));
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+        assertThat(events)
+                .contains("relief in the place of follower", "follower in the place of relief")
+                .noneMatch(event -> event.contains("lost"));
+    }
+
+    @Test
+    void patience_countsFromTheLossThatLasts_notFromOneBefore() {
+        var dizzy = new AtomicBoolean();
+        var flickering = BehaviourComponent.of("flickering", "driving", List.of(), () -> senses -> {
+            if (dizzy.getAndSet(false)) {
+                throw new IllegalStateException("dizzy");
+            }
+            return Optional.of(new Velocity(0.1, 0));
+        });
+        start(plan(ONE_ROBOT).with("flickering", flickering).needing("robot1", "driving"));
+        test.get(application.started().thenApply(runs -> true));
+        for (int loss = 1; loss <= 2; loss++) {
+            dizzy.set(true);
+            robots.tick(100);
+            assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
+            test.advance(Duration.ofMillis(900)); // the second time 3.4 s after the first loss
+            assertThat(application.ended().isDone())
+                    .as("ended by loss %d", loss)
+                    .isFalse();
+            test.advance(Duration.ofMillis(1600));
+            assertThat(events.getLast()).startsWith("robot1 uses flickering");
+        }
     }
 
     @Test

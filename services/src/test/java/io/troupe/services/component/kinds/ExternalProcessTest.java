@@ -102,9 +102,7 @@ class ExternalProcessTest {
         done(face.start());
         assertThat(line()).isEqualTo("ready");
         user.publish(ProcessComponent.input("script"), new TextLine("go"));
-        while (notes.take().stream().noneMatch(note -> note.startsWith("script has failed"))) {
-            Thread.onSpinWait();
-        }
+        awaitNote("script has failed");
         assertThatThrownBy(() -> done(face.check()))
                 .isInstanceOf(ProviderException.class)
                 .hasMessageContaining("ended with status 7; it said: out of wheels");
@@ -122,7 +120,9 @@ class ExternalProcessTest {
     void programThatDoesNotExist_isNamed() throws Exception {
         var face = open(PATIENCE, "no-such-program-anywhere");
         assertThatThrownBy(() -> done(face.start()))
-                .hasMessageContaining("\"no-such-program-anywhere\" cannot be started");
+                .hasMessageContaining("\"no-such-program-anywhere\" cannot be started")
+                .message()
+                .doesNotEndWith(" ");
     }
 
     @Test
@@ -139,5 +139,42 @@ class ExternalProcessTest {
         done(face.stop());
         done(face.start());
         done(face.stop());
+    }
+
+    @Test
+    void programThatAScriptHasStarted_endsWithIt() throws Exception {
+        var face = shell("sleep 1000 & echo $!; wait");
+        done(face.start());
+        var started = ProcessHandle.of(Long.parseLong(line())).orElseThrow();
+        done(face.stop());
+        assertThat(started.isAlive()).isFalse();
+    }
+
+    @Test
+    void linesThatAProcessDoesNotRead_areTold() throws Exception {
+        var face = shell("exec <&-; echo ready; exec sleep 1000");
+        done(face.start());
+        assertThat(line()).isEqualTo("ready");
+        user.publish(ProcessComponent.input("script"), new TextLine("one"));
+        awaitNote("reads its standard input no more");
+        user.publish(ProcessComponent.input("script"), new TextLine("two"));
+        awaitQuiet();
+        done(face.stop());
+        awaitNote("1 lines for");
+    }
+
+    private void awaitNote(String text) {
+        while (notes.take().stream().noneMatch(note -> note.contains(text))) {
+            Thread.onSpinWait();
+        }
+    }
+
+    /** What was published before has come to the process. */
+    private void awaitQuiet() throws Exception {
+        for (int turn = 0; turn < 3; turn++) {
+            var over = new CompletableFuture<Boolean>();
+            space.execute(() -> over.complete(true));
+            over.get(20, TimeUnit.SECONDS);
+        }
     }
 }
