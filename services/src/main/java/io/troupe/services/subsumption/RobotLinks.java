@@ -32,11 +32,11 @@ final class RobotLinks {
     }
 
     /**
-     * A robot's service has ended. Where each has a connection of its own, that is closed when nothing is left to do: in lock step a client that leaves is not waited
-     * for, and the new one is not there yet.
+     * A robot's service has ended. Where each has a connection of its own, or the connection has failed, that is closed when nothing is left to do: in lock step a
+     * client that leaves is not waited for, and the new one is not there yet.
      */
-    void serviceEnded(int robot) {
-        RobotLink link = settings.reconnects() ? links.remove(robot) : null;
+    void serviceEnded(int robot, boolean connectionFailed) {
+        RobotLink link = connectionFailed || settings.reconnects() ? links.remove(robot) : null;
         if (link != null) { // null too if all are closed already
             reconnecting.add(robot);
             leaving.add(link);
