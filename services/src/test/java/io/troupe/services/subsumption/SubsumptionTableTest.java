@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.SpaceWanderer;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class SubsumptionTableTest {
@@ -197,6 +199,16 @@ class SubsumptionTableTest {
                 .build();
         var seen = List.of(new Sighting(Colours.RED, 900, 0), new Sighting(Colours.GREEN, 20, 40));
         assertThat(table.ruleIn(table.first()).pick(seen, 0)).hasValue(Colours.GREEN);
+    }
+
+    @Test
+    void serviceWithTheNameOfLayers_isRefused() {
+        Service avoid = new Service("avoid", false, () -> senses -> Optional.empty());
+        Service other = new Service("avoid > spaceWanderer", true, SpaceWanderer::behaviour);
+        var table = SubsumptionTable.forRobots(2).when(Colours.BLUE, avoid.over(SW), other);
+        assertThatThrownBy(table::build)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageStartingWith("two different services are called avoid > spaceWanderer");
     }
 
     @Test
