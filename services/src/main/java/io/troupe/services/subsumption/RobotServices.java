@@ -128,7 +128,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets a robot wander until the reference is cleared, and sends every colour but black that it sees meanwhile, whatever it means.
+     * Lets a robot wander until the reference is cleared, and sends every colour that it sees meanwhile, whatever it means, but not black, unless a state of the
+     * table has it.
      *
      * @param colours is sent each colour at every reading, as a message of its own, and the end
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
@@ -142,7 +143,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets any service drive a robot until the reference is cleared, and sends every colour but black that it sees meanwhile, whatever it means.
+     * Lets any service drive a robot until the reference is cleared, and sends every colour that it sees meanwhile, whatever it means, but not black, unless
+     * a state of the table has it.
      *
      * @param reports is sent each colour at every reading, as a message of its own, those of higher priority first and of equal ones the largest; and the
      *     end. When nobody listens to it any more the service ends: a robot is not driven on with nobody to stop it.
@@ -198,10 +200,11 @@ public class RobotServices extends Actor {
         });
     }
 
-    /** Each once, though there may be several patches of it. */
+    /** Each once, though there may be several patches of it. Black is walls everywhere, but a table may give it a state. */
     private IntStream coloursToSend(RobotDevices devices) {
-        return ColourFinder.inOrder(devices.sightings(), settings.table()::priority)
-                .filter(colour -> colour != Colours.BLACK)
+        var table = settings.table();
+        return ColourFinder.inOrder(devices.sightings(), table::priority)
+                .filter(colour -> colour != Colours.BLACK || table.state(colour).isPresent())
                 .distinct();
     }
 
