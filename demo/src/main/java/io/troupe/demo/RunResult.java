@@ -84,11 +84,7 @@ record RunResult(
         var text = new StringBuilder();
         String row = titleFormat(table) + "%s";
         line(text, row, "", columns(robot -> "robot " + (robot.index() + 1)));
-        line(
-                text,
-                row,
-                "distance driven",
-                columns(robot -> String.format(Locale.ROOT, "%.1f m", robot.distanceM())));
+        line(text, row, "distance driven", columns(robot -> String.format(Locale.ROOT, "%.1f m", robot.distanceM())));
         line(
                 text,
                 row,

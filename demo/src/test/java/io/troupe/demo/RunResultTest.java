@@ -16,7 +16,8 @@ class RunResultTest {
     private static final String LONG_NAME = "keepsAwayFromEverythingThatIsNear";
 
     private static RunResult result(int robots) {
-        SubsumptionTable table = SubsumptionTableReader.parse("""
+        SubsumptionTable table = SubsumptionTableReader.parse(
+                """
                 robots %d
                 colour sun #FFD700
                 service %s = avoid colours

@@ -53,8 +53,8 @@ final class Charges implements AutoCloseable {
                     + other.service() + " of another robot: give each service a reference of its own");
         }
         RobotLink link = links.connect(robot);
-        var loop = new ServiceLoop(
-                space, robot, service, link, reference, finder, observer, links.takeReconnected(robot));
+        var loop =
+                new ServiceLoop(space, robot, service, link, reference, finder, observer, links.takeReconnected(robot));
         inCharge.put(robot, loop);
         byReference.put(reference, loop);
         return loop.ended().whenComplete((stopped, error) -> {

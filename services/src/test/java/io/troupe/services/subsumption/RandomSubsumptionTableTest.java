@@ -146,8 +146,8 @@ class RandomSubsumptionTableTest {
             SubsumptionTable table = table(seed);
             State state = table.states().get(random.nextInt(table.states().size()));
             List<Sighting> seen = IntStream.range(0, random.nextInt(6))
-                    .mapToObj(left -> new Sighting(
-                            COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
+                    .mapToObj(left ->
+                            new Sighting(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
                     .collect(Collectors.toCollection(ArrayList::new));
             Collections.shuffle(seen, random);
             double seconds = random.nextInt(20) / 10.0;
@@ -157,7 +157,8 @@ class RandomSubsumptionTableTest {
                     .as("seed %d", seed)
                     .isEqualTo(expected);
             assertThat(ColourFinder.inOrder(seen, table::priority)
-                            .filter(colour -> colour != Colours.BLACK || table.state(colour).isPresent())
+                            .filter(colour -> colour != Colours.BLACK
+                                    || table.state(colour).isPresent())
                             .filter(colour -> table.next(state, colour, seconds).isPresent())
                             .findFirst())
                     .as("seed %d", seed)
