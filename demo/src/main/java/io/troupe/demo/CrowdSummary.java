@@ -10,22 +10,24 @@ import java.util.function.ToDoubleFunction;
 /** What a crowd did, in sums and extremes. */
 final class CrowdSummary {
     private final List<RobotRecord> robots;
+    private final String columns;
     private final StringBuilder text = new StringBuilder();
 
-    private CrowdSummary(List<RobotRecord> robots) {
+    private CrowdSummary(List<RobotRecord> robots, SubsumptionTable table) {
         this.robots = robots;
+        this.columns = RunResult.titleFormat(table) + "%12s%12s%24s%24s";
     }
 
     static String of(List<RobotRecord> robots, SubsumptionTable table) {
-        var summary = new CrowdSummary(robots);
-        summary.line("%-34s%12s%12s%24s%24s", robots.size() + " robots", "all", "mean", "least", "most");
+        var summary = new CrowdSummary(robots, table);
+        summary.line(robots.size() + " robots", "all", "mean", "least", "most");
         summary.row("distance driven, m", 1, RobotRecord::distanceM);
         summary.extremes("closest approach to a wall, m", 3, "", RobotRecord::closestM);
         summary.row("contacts with walls and boxes", 0, RobotRecord::wallContacts);
         summary.row("  while following a wall", 0, RobotRecord::followingContacts);
         summary.row("contacts with a robot", 0, RobotRecord::robotContacts);
         for (Service service : table.services()) {
-            summary.row("loops of " + service, 0, robot -> robot.loops().getOrDefault(service.name(), 0L));
+            summary.row(RunResult.loopsTitle(service), 0, robot -> robot.loops().getOrDefault(service.name(), 0L));
         }
         summary.row("ticks without exactly one service", 0, RobotRecord::chargeFaults);
         summary.row("ticks without a cycle", 0, RobotRecord::ticksWithoutCycle);
@@ -43,7 +45,6 @@ final class CrowdSummary {
         var most = robots.stream().max(Comparator.comparingDouble(figure)).orElseThrow();
         boolean same = figure.applyAsDouble(least) == figure.applyAsDouble(most);
         line(
-                "%-34s%12s%12s%24s%24s",
                 title,
                 all,
                 number(mean, Math.max(1, decimals)),
@@ -59,7 +60,7 @@ final class CrowdSummary {
         return String.format(Locale.ROOT, "%,." + decimals + "f", value);
     }
 
-    private void line(String format, Object... values) {
-        text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
+    private void line(Object... values) {
+        text.append(String.format(Locale.ROOT, columns, values)).append(System.lineSeparator());
     }
 }

@@ -1,7 +1,6 @@
 package io.troupe.demo;
 
 import io.troupe.services.subsumption.Arbitrator;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
@@ -13,6 +12,7 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
@@ -125,7 +125,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
             }
             log.write(line.put("colour", change.state().colour())
                     .put("services", Json.texts(change.state().services())));
-            changes.accept(change.describe());
+            changes.accept(change.describe(table));
         }
     }
 
@@ -199,15 +199,20 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     /** A state that began. */
     record StateChange(
             long timeMicros, State state, @Nullable Integer seenBy) {
-        String describe() {
-            String cause = seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + Colours.name(state.colour());
+        /** For people, by the table's names of colours. */
+        String describe(SubsumptionTable table) {
             return String.format(
-                    java.util.Locale.ROOT,
+                    Locale.ROOT,
                     "%7.1f s  %-18s state %d: %s",
                     timeMicros / 1e6,
-                    cause,
+                    cause(table),
                     state.number(),
                     state.services().size() < MANY_ROBOTS ? assignment() : headcount());
+        }
+
+        /** Why it began. */
+        String cause(SubsumptionTable table) {
+            return seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + table.colourName(state.colour());
         }
 
         private String headcount() {

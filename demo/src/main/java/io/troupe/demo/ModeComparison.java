@@ -1,7 +1,6 @@
 package io.troupe.demo;
 
 import io.troupe.demo.Ledger.StateChange;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.Locale;
@@ -98,11 +97,6 @@ record ModeComparison(Map<Mode, RunResult> results) {
             return "";
         }
         StateChange change = states.get(index);
-        Integer seenBy = change.seenBy();
-        String cause = seenBy == null
-                ? "start"
-                : "robot " + (seenBy + 1) + " sees "
-                        + Colours.name(change.state().colour());
         boolean marked = firstDifference(mode).orElse(-1) == index;
         return String.format(
                 Locale.ROOT,
@@ -110,7 +104,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
                 marked ? "*" : " ",
                 change.timeMicros() / 1e6,
                 change.state().number(),
-                cause);
+                change.cause(result(mode).table()));
     }
 
     private String columns(Function<Mode, String> value) {

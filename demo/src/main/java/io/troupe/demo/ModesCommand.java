@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
@@ -51,11 +52,7 @@ final class ModesCommand implements Callable<Integer> {
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
         Scenario scenario = ScenarioReader.read(world);
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
-        }
+        OutputDirectory.make(spec, out);
         var results = new EnumMap<Mode, RunResult>(Mode.class);
         for (Mode mode : Mode.values()) {
             results.put(mode, run(scenario, mode));

@@ -1,9 +1,9 @@
 package io.troupe.demo;
 
 import io.troupe.demo.Ledger.StateChange;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.List;
 import java.util.Locale;
 
@@ -19,19 +19,21 @@ final class ModesSvg {
     private static final double NUMBER_PX = 14;
 
     private final ModeComparison comparison;
+    private final SubsumptionTable table;
     private final String title;
     private final double endSeconds;
     private final StringBuilder svg = new StringBuilder();
 
     ModesSvg(ModeComparison comparison, String title) {
         this.comparison = comparison;
+        this.table = comparison.result(Mode.PROMISE).table();
         this.title = escape(title);
         this.endSeconds = comparison.result(Mode.PROMISE).endMicros() / 1e6;
     }
 
     String draw() {
         List<Mode> modes = comparison.modes();
-        List<State> states = comparison.result(Mode.PROMISE).table().states();
+        List<State> states = table.states();
         double axis = TOP_PX + modes.size() * ROW_PX;
         append(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1000 %.0f\" font-family=\"sans-serif\" font-size=\"14\">%n",
@@ -73,7 +75,7 @@ final class ModesSvg {
         double to = x(endMicros / 1e6);
         append(
                 "<g><title>%s</title><rect x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"#%06x\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/>",
-                escape(change.describe().strip()),
+                escape(change.describe(table).strip()),
                 from,
                 top,
                 to - from,
@@ -136,7 +138,7 @@ final class ModesSvg {
                 LEFT_PX + 34,
                 y,
                 state.number(),
-                Colours.name(state.colour()),
+                table.colourName(state.colour()),
                 escape(services.toString()));
     }
 

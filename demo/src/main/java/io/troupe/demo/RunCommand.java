@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
@@ -79,7 +80,7 @@ final class RunCommand implements Callable<Integer> {
                     "--reconnect goes with --mode callback or promise: the synchronous mode connects once");
         }
         TeamOptions.Team team = teamOptions.team(corners);
-        makeOutputDirectory();
+        OutputDirectory.make(spec, out);
         var interrupted = new AtomicBoolean();
         var finished = new CountDownLatch(1);
         var hook = new Thread(() -> awaitSummary(interrupted, finished), "finish");
@@ -115,14 +116,6 @@ final class RunCommand implements Callable<Integer> {
                 wallSeconds));
         terminal.println("wrote " + picture + " and " + out.resolve("run.jsonl"));
         terminal.flush();
-    }
-
-    private void makeOutputDirectory() {
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
-        }
     }
 
     private static void forget(Thread hook) {

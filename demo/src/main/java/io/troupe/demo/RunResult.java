@@ -1,6 +1,6 @@
 package io.troupe.demo;
 
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.List;
@@ -20,6 +20,8 @@ record RunResult(
         List<Ledger.StateChange> states,
         List<RobotRecord> robots,
         Ledger.Messages messages) {
+    private static final int TITLE_WIDTH = 34;
+
     /** How often a state began. */
     long visits(State state) {
         return states.stream().filter(change -> change.state().equals(state)).count();
@@ -71,7 +73,7 @@ record RunResult(
                     text,
                     "state %d (%s): %d times, %.1f s",
                     state.number(),
-                    Colours.name(state.colour()),
+                    table.colourName(state.colour()),
                     visits(state),
                     secondsIn(state));
         }
@@ -80,30 +82,40 @@ record RunResult(
 
     private String eachRobot() {
         var text = new StringBuilder();
-        line(text, "%-34s%s", "", columns(robot -> "robot " + (robot.index() + 1)));
+        String row = titleFormat(table) + "%s";
+        line(text, row, "", columns(robot -> "robot " + (robot.index() + 1)));
+        line(text, row, "distance driven", columns(robot -> String.format(Locale.ROOT, "%.1f m", robot.distanceM())));
         line(
                 text,
-                "%-34s%s",
-                "distance driven",
-                columns(robot -> String.format(Locale.ROOT, "%.1f m", robot.distanceM())));
-        line(
-                text,
-                "%-34s%s",
+                row,
                 "closest approach to a wall",
                 columns(robot -> String.format(Locale.ROOT, "%.3f m", robot.closestM())));
-        line(text, "%-34s%s", "contacts with walls and boxes", columns(robot -> "" + robot.wallContacts()));
-        line(text, "%-34s%s", "  while following a wall", columns(robot -> "" + robot.followingContacts()));
-        line(text, "%-34s%s", "contacts with a robot", columns(robot -> "" + robot.robotContacts()));
-        for (String service : table.services().stream().map(Object::toString).toList()) {
+        line(text, row, "contacts with walls and boxes", columns(robot -> "" + robot.wallContacts()));
+        line(text, row, "  while following a wall", columns(robot -> "" + robot.followingContacts()));
+        line(text, row, "contacts with a robot", columns(robot -> "" + robot.robotContacts()));
+        for (Service service : table.services()) {
             line(
                     text,
-                    "%-34s%s",
-                    "loops of " + service,
-                    columns(robot -> "" + robot.loops().getOrDefault(service, 0L)));
+                    row,
+                    loopsTitle(service),
+                    columns(robot -> "" + robot.loops().getOrDefault(service.name(), 0L)));
         }
-        line(text, "%-34s%s", "ticks without exactly one service", columns(robot -> "" + robot.chargeFaults()));
-        line(text, "%-34s%s", "ticks without a cycle", columns(robot -> "" + robot.ticksWithoutCycle()));
+        line(text, row, "ticks without exactly one service", columns(robot -> "" + robot.chargeFaults()));
+        line(text, row, "ticks without a cycle", columns(robot -> "" + robot.ticksWithoutCycle()));
         return text.toString();
+    }
+
+    static String loopsTitle(Service service) {
+        return "loops of " + service;
+    }
+
+    /** Of the first column: as wide as the longest title, which may have the name of a service in it. */
+    static String titleFormat(SubsumptionTable table) {
+        int longest = table.services().stream()
+                .mapToInt(service -> loopsTitle(service).length())
+                .max()
+                .orElse(0);
+        return "%-" + Math.max(TITLE_WIDTH, longest + 1) + "s";
     }
 
     private String messageSummary() {

@@ -145,7 +145,7 @@ final class TrajectorySvg {
                 .pose();
         append(
                 "<g><title>%s</title><circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"#%06x\" stroke=\"white\" stroke-width=\"1.5\"/>",
-                escape(change.describe().strip()),
+                escape(change.describe(result.table()).strip()),
                 x(pose.x()),
                 y(pose.y()),
                 crowd ? "7" : "9",

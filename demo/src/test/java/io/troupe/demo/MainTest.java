@@ -138,7 +138,9 @@ class MainTest {
     @Test
     void outputThatIsAFile() throws Exception {
         Path file = Files.writeString(directory.resolve("taken"), "x");
-        assertComplaint(troupe("run", "--world", WORLD, "--out", file.toString()), "--out", "taken");
+        assertComplaint(
+                troupe("run", "--world", WORLD, "--out", file.toString()),
+                "--out is " + file + ", but " + file + " is a file, expected a directory");
     }
 
     @Test

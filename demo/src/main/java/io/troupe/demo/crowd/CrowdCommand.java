@@ -1,5 +1,6 @@
 package io.troupe.demo.crowd;
 
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.sim.scenario.CrowdWorld;
 import java.io.IOException;
@@ -60,11 +61,7 @@ public final class CrowdCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         check();
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
-        }
+        OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
         int cores = Runtime.getRuntime().availableProcessors();
         terminal.println("crowds of " + colours + " colours and " + services + " services on " + cores

@@ -1,5 +1,6 @@
 package io.troupe.demo.table;
 
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.io.IOException;
@@ -11,7 +12,6 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -37,11 +37,7 @@ public final class TableCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         SubsumptionTable table = file == null ? SubsumptionTable.ofThePaper() : SubsumptionTableReader.read(file);
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
-        }
+        OutputDirectory.make(spec, out);
         write("states", Diagram.ofStates(table));
         write("rules", Diagram.ofRules(table));
         PrintWriter terminal = spec.commandLine().getOut();

@@ -43,8 +43,9 @@ public final class ColourFinder {
         }
         return sightings.stream()
                 .filter(sighting -> sighting.areaPx2 >= MIN_AREA_PX2)
-                .sorted(Comparator.<Sighting>comparingInt(sighting -> -priority.applyAsInt(sighting.colour))
-                        .thenComparingInt(sighting -> -sighting.areaPx2)
+                .sorted(Comparator.<Sighting>comparingInt(sighting -> priority.applyAsInt(sighting.colour))
+                        .thenComparingInt(Sighting::areaPx2)
+                        .reversed()
                         .thenComparingInt(Sighting::leftPx))
                 .mapToInt(Sighting::colour);
     }

@@ -32,11 +32,11 @@ final class RobotLinks {
     }
 
     /**
-     * A robot's service has ended. Where each has a connection of its own, that is closed when nothing is left to do, and so after the new one is there: in lock step
-     * a server behind a socket does not wait for a client that has left; one in this JVM would wait for the end of the turn.
+     * A robot's service has ended. Where each has a connection of its own, or the connection has failed, that is closed when nothing is left to do, and so after the
+     * new one is there: in lock step a server behind a socket does not wait for a client that has left; one in this JVM would wait for the end of the turn.
      */
-    void serviceEnded(int robot) {
-        RobotLink link = settings.reconnects() ? links.remove(robot) : null;
+    void serviceEnded(int robot, boolean connectionFailed) {
+        RobotLink link = connectionFailed || settings.reconnects() ? links.remove(robot) : null;
         if (link != null) { // null too if all are closed already
             reconnecting.add(robot);
             leaving.add(link);

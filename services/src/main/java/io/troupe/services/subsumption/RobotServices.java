@@ -5,9 +5,6 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.ColourFinder;
 import java.lang.System.Logger.Level;
-import java.util.HashMap;
-import java.util.IdentityHashMap;
-import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiFunction;
@@ -17,12 +14,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * The actor as a service: offers wall following, space wandering, and whatever else a table names, to other actors.
  *
- * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it and keeps the connection,
+ * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it and keeps the connection until that fails,
  * unless it is to reconnect: then the robot stands from the end of one service until the first reading of the next, a tick in lock step.
  * <p><b>Order.</b> A robot never has two services: one that is called while another is about to stop begins when that has stopped.
  * <p><b>Units and shapes.</b> Robots by Player index, from 0. A reference is 1 = run, 0 = stop, 2 = stopped and zero speed sent; whoever calls a service
  * sets it to 1 before and to 0 to end it.
- * <p><b>Errors.</b> A robot that does not exist, or whose service was not told to stop, rejects the promise; so does a server that goes away.
+ * <p><b>Errors.</b> A robot that does not exist, or whose service was not told to stop, rejects the promise; so does a server that goes away. The
+ * next service connects anew.
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6, Figures 17 and 20.
  */
 public class RobotServices extends Actor {
@@ -65,9 +63,7 @@ public class RobotServices extends Actor {
     private static final System.Logger LOG = System.getLogger(RobotServices.class.getName());
 
     private final Settings settings;
-    private @Nullable RobotLinks links;
-    private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
-    private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
+    private @Nullable Charges charges;
 
     public RobotServices(Settings settings) {
         this.settings = settings;
@@ -84,7 +80,7 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets a robot wander until it sees a colour of the table that is not the state's own, or the reference is cleared.
+     * Lets a robot wander until it sees a colour that ends the state by the table, its priorities and its hold time, or the reference is cleared.
      *
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
      * @param stateColour the colour of the present state
@@ -93,10 +89,16 @@ public class RobotServices extends Actor {
     public Promise<Integer> spaceWanderer(
             int robot, AtomicReference<Integer> reference, AtomicReference<Integer> colourFinder, int stateColour) {
         var table = settings.table();
-        ColourRule rule = (sightings, seconds) -> ColourFinder.find(
-                sightings, each -> each != stateColour && table.state(each).isPresent());
+        ColourRule rule = table.state(stateColour).map(table::ruleIn).orElseGet(() -> anyOf(table));
         return serve(robot, Service.SPACE_WANDERER, reference, colourFinder, rule)
                 .thenApply(seen -> seen.orElse(stateColour));
+    }
+
+    /** For a state that is not in the table: each of its colours leads somewhere else, at once. */
+    private static ColourRule anyOf(SubsumptionTable table) {
+        return (sightings, seconds) -> ColourFinder.inOrder(sightings, table::priority)
+                .filter(colour -> table.state(colour).isPresent())
+                .findFirst();
     }
 
     /**
@@ -126,7 +128,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets a robot wander until the reference is cleared, and sends every colour but black that it sees meanwhile, whatever it means.
+     * Lets a robot wander until the reference is cleared, and sends every colour that it sees meanwhile, whatever it means, but not black, unless a state of the
+     * table has it.
      *
      * @param colours is sent each colour at every reading, as a message of its own, and the end
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
@@ -140,7 +143,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets any service drive a robot until the reference is cleared, and sends every colour but black that it sees meanwhile, whatever it means.
+     * Lets any service drive a robot until the reference is cleared, and sends every colour that it sees meanwhile, whatever it means, but not black, unless
+     * a state of the table has it.
      *
      * @param reports is sent each colour at every reading, as a message of its own, those of higher priority first and of equal ones the largest; and the
      *     end. When nobody listens to it any more the service ends: a robot is not driven on with nobody to stop it.
@@ -196,10 +200,11 @@ public class RobotServices extends Actor {
         });
     }
 
-    /** Each once, though there may be several patches of it. */
+    /** Each once, though there may be several patches of it. Black is walls everywhere, but a table may give it a state. */
     private IntStream coloursToSend(RobotDevices devices) {
-        return ColourFinder.inOrder(devices.sightings(), settings.table()::priority)
-                .filter(colour -> colour != Colours.BLACK)
+        var table = settings.table();
+        return ColourFinder.inOrder(devices.sightings(), table::priority)
+                .filter(colour -> colour != Colours.BLACK || table.state(colour).isPresent())
                 .distinct();
     }
 
@@ -210,64 +215,21 @@ public class RobotServices extends Actor {
      */
     public Promise<@Nullable Void> stop(AtomicReference<Integer> reference) {
         reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP);
-        ServiceLoop loop = byReference.get(reference);
-        if (loop == null) {
-            return Promise.done();
-        }
-        loop.wake();
-        return loop.ended();
+        return charges == null ? Promise.done() : charges.stop(reference);
     }
 
     @Override
     protected void stopped() {
-        if (links != null) {
-            links.closeAll();
+        if (charges != null) {
+            charges.close();
         }
     }
 
     private Promise<@Nullable Void> begin(
             int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
-        ServiceLoop before = inCharge.get(robot);
-        if (before == null) {
-            return start(robot, service, reference, finder);
+        if (charges == null) {
+            charges = new Charges(settings, space());
         }
-        if (before.isToRun()) {
-            throw new IllegalStateException("robot " + robot + " is in the charge of " + before.service()
-                    + " and was to get " + service + ": set the reference of the first to 0 before");
-        }
-        before.wake();
-        return before.ended()
-                .handle((stopped, error) -> null)
-                .thenCompose(free -> begin(robot, service, reference, finder));
-    }
-
-    private Promise<@Nullable Void> start(
-            int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
-        ServiceLoop other = byReference.get(reference);
-        if (other != null) {
-            throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
-                    + other.service() + " of another robot: give each service a reference of its own");
-        }
-        if (links == null) {
-            links = new RobotLinks(settings, space());
-        }
-        RobotLinks robotLinks = links;
-        RobotLink link = robotLinks.connect(robot);
-        var loop = new ServiceLoop(
-                space(),
-                robot,
-                service,
-                link,
-                reference,
-                finder,
-                settings.observer(),
-                robotLinks.takeReconnected(robot));
-        inCharge.put(robot, loop);
-        byReference.put(reference, loop);
-        return loop.ended().whenComplete((stopped, error) -> {
-            inCharge.remove(robot, loop);
-            byReference.remove(reference, loop);
-            robotLinks.serviceEnded(robot);
-        });
+        return charges.begin(robot, service, reference, finder);
     }
 }

@@ -2,15 +2,10 @@ package io.troupe.services.subsumption;
 
 import io.troupe.services.behaviour.ColourFinder;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.TreeMap;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
@@ -31,14 +26,14 @@ public final class SubsumptionTable {
     private final double holdSeconds;
     private final boolean finalAllowed;
 
-    private SubsumptionTable(Builder builder) {
-        states = List.copyOf(builder.states);
+    SubsumptionTable(SubsumptionTableBuilder builder) {
+        states = builder.states();
         byColour = states.stream().collect(Collectors.toUnmodifiableMap(State::colour, state -> state));
-        priorities = Collections.unmodifiableMap(new TreeMap<>(builder.priorities));
-        ignored = Collections.unmodifiableMap(new LinkedHashMap<>(builder.ignored));
-        names = Collections.unmodifiableMap(new LinkedHashMap<>(builder.names));
-        holdSeconds = builder.holdSeconds;
-        finalAllowed = builder.finalAllowed;
+        priorities = builder.priorities();
+        ignored = builder.ignored();
+        names = builder.names();
+        holdSeconds = builder.holdSeconds();
+        finalAllowed = builder.finalAllowed();
     }
 
     /** Table 4: blue, red and green for two robots. */
@@ -59,8 +54,8 @@ public final class SubsumptionTable {
     }
 
     /** Begins a table for a number of robots. */
-    public static Builder forRobots(int robots) {
-        return new Builder(robots);
+    public static SubsumptionTableBuilder forRobots(int robots) {
+        return new SubsumptionTableBuilder(robots);
     }
 
     /** The state to begin with. */
@@ -174,153 +169,5 @@ public final class SubsumptionTable {
     @Override
     public String toString() {
         return "table of " + states.size() + " states for " + robots() + " robots";
-    }
-
-    /** Collects states and checks them. */
-    public static final class Builder {
-        private static final Pattern WORD = Pattern.compile(TableLine.WORD);
-
-        private final int robots;
-        private final List<State> states = new ArrayList<>();
-        private final Map<Integer, Integer> priorities = new TreeMap<>();
-        private final Map<Integer, String> ignored = new LinkedHashMap<>();
-        private final Map<Integer, String> names = new LinkedHashMap<>();
-        private final List<Service> declared = new ArrayList<>();
-        private double holdSeconds;
-        private boolean finalAllowed;
-
-        private Builder(int robots) {
-            if (robots < 1) {
-                throw new IllegalArgumentException("a table is for " + robots + " robots, expected 1 or more");
-            }
-            this.robots = robots;
-        }
-
-        /**
-         * Adds the next state.
-         *
-         * @throws IllegalArgumentException if the colour has a state already, or there is not exactly one service per robot
-         */
-        public Builder when(int colour, Service... services) {
-            return when(colour, List.of(services));
-        }
-
-        /** Adds the next state, by ranges of robots. */
-        public Builder when(int colour, Assignment assignment) {
-            return when(colour, assignment.services(robots));
-        }
-
-        /** Adds the next state. */
-        public Builder when(int colour, List<Service> services) {
-            requireColour(colour);
-            if (services.size() != robots) {
-                throw new IllegalArgumentException("the state of " + name(colour) + " names " + services.size()
-                        + " services, expected one for each of " + robots + " robots");
-            }
-            for (State state : states) {
-                if (state.colour() == colour) {
-                    throw new IllegalArgumentException(name(colour) + " leads to state " + state.number() + " already");
-                }
-            }
-            states.add(new State(states.size() + 1, colour, services));
-            return this;
-        }
-
-        /**
-         * Gives a colour a name, and says that it must have a state or be ignored.
-         *
-         * @param name a word: a letter, then letters, digits, {@code -} and {@code _}
-         * @throws IllegalArgumentException if the colour has a name, or the name a colour
-         */
-        public Builder colour(String name, int colour) {
-            requireColour(colour);
-            if (!WORD.matcher(name).matches()) {
-                throw new IllegalArgumentException(
-                        "the colour " + Colours.hex(colour) + " is called '" + name + "', expected a word");
-            }
-            if (names.containsValue(name)) {
-                throw new IllegalArgumentException("the colour " + name + " is declared already");
-            }
-            String other = names.putIfAbsent(colour, name);
-            if (other != null) {
-                throw new IllegalArgumentException(
-                        "the colour " + Colours.hex(colour) + " is called " + other + " already, and not " + name);
-            }
-            return this;
-        }
-
-        /** Says that some state must use this service. */
-        public Builder service(Service service) {
-            declared.add(service);
-            return this;
-        }
-
-        /**
-         * Reserves a colour: it leads to no state.
-         *
-         * @param why one line without {@code #}, for people; may be empty
-         */
-        public Builder ignoring(int colour, String why) {
-            requireColour(colour);
-            if (why.indexOf('#') >= 0 || why.lines().count() > 1 || !why.strip().equals(why)) {
-                throw new IllegalArgumentException("the reason to ignore " + name(colour) + " is '" + why
-                        + "', expected one line without '#' and without blanks around it");
-            }
-            if (ignored.putIfAbsent(colour, why) != null) {
-                throw new IllegalArgumentException(name(colour) + " is ignored already");
-            }
-            return this;
-        }
-
-        /** Lets a colour count more (or less) than the others, which have 0: a robot that sees several reports the one that counts most. */
-        public Builder priority(int colour, int priority) {
-            priorities.put(colour, priority);
-            return this;
-        }
-
-        /** Lets each state last so long, unless a colour of higher priority than its own ends it. */
-        public Builder hold(double seconds) {
-            if (!(seconds >= 0) || Double.isInfinite(seconds)) {
-                throw new IllegalArgumentException("a state is held for " + seconds + " s, expected 0 or more");
-            }
-            holdSeconds = seconds;
-            return this;
-        }
-
-        /** Accepts states that never end, because no robot in them looks for colours. */
-        public Builder allowFinal() {
-            finalAllowed = true;
-            return this;
-        }
-
-        /**
-         * The table.
-         *
-         * @throws IllegalStateException if something is missing in it, or contradicts itself: no state, a state that never begins, or never ends although
-         *     that was not allowed, an ignored colour with a state, a declared colour or service without one, two services of one name, layers that
-         *     never drive
-         */
-        public SubsumptionTable build() {
-            finding().ifPresent(finding -> {
-                throw new IllegalStateException(finding.message());
-            });
-            return new SubsumptionTable(this);
-        }
-
-        /** What is wrong, if anything is. */
-        Optional<TableChecks.Finding> finding() {
-            return new TableChecks(new SubsumptionTable(this), declared).first();
-        }
-
-        private String name(int colour) {
-            return names.getOrDefault(colour, Colours.name(colour));
-        }
-
-        private static void requireColour(int colour) {
-            if (colour < 0 || colour > Colours.LAST) {
-                throw new IllegalArgumentException(
-                        String.format("the colour is 0x%X, expected 0x000000 to 0xFFFFFF", colour));
-            }
-        }
     }
 }

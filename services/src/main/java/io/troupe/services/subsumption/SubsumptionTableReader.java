@@ -45,6 +45,10 @@ public final class SubsumptionTableReader {
         } catch (NoSuchFileException missing) {
             throw new SubsumptionTableException(file + ": no such file, expected the text of a table", missing);
         } catch (IOException unreadable) {
+            if (Files.isDirectory(file)) {
+                throw new SubsumptionTableException(
+                        file + " is a directory, expected a file with the text of a table", unreadable);
+            }
             throw new SubsumptionTableException(
                     file + " cannot be read: " + unreadable + ", expected the text of a table", unreadable);
         }

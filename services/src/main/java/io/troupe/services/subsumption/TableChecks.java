@@ -133,7 +133,9 @@ final class TableChecks {
 
     private @Nullable Finding ambiguousName() {
         Map<String, Service> named = new HashMap<>();
-        for (var service : allLayers()) {
+        var all = allLayers();
+        all.addAll(table.services()); // the name of layers is a name too
+        for (var service : all) {
             Service other = named.putIfAbsent(service.name(), service);
             if (other != null && !other.equals(service)) {
                 return new Finding(

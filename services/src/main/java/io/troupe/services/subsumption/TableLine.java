@@ -16,17 +16,21 @@ final class TableLine {
     private static final Pattern NUMBER = Pattern.compile("[-+]?(?:\\d+(?:\\.\\d+)?|\\.\\d+)(?:[eE][-+]?\\d+)?");
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d+");
     private static final Pattern COLOUR = Pattern.compile("#(\\p{XDigit}{6})(?![\\p{L}\\p{N}_-])");
+    private static final Pattern NO_COLOUR = Pattern.compile("#\\p{Alnum}+");
     private static final Pattern ANYTHING = Pattern.compile("[\\p{L}\\p{N}_.+-]+|.");
 
     private final String file;
     private final int number;
     private final String text;
+    private final String comment;
     private int at;
 
     TableLine(String file, int number, String line) {
         this.file = file;
         this.number = number;
-        this.text = line.substring(0, commentStart(line)).stripTrailing();
+        int end = commentStart(line);
+        this.text = line.substring(0, end).stripTrailing();
+        this.comment = line.substring(end);
         skipBlanks();
     }
 
@@ -167,7 +171,7 @@ final class TableLine {
 
     private String found() {
         if (atEnd()) {
-            return "the line ends";
+            return "the line ends" + meantAsColour();
         }
         Matcher colour = COLOUR.matcher(text).region(at, text.length());
         if (colour.lookingAt()) {
@@ -175,6 +179,12 @@ final class TableLine {
         }
         Matcher anything = ANYTHING.matcher(text).region(at, text.length());
         return anything.lookingAt() ? "'" + anything.group() + "'" : "'" + text.charAt(at) + "'";
+    }
+
+    /** Which comment it ends at, if that may have been meant as a colour: {@code #12345}. */
+    private String meantAsColour() {
+        Matcher digits = NO_COLOUR.matcher(comment);
+        return digits.lookingAt() ? " at the comment '" + digits.group() + "' (a colour is #RRGGBB)" : "";
     }
 
     /** Something is wrong at a {@link #position}. */

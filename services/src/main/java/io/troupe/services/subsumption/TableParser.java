@@ -1,6 +1,5 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.services.subsumption.SubsumptionTable.Builder;
 import io.troupe.services.subsumption.TableChecks.Subject;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -64,7 +63,7 @@ final class TableParser {
             throw problem(end, "the table does not say how many robots it is for, expected 'robots N'");
         }
         once(Keyword.ROBOTS, line -> robots = line.whole("a number of robots, 1 to " + MOST_ROBOTS, 1, MOST_ROBOTS));
-        Builder builder = SubsumptionTable.forRobots(robots);
+        SubsumptionTableBuilder builder = SubsumptionTable.forRobots(robots);
         each(Keyword.COLOUR, line -> colour(line, builder));
         each(Keyword.SERVICE, line -> service(line, builder));
         each(Keyword.IGNORE, line -> ignore(line, builder));
@@ -114,7 +113,7 @@ final class TableParser {
         each(keyword, read);
     }
 
-    private void colour(TableLine line, Builder builder) {
+    private void colour(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         String name = line.word("the name of a colour");
         OptionalInt value = line.atEnd() ? Colours.named(name) : line.literalColour();
@@ -131,21 +130,21 @@ final class TableParser {
         located(line, at, () -> builder.colour(name, value.getAsInt()));
     }
 
-    private void service(TableLine line, Builder builder) {
+    private void service(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         Service service = services.declare(line);
         written.put(new Subject.OfService(service.name()), new Place(line, at));
         builder.service(service);
     }
 
-    private void ignore(TableLine line, Builder builder) {
+    private void ignore(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         int colour = colourName(line);
         String why = line.skips(":") ? line.rest() : "";
         located(line, at, () -> builder.ignoring(colour, why));
     }
 
-    private static void hold(TableLine line, Builder builder) {
+    private static void hold(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         double number = line.number("how long a state lasts, such as '2 s'");
         boolean millis = line.skips("ms");
@@ -155,13 +154,14 @@ final class TableParser {
         located(line, at, () -> builder.hold(millis ? number / 1000 : number));
     }
 
-    private void state(TableLine line, Builder builder) {
+    private void state(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         int colour = colourName(line);
         written.put(new Subject.OfState(colour), new Place(line, at));
         if (line.skips("priority")) {
             written.put(new Subject.OfPriority(colour), new Place(line, at));
-            builder.priority(colour, line.whole("a whole number", Integer.MIN_VALUE, Integer.MAX_VALUE));
+            int priority = line.whole("a whole number", Integer.MIN_VALUE, Integer.MAX_VALUE);
+            located(line, at, () -> builder.priority(colour, priority));
         }
         line.expect(":", "before the services");
         Assignment assignment = new AssignmentReader(line, services, robots).read();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.behaviour.ColourFinder.Sighting;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 
 class ColourFinderTest {
@@ -34,5 +35,12 @@ class ColourFinderTest {
     void nothingOfInterest_isNothing() {
         assertThat(ColourFinder.find(List.of(new Sighting(RED, 90, 0)), colour -> colour == GREEN))
                 .isEmpty();
+    }
+
+    @Test
+    void priorities_countBeforeAreas_theSmallestOfAllNumbersTooComesLast() {
+        var seen = List.of(new Sighting(RED, 90, 0), new Sighting(GREEN, 50, 10), new Sighting(0, 60, 20));
+        Map<Integer, Integer> priorities = Map.of(RED, Integer.MIN_VALUE, GREEN, 0, 0, Integer.MAX_VALUE);
+        assertThat(ColourFinder.inOrder(seen, priorities::get)).containsExactly(0, GREEN, RED);
     }
 }

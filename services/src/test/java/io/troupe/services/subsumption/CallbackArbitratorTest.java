@@ -83,6 +83,27 @@ class CallbackArbitratorTest {
     }
 
     @Test
+    void blackThatHasAState_leadsToIt() {
+        var table = SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, SW)
+                .when(Colours.BLACK, SW)
+                .build();
+        var services = test.spawn(
+                RobotServices.class,
+                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                        .withPort(FakeRobots.PORT)
+                        .withTable(table)));
+        List<Integer> states = new ArrayList<>();
+        CallbackArbitrator callback = test.spawn(
+                CallbackArbitrator.class,
+                () -> new CallbackArbitrator(services, table, (state, seenBy) -> states.add(state.number())));
+        callback.live();
+        test.crank();
+        robots.tick(100);
+        assertThat(states).containsExactly(1, 2);
+    }
+
+    @Test
     void twoPatchesOfAColour_areOneMessage() {
         robots.show(1, Colours.ORANGE, Colours.ORANGE);
         tick();

@@ -211,4 +211,46 @@ class RobotServicesTest {
         assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
     }
+
+    @Test
+    void serverThatComesBack_isConnectedAnewByTheNextService() {
+        Promise<?> ended = services.wallFollower(0, running());
+        test.crank();
+        robots.tick(100);
+        robots.vanish();
+        assertThat(test.error(ended)).isInstanceOf(PlayerException.class);
+        test.crank();
+        assertThat(robots.connections()).as("the dead connection").isZero();
+        services.wallFollower(0, running());
+        test.crank();
+        assertThat(robots.connectionsMade()).isEqualTo(2);
+        robots.tick(100);
+        assertThat(charge.of(0)).containsExactly(Service.WALL_FOLLOWER);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+    }
+
+    @Test
+    void wanderer_followsThePrioritiesAndTheHoldTimeOfItsTable() {
+        var table = SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, Service.SPACE_WANDERER)
+                .when(Colours.RED, Service.SPACE_WANDERER)
+                .when(Colours.GREEN, Service.SPACE_WANDERER)
+                .priority(Colours.GREEN, -1)
+                .hold(0.35)
+                .build();
+        var held = test.spawn(
+                RobotServices.class,
+                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                        .withPort(FakeRobots.PORT)
+                        .withTable(table)));
+        Promise<Integer> colour = held.spaceWanderer(0, running(), running(), Colours.BLUE);
+        test.crank();
+        robots.show(0, Colours.GREEN, Colours.RED); // green is the larger one
+        for (int i = 0; i < 4; i++) {
+            robots.tick(100);
+            assertThat(colour.isDone()).as("after %d readings", i + 1).isFalse();
+        }
+        robots.tick(100);
+        assertThat(test.get(colour)).isEqualTo(Colours.RED);
+    }
 }

@@ -108,7 +108,9 @@ class SubsumptionTableReaderTest {
         assertThatThrownBy(() -> SubsumptionTableReader.read(folder.resolve("none")))
                 .isInstanceOf(SubsumptionTableException.class)
                 .hasMessage(folder.resolve("none") + ": no such file, expected the text of a table");
-        assertThatThrownBy(() -> SubsumptionTableReader.read(folder)).isInstanceOf(SubsumptionTableException.class);
+        assertThatThrownBy(() -> SubsumptionTableReader.read(folder))
+                .isInstanceOf(SubsumptionTableException.class)
+                .hasMessage(folder + " is a directory, expected a file with the text of a table");
     }
 
     @ParameterizedTest
@@ -144,6 +146,8 @@ class SubsumptionTableReaderTest {
                 "robots 1/state red : goToGoal | 2:13: goToGoal: a way of 0 goals, expected 1 or more",
                 "robots 1/state red : avoid(near 1) | 2:18: arguments of avoid, expected them where it gets a name: 'service NAME = KIND(..)'",
                 "robots 1/state red : spaceWanderer #decade | 2:27: the colour #decade (a comment begins with '#' and a blank), expected ',', '>' or the end of the line",
+                "robots 1/state #12345 : avoid | 2:6: the line ends at the comment '#12345' (a colour is #RRGGBB), expected a colour",
+                "robots 1/state # no colour | 2:6: the line ends, expected a colour",
                 "robots 2/state red : spaceWanderer | 2:26: the line ends, expected ',' and the service of robot 2 of 2",
                 "robots 1/state red : spaceWanderer, avoid | 2:28: 'avoid' is for robot 2, expected services for 1 robots",
                 "robots 2/state red : spaceWanderer, 2 = avoid | 2:28: '2', expected the service of robot 2, as for those before it",

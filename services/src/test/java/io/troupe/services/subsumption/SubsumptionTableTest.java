@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.SpaceWanderer;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 class SubsumptionTableTest {
@@ -180,7 +182,43 @@ class SubsumptionTableTest {
                 .hasMessageContaining("expected 0 or more");
     }
 
-    private static SubsumptionTable.Builder one() {
+    @Test
+    void secondPriorityOfAColour_isRefused() {
+        assertThatThrownBy(() -> one().priority(Colours.RED, 1).priority(Colours.RED, 2))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("red has priority 1 already, and not 2");
+    }
+
+    @Test
+    void smallestPriority_isLowerThanNone() {
+        var table = SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, Service.SPACE_WANDERER)
+                .when(Colours.RED, Service.SPACE_WANDERER)
+                .when(Colours.GREEN, Service.SPACE_WANDERER)
+                .priority(Colours.RED, Integer.MIN_VALUE)
+                .build();
+        var seen = List.of(new Sighting(Colours.RED, 900, 0), new Sighting(Colours.GREEN, 20, 40));
+        assertThat(table.ruleIn(table.first()).pick(seen, 0)).hasValue(Colours.GREEN);
+    }
+
+    @Test
+    void serviceWithTheNameOfLayers_isRefused() {
+        Service avoid = new Service("avoid", false, () -> senses -> Optional.empty());
+        Service other = new Service("avoid > spaceWanderer", true, SpaceWanderer::behaviour);
+        var table = SubsumptionTable.forRobots(2).when(Colours.BLUE, avoid.over(SW), other);
+        assertThatThrownBy(table::build)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageStartingWith("two different services are called avoid > spaceWanderer");
+    }
+
+    @Test
+    void minusZeroSeconds_areTheSameHold() {
+        var minus = one().hold(-0.0).allowFinal().build();
+        var plus = one().hold(0.0).allowFinal().build();
+        assertThat(minus).isEqualTo(plus).hasSameHashCodeAs(plus);
+    }
+
+    private static SubsumptionTableBuilder one() {
         return SubsumptionTable.forRobots(1).when(Colours.BLUE, SW);
     }
 }

@@ -1,0 +1,117 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.demo.PaperRun.Manner;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
+import io.troupe.services.subsumption.SynchronousRound;
+import io.troupe.sim.scenario.CrowdWorld;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Tables and crowds made by chance: the modes agree in them as they do in the paper's arena, with several colour finders in a state, holds and priorities.
+ */
+@Timeout(300)
+class RandomTablesTest {
+    private static final double SECONDS = 40;
+    private static final int LEAST_SWITCHES = 20;
+    private static final int SEEDS = 6;
+    private static final List<Service> SERVICES = List.of(
+            Service.SPACE_WANDERER,
+            Service.wallFollower(CornerStyle.FORWARD),
+            service("avoid = avoid no colours").over(Service.SPACE_WANDERER),
+            service("near = goToGoal(2, 1; -1, -2; again) colours"),
+            service("far = goToGoal(5, 0) no colours"));
+
+    @TempDir
+    private Path out;
+
+    private static Service service(String declaration) {
+        return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
+    }
+
+    private static TeamOptions.Team team(Random random) {
+        int robots = 6 + random.nextInt(15);
+        int colours = 2 + random.nextInt(7);
+        var table = SubsumptionTable.forRobots(robots).hold(random.nextInt(3) * random.nextDouble());
+        for (int colour : CrowdWorld.colours(colours)) {
+            List<Service> services = new ArrayList<>();
+            for (int robot = 0; robot < robots; robot++) {
+                services.add(SERVICES.get(random.nextInt(SERVICES.size())));
+            }
+            services.set(random.nextInt(robots), Service.SPACE_WANDERER); // so that somebody looks for colours
+            table.when(colour, services);
+            if (random.nextBoolean()) {
+                table.priority(colour, random.nextInt(5) - 2);
+            }
+        }
+        return new TeamOptions.Team(CrowdWorld.scenario(robots, colours), table.build());
+    }
+
+    private RunResult run(TeamOptions.Team team, long seed, Manner manner, String name) throws Exception {
+        try (var log = new RunLog(out.resolve(name))) {
+            return new PaperRun(team, seed, SECONDS, false, manner)
+                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
+        }
+    }
+
+    @Test
+    void modes_haveTheSameStatesAndPoses() throws Exception {
+        int switches = 0;
+        for (long seed = 1; seed <= SEEDS; seed++) {
+            var team = team(new Random(seed));
+            var promise = run(team, seed, new Manner(Mode.PROMISE, false), "promise");
+            var callback = run(team, seed, new Manner(Mode.CALLBACK, false), "callback");
+            run(team, seed, new Manner(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), "sync");
+
+            requireSameFiles(seed);
+            assertThat(linesBeforeSummary("sync"))
+                    .as("seed %d: lines of sync mode", seed)
+                    .isEqualTo(linesBeforeSummary("promise"));
+            assertThat(callback.messages().received())
+                    .as("seed %d: messages received", seed)
+                    .isEqualTo(callback.messages().sent());
+            switches += promise.states().size() - 1;
+        }
+        assertThat(switches).as("state changes in all runs").isGreaterThan(LEAST_SWITCHES);
+    }
+
+    @Test
+    void reconnection_isTheSameInBothAsynchronousModes() throws Exception {
+        int switches = 0;
+        for (long seed = 1; seed <= SEEDS; seed++) {
+            var team = team(new Random(seed));
+            var promise = run(team, seed, new Manner(Mode.PROMISE, true), "promise");
+            run(team, seed, new Manner(Mode.CALLBACK, true), "callback");
+
+            requireSameFiles(seed);
+            switches += promise.states().size() - 1;
+        }
+        assertThat(switches).as("state changes in all runs").isGreaterThan(LEAST_SWITCHES);
+    }
+
+    private void requireSameFiles(long seed) {
+        assertThat(out.resolve("callback"))
+                .as("seed %d: run.jsonl of callback mode", seed)
+                .hasSameBinaryContentAs(out.resolve("promise"));
+    }
+
+    private List<String> linesBeforeSummary(String name) throws IOException {
+        var lines = Files.readAllLines(out.resolve(name));
+        assertThat(lines.getLast()).contains("\"type\":\"summary\"");
+        return lines.subList(0, lines.size() - 1);
+    }
+}

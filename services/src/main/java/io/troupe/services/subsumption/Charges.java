@@ -1,0 +1,82 @@
+package io.troupe.services.subsumption;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.promise.Promise;
+import io.troupe.player.PlayerException;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/** Which service is in charge of which robot, one at a time. <b>Threads.</b> The space's. */
+final class Charges implements AutoCloseable {
+    private final ServiceObserver observer;
+    private final ActorSpace space;
+    private final RobotLinks links;
+    private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
+    private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
+
+    Charges(RobotServices.Settings settings, ActorSpace space) {
+        this.observer = settings.observer();
+        this.space = space;
+        this.links = new RobotLinks(settings, space);
+    }
+
+    /**
+     * Puts a service in charge of a robot, as soon as the one before it has stopped.
+     *
+     * @return settled when it has stopped
+     * @throws IllegalStateException if the one before it was not told to stop, or the reference belongs to another service
+     */
+    Promise<@Nullable Void> begin(
+            int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
+        ServiceLoop before = inCharge.get(robot);
+        if (before == null) {
+            return start(robot, service, reference, finder);
+        }
+        if (before.isToRun()) {
+            throw new IllegalStateException("robot " + robot + " is in the charge of " + before.service()
+                    + " and was to get " + service + ": set the reference of the first to 0 before");
+        }
+        before.wake();
+        return before.ended()
+                .handle((stopped, error) -> null)
+                .thenCompose(free -> begin(robot, service, reference, finder));
+    }
+
+    private Promise<@Nullable Void> start(
+            int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
+        ServiceLoop other = byReference.get(reference);
+        if (other != null) {
+            throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
+                    + other.service() + " of another robot: give each service a reference of its own");
+        }
+        RobotLink link = links.connect(robot);
+        var loop =
+                new ServiceLoop(space, robot, service, link, reference, finder, observer, links.takeReconnected(robot));
+        inCharge.put(robot, loop);
+        byReference.put(reference, loop);
+        return loop.ended().whenComplete((stopped, error) -> {
+            inCharge.remove(robot, loop);
+            byReference.remove(reference, loop);
+            links.serviceEnded(robot, error instanceof PlayerException);
+        });
+    }
+
+    /** Makes the service of a reference notice that it has been cleared; answers as {@link RobotServices#stop} does. */
+    Promise<@Nullable Void> stop(AtomicReference<Integer> reference) {
+        ServiceLoop loop = byReference.get(reference);
+        if (loop == null) {
+            return Promise.done();
+        }
+        loop.wake();
+        return loop.ended();
+    }
+
+    /** Disconnects from all robots. */
+    @Override
+    public void close() {
+        links.closeAll();
+    }
+}
