@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
@@ -164,8 +165,8 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     /** Now rather than when all has been measured. */
     private void prepare(Path log) {
+        OutputDirectory.make(spec, out);
         try {
-            Files.createDirectories(out);
             Files.write(log, new byte[0]);
         } catch (IOException e) {
             throw new ParameterException(

@@ -1,5 +1,6 @@
 package io.troupe.demo.verify;
 
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
@@ -49,11 +50,7 @@ public final class VerifyCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--robots is " + robots + ", expected a number from 1 to " + MAX_ROBOTS);
         }
-        try {
-            Files.createDirectories(out);
-        } catch (IOException e) {
-            throw new ParameterException(spec.commandLine(), "--out " + out + " cannot be made a directory: " + e);
-        }
+        OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
         try (var line = TerminalLine.open()) {
             String result = net == null ? verifyPaper(line) : examine(net, line);
