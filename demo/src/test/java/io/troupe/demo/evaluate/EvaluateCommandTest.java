@@ -164,7 +164,7 @@ class EvaluateCommandTest {
         assertThat(evaluate("--out", taken.toString())).isEqualTo(2);
         assertThat(out.toString())
                 .contains(
-                        "--out " + file + " is no directory that can be written to",
+                        "--out is " + file + ", but " + file + " is a file, expected a directory",
                         "--out " + taken + " is no directory that can be written to");
     }
 
