@@ -1,0 +1,77 @@
+package io.troupe.demo.evaluate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** By a client that is nothing but a socket. */
+@Timeout(60)
+class RealTimeServerTest {
+    private static final double WORLD_SECONDS = 0.5;
+    private static final int BANNER_BYTES = 32;
+    private static final int HEADER_BYTES = 40;
+    private static final int PLAYER_INTERFACE = 1;
+    private static final int REQUEST = 3;
+    private static final int ACCESS = 3;
+    private static final int NEXT_DATA = 4;
+    private static final int DATA_MODE = 5;
+    private static final int PULL = 2;
+
+    /** A request to the Player device itself, as Player's own clients write it. */
+    private static byte[] request(int subtype, int... payload) {
+        var bytes = ByteBuffer.allocate(HEADER_BYTES + Integer.BYTES * payload.length)
+                .putInt(0) // host
+                .putInt(0) // robot
+                .putInt(PLAYER_INTERFACE)
+                .putInt(0) // index
+                .putInt(REQUEST)
+                .putInt(subtype)
+                .putDouble(0) // time
+                .putInt(0) // sequence number
+                .putInt(Integer.BYTES * payload.length);
+        for (int word : payload) {
+            bytes.putInt(word);
+        }
+        return bytes.array();
+    }
+
+    @Test
+    void clientThatNeverAnswers_isGreetedAsByPlayer_andTheWorldGoesOnInRealTime() throws Exception {
+        var passed = new CountDownLatch(1);
+        try (var server = RealTimeServer.open(PaperWorld.read(Path.of("worlds", "paper-arena.cfg")), 1, seconds -> {
+                    if (seconds >= WORLD_SECONDS) {
+                        passed.countDown();
+                    }
+                });
+                var client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            client.setSoTimeout(30_000);
+            assertThat(banner(client)).startsWith("Player v.").endsWith("\0");
+            long beganNanos = System.nanoTime();
+            var out = client.getOutputStream();
+            out.write(request(DATA_MODE, PULL)); // in lock step such a client would be waited for
+            out.write(request(ACCESS, 0, 0, 4, 0, 1, 0, 0)); // opens position2d:0
+            out.write(request(NEXT_DATA)); // once, and never again
+            assertThat(passed.await(40, TimeUnit.SECONDS))
+                    .as("the world has gone on to %s s without an answer", WORLD_SECONDS)
+                    .isTrue();
+            assertThat((System.nanoTime() - beganNanos) / 1e9)
+                    .as("seconds on the wall, not fewer than in the world")
+                    .isGreaterThanOrEqualTo(WORLD_SECONDS);
+        }
+    }
+
+    private static String banner(Socket client) throws IOException {
+        byte[] bytes = client.getInputStream().readNBytes(BANNER_BYTES);
+        assertThat(bytes).hasSize(BANNER_BYTES);
+        return new String(bytes, StandardCharsets.US_ASCII);
+    }
+}
