@@ -1,0 +1,111 @@
+package io.troupe.demo.evaluate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.State;
+import org.junit.jupiter.api.Test;
+
+/** With a robots' clock that is moved by hand: a cycle takes no time, and its command works for 100 ms. */
+class LoopMeterTest {
+    private static final int FOLLOWER = 0;
+    private static final int WANDERER = 1;
+    private static final State STATE = Tables.oneState().first();
+
+    private long millis;
+
+    private final RobotTime time = new RobotTime() {
+        @Override
+        public long nanos() {
+            return millis * 1_000_000;
+        }
+
+        @Override
+        public long endOfCycleNanos() {
+            return (millis + 100) * 1_000_000;
+        }
+    };
+
+    /** The meter is made at 0; the first robot is connected after 5 s, the second after 7 s. */
+    private LoopMeter connected(Mode mode, int loops) {
+        var meter = new LoopMeter(mode, STATE, loops, time);
+        millis = 5000;
+        meter.began(FOLLOWER, STATE.services().get(FOLLOWER));
+        millis = 7000;
+        meter.began(WANDERER, STATE.services().get(WANDERER));
+        return meter;
+    }
+
+    private void cycles(LoopMeter meter, int robot, long... atMillis) {
+        for (long at : atMillis) {
+            millis = at;
+            meter.cycleBegins(robot, STATE.services().get(robot));
+            meter.cycled(robot, STATE.services().get(robot));
+        }
+    }
+
+    private static double value(LoopMeter meter, String subject, Quantity quantity) {
+        return meter.result().values().stream()
+                .filter(each -> each.subject().equals(subject) && each.quantity() == quantity)
+                .mapToDouble(Result.Value::value)
+                .sum();
+    }
+
+    private static double timeMs(LoopMeter meter, int robot) {
+        return value(meter, STATE.services().get(robot).name(), Quantity.TIME);
+    }
+
+    @Test
+    void connecting_isNotCounted_butWaitingForTheFirstReadingIs() {
+        LoopMeter meter = connected(Mode.PROMISE, 3);
+        for (long at : new long[] {7030, 7130, 7230}) {
+            cycles(meter, FOLLOWER, at);
+            cycles(meter, WANDERER, at);
+        }
+        assertThat(timeMs(meter, FOLLOWER)).isEqualTo(330); // from 7 s to 7.33 s
+        assertThat(timeMs(meter, WANDERER)).isEqualTo(330);
+        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(330);
+    }
+
+    @Test
+    void servicesInTurn_shareTheTime_eachFromTheEndOfTheOthersLoop() {
+        LoopMeter meter = connected(Mode.SYNC, 3);
+        for (long at : new long[] {7030, 7230, 7430}) {
+            cycles(meter, FOLLOWER, at);
+            cycles(meter, WANDERER, at + 100);
+        }
+        assertThat(timeMs(meter, FOLLOWER)).isEqualTo(330);
+        assertThat(timeMs(meter, WANDERER)).isEqualTo(300);
+        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(630); // the sum, as the paper has it
+        assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(200);
+        assertThat(value(meter, "spaceWanderer", Quantity.INTERVAL)).isEqualTo(200);
+    }
+
+    @Test
+    void interval_isThatOfOneServicesCycles_withTheMiddleAndTheLongest() {
+        LoopMeter meter = connected(Mode.CALLBACK, 4);
+        cycles(meter, FOLLOWER, 7000, 7100, 7200, 7500);
+        cycles(meter, WANDERER, 7500, 7550, 7600, 7650);
+        assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(100);
+        // of 100, 100 and 300 ms, on the straight line between the two longest
+        assertThat(value(meter, "wallFollower", Quantity.INTERVAL_P99)).isCloseTo(296, within(1e-9));
+        assertThat(value(meter, "spaceWanderer", Quantity.INTERVAL)).isEqualTo(50);
+    }
+
+    @Test
+    void measurement_isDoneWhenBothServicesAre_andFurtherLoopsOfTheFasterOneAreNotCounted() {
+        LoopMeter meter = connected(Mode.PROMISE, 2);
+        cycles(meter, FOLLOWER, 7000, 7100, 7900, 8000);
+        assertThat(meter.isDone()).isFalse();
+        cycles(meter, WANDERER, 8000);
+        assertThat(meter.isDone()).isFalse();
+        cycles(meter, WANDERER, 8100);
+        assertThat(meter.isDone()).isTrue();
+        cycles(meter, WANDERER, 9000);
+        assertThat(timeMs(meter, FOLLOWER)).isEqualTo(200);
+        assertThat(timeMs(meter, WANDERER)).isEqualTo(1200);
+        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(1200);
+        assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(100);
+    }
+}
