@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.actor.time.Clock;
 import io.troupe.demo.terminal.TerminalLine;
 import java.util.Locale;
 
@@ -8,13 +9,21 @@ final class EvaluationProgress implements AutoCloseable {
     private static final int WIDTH = 30;
 
     private final TerminalLine line;
-    private final long beganNanos = System.nanoTime();
+    private final Clock clock;
+    private final long beganNanos;
     private double expected = 1;
     private double done;
     private String doing = "";
 
     EvaluationProgress(TerminalLine line) {
+        this(line, Clock.system());
+    }
+
+    /** @param clock by which it says how long it may still take */
+    EvaluationProgress(TerminalLine line, Clock clock) {
         this.line = line;
+        this.clock = clock;
+        this.beganNanos = clock.nanos();
     }
 
     /** How much there is to do, in any unit. */
@@ -63,7 +72,7 @@ final class EvaluationProgress implements AutoCloseable {
         if (share < 0.02) {
             return "";
         }
-        double passed = (System.nanoTime() - beganNanos) / 1e9;
+        double passed = (clock.nanos() - beganNanos) / 1e9;
         return String.format(Locale.ROOT, ", %.0f s left", passed * (1 - share) / share);
     }
 

@@ -8,11 +8,11 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * What the JVM does that measures: reads jobs from standard input, one to a line, and answers each with its values and a line {@value #END}, or with one
- * line that begins with {@value #ERROR}. It ends with its input.
+ * What the JVM does that measures: reads jobs from standard input, one to a line, and answers each with its values and a line of {@value #END} and the
+ * number of processors that this JVM has, or with one line that begins with {@value #ERROR}. It ends with its input.
  */
 final class MeasuringMain {
-    static final String END = "end";
+    static final String END = "end ";
     static final String ERROR = "error ";
 
     private MeasuringMain() {}
@@ -32,7 +32,7 @@ final class MeasuringMain {
     private static void answer(MeasuredRun run, Job job, PrintStream out) throws InterruptedException {
         try {
             run.measure(job).values().forEach(value -> out.println(value.line()));
-            out.println(END);
+            out.println(END + Runtime.getRuntime().availableProcessors());
         } catch (RuntimeException failed) {
             out.println(ERROR + failed.toString().replaceAll("\\R", " "));
         }

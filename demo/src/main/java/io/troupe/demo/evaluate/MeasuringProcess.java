@@ -9,7 +9,7 @@ import java.nio.file.Path;
 /**
  * A JVM of its own that measures, and is told how many processors it has.
  *
- * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails or ends; what it logs goes to a file.
+ * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails, ends, or has another number of processors than it was told; what it logs goes to a file.
  */
 final class MeasuringProcess implements AutoCloseable {
     private final int cores;
@@ -51,7 +51,8 @@ final class MeasuringProcess implements AutoCloseable {
         jobs.flush();
         var result = new Result.Builder();
         for (String line = answers.readLine(); line != null; line = answers.readLine()) {
-            if (line.equals(MeasuringMain.END)) {
+            if (line.startsWith(MeasuringMain.END)) {
+                checkProcessors(line.substring(MeasuringMain.END.length()));
                 return result.build();
             }
             if (line.startsWith(MeasuringMain.ERROR)) {
@@ -62,6 +63,13 @@ final class MeasuringProcess implements AutoCloseable {
         }
         throw new IOException(job.title() + ": the JVM that measures (told " + Findings.cores(cores) + ") has ended: "
                 + status() + ", see " + log);
+    }
+
+    private void checkProcessors(String had) throws IOException {
+        if (!had.equals(Integer.toString(cores))) {
+            throw new IOException("the JVM that measures says it has " + had + " processors, expected " + cores
+                    + " as it was told, see " + log);
+        }
     }
 
     private String status() {

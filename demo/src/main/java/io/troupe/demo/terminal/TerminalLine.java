@@ -16,6 +16,11 @@ public final class TerminalLine implements AutoCloseable {
         return new TerminalLine(isTerminal() ? System.err : null);
     }
 
+    /** One on a terminal that is known to be one. */
+    public static TerminalLine on(PrintStream terminal) {
+        return new TerminalLine(terminal);
+    }
+
     /** One that is never seen. */
     public static TerminalLine hidden() {
         return new TerminalLine(null);

@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(60)
 class MeasuringProcessTest {
@@ -35,6 +37,16 @@ class MeasuringProcessTest {
                     .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
             var fine = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
             assertThat(process.measure(fine).values()).contains(new Result.Value("both", Quantity.TIME, 200));
+        }
+    }
+
+    /** Two numbers, of which the machine that tests has at most one. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5})
+    void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
+        try (var process = MeasuringProcess.start(cores, WORLD, directory.resolve("log"))) {
+            var job = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            assertThat(process.measure(job).values()).isNotEmpty(); // refused if it says that it has others
         }
     }
 
