@@ -129,9 +129,11 @@ class EvaluateCommandTest {
         var times = rows(directory.resolve("evaluation.csv")).stream()
                 .filter(row -> row[0].equals("loops") && row[5].equals("time"))
                 .toList();
-        assertThat(times).hasSize(6).allSatisfy(row -> assertThat(Double.parseDouble(row[7]))
-                .as(String.join(",", row))
-                .isGreaterThanOrEqualTo(7 * 100 - CATCH_UP_MS));
+        assertThat(times)
+                .hasSize(6)
+                .allSatisfy(row -> assertThat(Double.parseDouble(row[7]))
+                        .as(String.join(",", row))
+                        .isGreaterThanOrEqualTo(7 * 100 - CATCH_UP_MS));
         assertThat(times)
                 .as("simulated time is whole cycles, on the wall none is exactly 100 ms")
                 .anySatisfy(row -> assertThat(Double.parseDouble(row[7]) % 100).isNotZero());
