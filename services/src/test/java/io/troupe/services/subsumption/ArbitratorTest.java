@@ -49,8 +49,8 @@ class ArbitratorTest {
 
     private void tick() {
         robots.tick(100);
-        assertThat(charge.of(0)).as("robot 0 between two readings").hasSize(1);
-        assertThat(charge.of(1)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(0)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(1)).as("robot 2 between two readings").hasSize(1);
     }
 
     private void assertInCharge(Service first, Service second) {
@@ -103,7 +103,7 @@ class ArbitratorTest {
         tick();
         assertThat(states).containsExactly("1 by null", "3 by 1", "1 by 0");
         assertInCharge(WF, SW);
-        tick(); // robot 1 still looks at red, and wanders again
+        tick(); // robot 2 still looks at red, and wanders again
         assertThat(states).endsWith("2 by 1");
     }
 

@@ -64,8 +64,8 @@ class CallbackArbitratorTest {
 
     private void tick() {
         robots.tick(100);
-        assertThat(charge.of(0)).as("robot 0 between two readings").hasSize(1);
-        assertThat(charge.of(1)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(0)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(1)).as("robot 2 between two readings").hasSize(1);
     }
 
     private void assertInCharge(Service first, Service second) {

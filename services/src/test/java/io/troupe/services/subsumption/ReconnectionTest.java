@@ -116,7 +116,7 @@ class ReconnectionTest {
         var reference = new AtomicReference<>(1);
         var finder = new AtomicReference<>(0);
         var problem = test.error(services.serve(0, Service.SPACE_WANDERER, reference, finder, ColourRule.NONE));
-        assertThat(problem).hasMessageContaining("robot 0 is in the charge of spaceWanderer");
+        assertThat(problem).hasMessageContaining("robot 1 is in the charge of spaceWanderer");
         assertThat(charge.of(0)).isEmpty();
         robots.tick(100);
         assertThat(charge.of(0)).hasSize(1);

@@ -133,7 +133,7 @@ class RobotServicesTest {
         Throwable error = test.error(services.spaceWanderer(0, running(), running(), Colours.BLUE));
         assertThat(error)
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("robot 0 is in the charge of wallFollower")
+                .hasMessageContaining("robot 1 is in the charge of wallFollower")
                 .hasMessageContaining("set the reference of the first to 0");
     }
 
@@ -179,6 +179,7 @@ class RobotServicesTest {
         services.wallFollower(0, shared);
         assertThat(test.error(services.wallFollower(1, shared)))
                 .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("the reference for wallFollower of robot 2 belongs to wallFollower of another")
                 .hasMessageContaining("give each service a reference of its own");
     }
 
