@@ -133,13 +133,7 @@ class ModesTest {
         var threads = new Callers();
         try (var simulation = Simulation.open(ScenarioReader.read(WORLD), WorldSettings.DEFAULT.withSeed(1))) {
             var settings = new SubsumptionRun.Settings(
-                    mode,
-                    "localhost",
-                    PORT,
-                    SubsumptionTable.ofThePaper(),
-                    simulation.clock(),
-                    threads,
-                    threads);
+                    mode, "localhost", PORT, SubsumptionTable.ofThePaper(), simulation.clock(), threads, threads);
             try (var run = SubsumptionRun.start(settings)) {
                 while (threads.states.get() < 3 && simulation.timeMicros() < SECONDS * 1e6) {
                     simulation.tick();

@@ -47,7 +47,8 @@ class CrowdFigureTest {
 
         figure.write(out);
 
-        assertThat(out.resolve("crowd.svg")).content()
+        assertThat(out.resolve("crowd.svg"))
+                .content()
                 .contains("rgb(51,51,51)", "rgb(27,158,158)", "rgb(123,63,160)", "rgb(204,68,68)")
                 .doesNotContain("NaN");
         var picture = ImageIO.read(out.resolve("crowd.png").toFile());

@@ -5,14 +5,14 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableException;
+import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.scenario.CrowdWorld;
 import java.util.HashSet;
 import java.util.List;
-import io.troupe.services.subsumption.ServiceCatalogue;
-import io.troupe.services.subsumption.SubsumptionTableException;
-import io.troupe.services.subsumption.SubsumptionTableReader;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

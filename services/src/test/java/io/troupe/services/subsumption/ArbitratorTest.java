@@ -181,8 +181,12 @@ class ArbitratorTest {
 
     @Test
     void newService_plugsInByBeingNamedInTheTable() {
-        var spin = new ServiceCatalogue.Kind("spin", true, false, arguments -> () -> senses -> Optional.of(
-                new Velocity(0, senses.sonar().frontM())));
+        var spin = new ServiceCatalogue.Kind(
+                "spin",
+                true,
+                false,
+                arguments -> () ->
+                        senses -> Optional.of(new Velocity(0, senses.sonar().frontM())));
         var table = SubsumptionTableReader.parse(
                 "robots 1\nstate red : spin\nstate blue : wallFollower\nallow final",
                 "named",

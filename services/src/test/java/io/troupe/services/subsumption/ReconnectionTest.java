@@ -114,9 +114,7 @@ class ReconnectionTest {
         robots.show(1, Colours.RED);
         robots.refuse();
         robots.tick(100);
-        assertThat(test.error(ended))
-                .isInstanceOf(PlayerException.class)
-                .hasMessageContaining("no more clients");
+        assertThat(test.error(ended)).isInstanceOf(PlayerException.class).hasMessageContaining("no more clients");
         test.takeProblems();
     }
 
