@@ -251,6 +251,30 @@ class MainTest {
         assertThat(out.toString()).contains("crowd of 2", "state 3 (green)");
     }
 
+    @ParameterizedTest
+    @CsvSource({"8, 3", "5, 4"})
+    void crowd_isGenerated(int colours, int services) {
+        String output = directory.resolve("o").toString();
+        String options = "run --robots 50 --colours " + colours + " --services " + services + " --seconds 1 --out";
+
+        assertThat(troupe((options + " " + output).split(" "))).isZero();
+
+        assertThat(out.toString()).contains("crowd of 50", "50 robots ");
+        assertThat(out.toString().lines().filter(line -> line.matches("state \\d+ \\(.+\\): \\d+ times, .+ s")))
+                .as("states, one for each colour")
+                .hasSize(colours);
+        var all = List.of("spaceWanderer", "wallFollower", "avoid > patrol1", "avoid > patrol2");
+        assertThat(out.toString().lines().filter(line -> line.startsWith("loops of ")))
+                .extracting(line -> line.split(" {2,}")[0].substring("loops of ".length()))
+                .containsExactlyInAnyOrderElementsOf(all.subList(0, services));
+        assertThat(directory.resolve("o/run.jsonl"))
+                .content()
+                .contains("\"robot\":50,")
+                .doesNotContain("\"robot\":51,");
+        assertThat(directory.resolve("o/trajectory.svg")).content().contains("50 robots, 1.0 s simulated");
+        assertThat(err.toString()).isEmpty();
+    }
+
     @Test
     void crowd_isMeasured() {
         assertThat(troupe(

@@ -4,23 +4,37 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.demo.PaperRun.Manner;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SynchronousRound;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the three modes have in common and where they differ, in the paper's arena on real threads. */
 @Timeout(300)
 class ModesTest {
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
+    private static final int PORT = 6665;
     private static final double SECONDS = 140; // long enough for all three states
 
     @TempDir
@@ -110,6 +124,80 @@ class ModesTest {
             run(in(mode), 7, "first");
             run(in(mode), 7, "second");
             assertThat(out.resolve("second")).hasSameBinaryContentAs(out.resolve("first"));
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void observerAndListener_areCalledOnOneThread_andNotOnTheWorlds(Mode mode) throws Exception {
+        var threads = new Callers();
+        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), WorldSettings.DEFAULT.withSeed(1))) {
+            var settings = new SubsumptionRun.Settings(
+                    mode, "localhost", PORT, SubsumptionTable.ofThePaper(), simulation.clock(), threads, threads);
+            try (var run = SubsumptionRun.start(settings)) {
+                while (threads.states.get() < 3 && simulation.timeMicros() < SECONDS * 1e6) {
+                    simulation.tick();
+                    run.check();
+                }
+            }
+        }
+        assertThat(threads.states).as("states that began").hasValue(3);
+        assertThat(threads.called).contains("state", "began", "cycle begins", "cycled", "ended");
+        assertThat(threads.called.contains("colour sent")).isEqualTo(mode != Mode.SYNC);
+        assertThat(threads.called.contains("colour received")).isEqualTo(mode != Mode.SYNC);
+        assertThat(threads.seen).hasSize(1).doesNotContain(Thread.currentThread());
+    }
+
+    /** Which threads call, and what. */
+    private static final class Callers implements ServiceObserver, Arbitrator.StateListener {
+        private final Set<Thread> seen = ConcurrentHashMap.newKeySet();
+        private final Set<String> called = ConcurrentHashMap.newKeySet();
+        private final AtomicInteger states = new AtomicInteger();
+
+        private void note(String what) {
+            seen.add(Thread.currentThread());
+            called.add(what);
+        }
+
+        @Override
+        public void began(State state, @Nullable Integer seenBy) {
+            note("state");
+            states.incrementAndGet();
+        }
+
+        @Override
+        public void colourReceived(int robot, int colour) {
+            note("colour received");
+        }
+
+        @Override
+        public void colourTooLate(int robot, int colour) {
+            note("colour too late");
+        }
+
+        @Override
+        public void began(int robot, Service service) {
+            note("began");
+        }
+
+        @Override
+        public void cycleBegins(int robot, Service service) {
+            note("cycle begins");
+        }
+
+        @Override
+        public void cycled(int robot, Service service) {
+            note("cycled");
+        }
+
+        @Override
+        public void ended(int robot, Service service) {
+            note("ended");
+        }
+
+        @Override
+        public void colourSent(int robot, int colour) {
+            note("colour sent");
         }
     }
 }

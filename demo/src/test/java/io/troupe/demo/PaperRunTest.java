@@ -5,13 +5,18 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.State;
+import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
 import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -24,9 +29,13 @@ class PaperRunTest {
     @TempDir
     private Path out;
 
-    private RunResult run(long seed, double seconds, Path file) throws Exception {
+    private static RunResult run(long seed, double seconds, Path file) throws Exception {
+        return run(seed, seconds, false, file);
+    }
+
+    private static RunResult run(long seed, double seconds, boolean realtime, Path file) throws Exception {
         try (var log = new RunLog(file)) {
-            return new PaperRun(ScenarioReader.read(WORLD), seed, seconds, CornerStyle.FORWARD, false)
+            return new PaperRun(ScenarioReader.read(WORLD), seed, seconds, CornerStyle.FORWARD, realtime)
                     .run(log, change -> {}, ProgressBar.hidden(), () -> false);
         }
     }
@@ -64,6 +73,65 @@ class PaperRunTest {
         run(8, 20, out.resolve("third"));
         assertThat(out.resolve("second")).hasSameBinaryContentAs(out.resolve("first"));
         assertThat(Files.mismatch(out.resolve("first"), out.resolve("third"))).isNotNegative();
+    }
+
+    @Test
+    void realTime_writesTheSameFile() throws Exception {
+        run(7, 1, false, out.resolve("fast"));
+        run(7, 1, true, out.resolve("realtime"));
+        assertThat(Files.readAllLines(out.resolve("fast"))).hasSizeGreaterThan(2 * 10);
+        assertThat(out.resolve("realtime")).hasSameBinaryContentAs(out.resolve("fast"));
+    }
+
+    private record Start(double x, double y, double heading) {}
+
+    private static List<Start> starts(Path log) throws IOException {
+        var pose = Pattern.compile(
+                "\\{\"t\":0\\.0,\"type\":\"pose\",.*\"x\":([^,]+),\"y\":([^,]+),\"heading\":([^,}]+).*");
+        return Files.readAllLines(log).stream()
+                .map(pose::matcher)
+                .filter(Matcher::matches)
+                .map(found -> new Start(
+                        Double.parseDouble(found.group(1)),
+                        Double.parseDouble(found.group(2)),
+                        Double.parseDouble(found.group(3))))
+                .toList();
+    }
+
+    @Test
+    void startPoses_areWithinTwoCentimetresAndTwoDegrees_ofTheFile() throws Exception {
+        double metres = 0.02;
+        double radians = Math.toRadians(2);
+        var robots = ScenarioReader.read(WORLD).world().robots();
+        List<List<Start>> bySeed = new ArrayList<>();
+        for (int seed = 1; seed <= 20; seed++) {
+            Path log = out.resolve("seed" + seed);
+            run(seed, 0.1, log);
+            bySeed.add(starts(log));
+            assertThat(bySeed.getLast()).as("first poses with seed %d", seed).hasSize(robots.size());
+        }
+        for (int index = 0; index < robots.size(); index++) {
+            int robot = index;
+            Pose file = robots.get(robot).pose();
+            var offsets = bySeed.stream()
+                    .map(starts -> starts.get(robot))
+                    .map(start -> new Start(
+                            start.x - file.x(),
+                            start.y - file.y(),
+                            Math.IEEEremainder(start.heading - file.headingRad(), 2 * Math.PI)))
+                    .toList();
+            assertSpread(offsets.stream().map(Start::x).toList(), metres);
+            assertSpread(offsets.stream().map(Start::y).toList(), metres);
+            assertSpread(offsets.stream().map(Start::heading).toList(), radians);
+        }
+    }
+
+    /** All within the limit, and some in the outer half of it on either side. */
+    private static void assertSpread(List<Double> offsets, double limit) {
+        double rounding = 1e-4; // the log's
+        assertThat(offsets).allSatisfy(offset -> assertThat(offset).isBetween(-limit - rounding, limit + rounding));
+        assertThat(offsets).anySatisfy(offset -> assertThat(offset).isLessThan(-limit / 2));
+        assertThat(offsets).anySatisfy(offset -> assertThat(offset).isGreaterThan(limit / 2));
     }
 
     @Test

@@ -50,6 +50,10 @@ final class CrowdFigure {
                 rows.stream().mapToDouble(micros).toArray());
     }
 
+    XYChart chart() {
+        return chart;
+    }
+
     /** Writes {@code crowd.svg} and {@code crowd.png}. */
     void write(Path directory) throws IOException {
         for (String format : List.of("svg", "png")) {

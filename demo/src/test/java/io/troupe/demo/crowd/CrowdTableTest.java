@@ -1,11 +1,15 @@
 package io.troupe.demo.crowd;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableException;
+import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.scenario.CrowdWorld;
 import java.util.HashSet;
 import java.util.List;
@@ -53,5 +57,19 @@ class CrowdTableTest {
         assertThat(table(1, 2, 2).states())
                 .extracting(state -> state.services().getFirst())
                 .containsOnly(Service.SPACE_WANDERER);
+    }
+
+    @Test
+    void tableOfTheLargestCrowd_canBeAFile() {
+        String states = "\nstate blue : * = spaceWanderer\nstate red : * = spaceWanderer";
+
+        var table = SubsumptionTableReader.parse(
+                "robots " + CrowdWorld.MOST_ROBOTS + states, "largest", ServiceCatalogue.standard());
+
+        assertThat(table.robots()).isEqualTo(CrowdWorld.MOST_ROBOTS);
+        assertThatThrownBy(() -> SubsumptionTableReader.parse(
+                        "robots " + (CrowdWorld.MOST_ROBOTS + 1) + states, "larger", ServiceCatalogue.standard()))
+                .isInstanceOf(SubsumptionTableException.class)
+                .hasMessageContaining("a number of robots, 1 to " + CrowdWorld.MOST_ROBOTS);
     }
 }

@@ -72,7 +72,7 @@ public class CallbackArbitrator extends Actor {
         if (error != null) {
             present.fail(error);
         } else if (present.changes() == changesBefore) {
-            present.fail(new IllegalStateException("robot " + robot + ": " + service + " has ended in state "
+            present.fail(new IllegalStateException("robot " + (robot + 1) + ": " + service + " has ended in state "
                     + present.state().number() + " though nothing told it to"));
         }
     }

@@ -36,7 +36,7 @@ final class Charges implements AutoCloseable {
             return start(robot, service, reference, finder);
         }
         if (before.isToRun()) {
-            throw new IllegalStateException("robot " + robot + " is in the charge of " + before.service()
+            throw new IllegalStateException("robot " + (robot + 1) + " is in the charge of " + before.service()
                     + " and was to get " + service + ": set the reference of the first to 0 before");
         }
         before.wake();
@@ -49,7 +49,7 @@ final class Charges implements AutoCloseable {
             int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
         ServiceLoop other = byReference.get(reference);
         if (other != null) {
-            throw new IllegalStateException("the reference for " + service + " of robot " + robot + " belongs to "
+            throw new IllegalStateException("the reference for " + service + " of robot " + (robot + 1) + " belongs to "
                     + other.service() + " of another robot: give each service a reference of its own");
         }
         RobotLink link = links.connect(robot);

@@ -174,7 +174,7 @@ public class RobotServices extends Actor {
             AtomicReference<Integer> colourFinder) {
         ServiceCycle.Finder finder = (devices, secondsInCharge) -> {
             if (reports.isCancelled()) {
-                LOG.log(Level.WARNING, "robot {0}: {1} stops, as nobody listens to it any more", robot, service);
+                LOG.log(Level.WARNING, "robot {0}: {1} stops, as nobody listens to it any more", robot + 1, service);
                 reference.set(ServiceLoop.STOP);
             } else if (colourFinder.get() == ServiceLoop.RUN) {
                 coloursToSend(devices).forEach(colour -> {

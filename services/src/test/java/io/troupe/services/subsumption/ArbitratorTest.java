@@ -8,7 +8,6 @@ import io.troupe.services.behaviour.Velocity;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -49,8 +48,8 @@ class ArbitratorTest {
 
     private void tick() {
         robots.tick(100);
-        assertThat(charge.of(0)).as("robot 0 between two readings").hasSize(1);
-        assertThat(charge.of(1)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(0)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(1)).as("robot 2 between two readings").hasSize(1);
     }
 
     private void assertInCharge(Service first, Service second) {
@@ -103,7 +102,7 @@ class ArbitratorTest {
         tick();
         assertThat(states).containsExactly("1 by null", "3 by 1", "1 by 0");
         assertInCharge(WF, SW);
-        tick(); // robot 1 still looks at red, and wanders again
+        tick(); // robot 2 still looks at red, and wanders again
         assertThat(states).endsWith("2 by 1");
     }
 
@@ -182,32 +181,38 @@ class ArbitratorTest {
 
     @Test
     void newService_plugsInByBeingNamedInTheTable() {
-        var spin = new Service(
+        var spin = new ServiceCatalogue.Kind(
                 "spin",
                 true,
-                () -> senses -> Optional.of(new Velocity(0, senses.sonar().frontM())));
-        var table = SubsumptionTable.forRobots(1)
-                .when(Colours.RED, spin)
-                .when(Colours.BLUE, WF)
-                .allowFinal()
-                .build();
-        assertThat(table.service("spin")).hasValue(spin);
+                false,
+                arguments -> () ->
+                        senses -> Optional.of(new Velocity(0, senses.sonar().frontM())));
+        var table = SubsumptionTableReader.parse(
+                "robots 1\nstate red : spin\nstate blue : wallFollower\nallow final",
+                "named",
+                ServiceCatalogue.standard().with(spin));
+        var book = new ChargeBook();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 1, FakeRobots.PORT + 1)) {
-            var services = other.spawn(
+            RobotServices services = other.spawn(
                     RobotServices.class,
-                    () -> new RobotServices(RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT + 1)));
-            var seen = services.serve(
-                    0, spin, new AtomicReference<>(1), new AtomicReference<>(1), table.ruleIn(table.first()));
+                    () -> new RobotServices(RobotServices.Settings.ofThePaper()
+                            .withPort(FakeRobots.PORT + 1)
+                            .withTable(table)
+                            .withObserver(book)));
+            Arbitrator own =
+                    other.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
+            own.live();
             other.crank();
+            assertThat(book.of(0)).extracting(Service::name).containsExactly("spin");
             others.range(0, 3, 1.5);
             others.tick(100);
             assertThat(others.lastCommand(0).va()).isEqualTo(1.5);
             others.show(0, Colours.BLUE);
             others.tick(100);
-            assertThat(other.get(seen)).hasValue(Colours.BLUE);
+            assertThat(book.of(0)).containsExactly(WF);
+            assertThat(others.lastCommand(0).vx()).isPositive();
             other.space().close();
         }
-        tick();
     }
 }

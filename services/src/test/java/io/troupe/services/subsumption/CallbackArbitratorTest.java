@@ -2,12 +2,14 @@ package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -64,8 +66,8 @@ class CallbackArbitratorTest {
 
     private void tick() {
         robots.tick(100);
-        assertThat(charge.of(0)).as("robot 0 between two readings").hasSize(1);
-        assertThat(charge.of(1)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(0)).as("robot 1 between two readings").hasSize(1);
+        assertThat(charge.of(1)).as("robot 2 between two readings").hasSize(1);
     }
 
     private void assertInCharge(Service first, Service second) {
@@ -180,5 +182,34 @@ class CallbackArbitratorTest {
         assertThat(charge.of(1)).isEmpty();
         assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
         assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
+    }
+
+    /** Its services end at once, whatever their references say. */
+    static class Quitters extends RobotServices {
+        Quitters() {
+            super(Settings.ofThePaper());
+        }
+
+        @Override
+        public void serve(
+                Callback<ColourReport> reports,
+                int robot,
+                Service service,
+                AtomicReference<Integer> reference,
+                AtomicReference<Integer> colourFinder) {
+            reports.finish();
+        }
+    }
+
+    @Test
+    void serviceThatEndsUntold_endsTheArbitrator() {
+        RobotServices quitters = test.spawn(Quitters.class, Quitters::new);
+        CallbackArbitrator left = test.spawn(
+                CallbackArbitrator.class,
+                () -> new CallbackArbitrator(quitters, SubsumptionTable.ofThePaper(), new Events()));
+        left.live();
+        assertThat(test.error(left.ended()))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("robot 1: wallFollower has ended in state 1 though nothing told it to");
     }
 }

@@ -2,11 +2,18 @@ package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.Actor;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -133,7 +140,7 @@ class RobotServicesTest {
         Throwable error = test.error(services.spaceWanderer(0, running(), running(), Colours.BLUE));
         assertThat(error)
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("robot 0 is in the charge of wallFollower")
+                .hasMessageContaining("robot 1 is in the charge of wallFollower")
                 .hasMessageContaining("set the reference of the first to 0");
     }
 
@@ -179,6 +186,7 @@ class RobotServicesTest {
         services.wallFollower(0, shared);
         assertThat(test.error(services.wallFollower(1, shared)))
                 .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("the reference for wallFollower of robot 2 belongs to wallFollower of another")
                 .hasMessageContaining("give each service a reference of its own");
     }
 
@@ -252,5 +260,78 @@ class RobotServicesTest {
         }
         robots.tick(100);
         assertThat(test.get(colour)).isEqualTo(Colours.RED);
+    }
+
+    static class Listener extends Actor {
+        private final RobotServices services;
+        private final AtomicReference<Integer> reference;
+        private final AtomicReference<Integer> finder;
+        private final List<Integer> heard;
+
+        Listener(
+                RobotServices services,
+                AtomicReference<Integer> reference,
+                AtomicReference<Integer> finder,
+                List<Integer> heard) {
+            this.services = services;
+            this.reference = reference;
+            this.finder = finder;
+            this.heard = heard;
+        }
+
+        public void listen() {
+            services.spaceWanderer((colour, error) -> heard.add(colour), 0, reference, finder);
+        }
+    }
+
+    @Test
+    void callbackOfAnActorThatHasStopped_endsTheService() {
+        var reference = running();
+        var finder = running();
+        var heard = new ArrayList<Integer>();
+        Listener listener = test.spawn(Listener.class, () -> new Listener(services, reference, finder, heard));
+        listener.listen();
+        test.crank();
+        robots.show(0, Colours.RED);
+        robots.tick(100);
+        assertThat(heard).containsExactly(Colours.RED);
+        test.space().stop(listener);
+        test.crank();
+        assertThat(charge.of(0)).as("until the next reading").containsExactly(Service.SPACE_WANDERER);
+
+        var warnings = loggedByTheServices(() -> robots.tick(100));
+
+        assertThat(robots.commands(0)).containsExactly(WANDERER_AHEAD, STOP);
+        assertThat(reference).hasValue(2);
+        assertThat(finder).hasValue(2);
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(heard).containsExactly(Colours.RED);
+        assertThat(warnings).containsExactly("robot 1: spaceWanderer stops, as nobody listens to it any more");
+    }
+
+    private static List<String> loggedByTheServices(Runnable body) {
+        var messages = new ArrayList<String>();
+        var logger = Logger.getLogger(RobotServices.class.getName());
+        var handler = new Handler() {
+            @Override
+            public void publish(LogRecord record) {
+                messages.add(new SimpleFormatter().formatMessage(record));
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        logger.addHandler(handler);
+        logger.setUseParentHandlers(false);
+        try {
+            body.run();
+        } finally {
+            logger.removeHandler(handler);
+            logger.setUseParentHandlers(true);
+        }
+        return messages;
     }
 }

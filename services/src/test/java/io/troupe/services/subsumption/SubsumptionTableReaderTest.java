@@ -120,9 +120,9 @@ class SubsumptionTableReaderTest {
             value = {
                 "robot 2 | 1:1: there is no statement 'robot', expected one of: robots, ignore, colour, service, hold, allow, state (did you mean 'robots'?)",
                 "; | 1:1: ';', expected a statement, one of robots, ignore, colour, service, hold, allow, state",
-                "robots two | 1:8: 'two', expected a number of robots, 1 to 10000",
-                "robots 0 | 1:8: '0', expected a number of robots, 1 to 10000",
-                "robots 99999999999 | 1:8: '99999999999', expected a number of robots, 1 to 10000",
+                "robots two | 1:8: 'two', expected a number of robots, 1 to 20000",
+                "robots 0 | 1:8: '0', expected a number of robots, 1 to 20000",
+                "robots 99999999999 | 1:8: '99999999999', expected a number of robots, 1 to 20000",
                 "robots 2 3 | 1:10: '3', expected the end of the line",
                 "robots 2/robots 2 | 2:1: 'robots' is said twice, expected it once",
                 "hold 2 s | 1:1: the table does not say how many robots it is for, expected 'robots N'",

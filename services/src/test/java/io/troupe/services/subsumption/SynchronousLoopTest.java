@@ -95,6 +95,25 @@ class SynchronousLoopTest {
     }
 
     @Test
+    void colourSeenByRobot1_beginsTheNextStateWithRobot1Again() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            robots.show(1, Colours.RED);
+            robots.tickAndAwait(100);
+            robots.tickAndAwait(100);
+            assertThat(states).endsWith("2 by 1");
+            robots.show(0, Colours.BLUE);
+            robots.tickAndAwait(100);
+            assertThat(states).endsWith("1 by 0");
+            assertCommands(2, 1);
+            robots.tickAndAwait(100);
+            assertCommands(3, 1);
+            robots.tickAndAwait(100);
+            assertCommands(3, 2);
+            run.check();
+        }
+    }
+
+    @Test
     void withAllServicesAReading_everyRobotIsCommanded_andTheNextStateTakesOverAtOnce() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings.withRound(SynchronousRound.ALL_SERVICES_A_READING))) {
             robots.tickAndAwait(100);
