@@ -40,7 +40,7 @@ final class Limits {
         var outcome = new Deferred<@Nullable Void>();
         Promise<?> answer = answerOf(question);
         Timer timer =
-                timers.after(limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit)));
+                timers.after(limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit, null)));
         answer.handle((value, error) -> {
             timer.cancel();
             if (error == null ? !outcome.resolve(null) : !outcome.reject(error)) {
