@@ -56,7 +56,8 @@ class AppCommandTest {
     void shippedApplication_tellsWhichColoursComeIntoSightOfItsCamera() {
         assertThat(app("applications/two-robots.app", "--seconds", "120")).isZero();
         assertThat(out.toString())
-                .containsPattern("(?s)[0-9.]+ s  seen       finder sees green\\R.*[0-9.]+ s  seen       finder sees red\\R")
+                .containsPattern(
+                        "(?s)[0-9.]+ s  seen       finder sees green\\R.*[0-9.]+ s  seen       finder sees red\\R")
                 .doesNotContain("sees black", "sees orange"); // walls and the other robot
     }
 

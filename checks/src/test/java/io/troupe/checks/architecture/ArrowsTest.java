@@ -78,8 +78,7 @@ class ArrowsTest {
 
     @Test
     void bus_importsTheActorsAndTexts() {
-        arrow(BUS, "io.troupe.actor..", "io.troupe.services.text")
-                .check(Classes.MAIN);
+        arrow(BUS, "io.troupe.actor..", "io.troupe.services.text").check(Classes.MAIN);
     }
 
     @Test

@@ -72,8 +72,7 @@ class ApplicationFaultsTest {
     private List<DeviceCommand.Velocity> commandsOfOneTick() {
         int before = robots.commands(0).size();
         robots.tick(100);
-        return List.copyOf(
-                robots.commands(0).subList(before, robots.commands(0).size()));
+        return List.copyOf(robots.commands(0).subList(before, robots.commands(0).size()));
     }
 
     @Test
