@@ -53,6 +53,15 @@ class AppCommandTest {
     }
 
     @Test
+    void shippedApplication_tellsWhichColoursComeIntoSightOfItsCamera() {
+        assertThat(app("applications/two-robots.app", "--seconds", "120")).isZero();
+        assertThat(out.toString())
+                .containsPattern(
+                        "(?s)[0-9.]+ s  seen       finder sees green\\R.*[0-9.]+ s  seen       finder sees red\\R")
+                .doesNotContain("sees black", "sees orange"); // walls and the other robot
+    }
+
+    @Test
     void missingService_isStatus3_andOneLine_afterEverythingHasBeenStopped() throws IOException {
         String missing = Files.readString(Path.of("applications", "two-robots.app"))
                 .replace("needs service wallFollower", "needs service wallFolower");

@@ -1,9 +1,13 @@
 package io.troupe.checks.architecture;
 
 import static com.tngtech.archunit.base.DescribedPredicate.describe;
+import static com.tngtech.archunit.base.DescribedPredicate.not;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackage;
+import static com.tngtech.archunit.core.domain.properties.HasName.Predicates.name;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
 import com.tngtech.archunit.lang.ArchRule;
@@ -17,6 +21,8 @@ class ArrowsTest {
     private static final String PROMISE = "io.troupe.actor.promise";
     private static final String TIME = "io.troupe.actor.time";
     private static final String ACTOR = "io.troupe.actor";
+    private static final String BUS = "io.troupe.services.bus";
+    private static final String BROKER = "io.troupe.services.broker";
 
     @ParameterizedTest
     @CsvSource({
@@ -68,6 +74,24 @@ class ArrowsTest {
     @Test
     void services_importActorCoreAndTheClientApi_neverTheSimulator() {
         arrow("io.troupe.services..", "io.troupe.actor..", "io.troupe.player..").check(Classes.MAIN);
+    }
+
+    @Test
+    void bus_importsTheActorsAndTexts() {
+        arrow(BUS, "io.troupe.actor..", "io.troupe.services.text").check(Classes.MAIN);
+    }
+
+    @Test
+    void broker_knowsOfTheBusOnlyItsAddresses() {
+        arrow(BROKER, "io.troupe.actor..", "io.troupe.services.text", BUS).check(Classes.MAIN);
+        noClasses()
+                .that()
+                .resideInAPackage(BROKER)
+                .should()
+                .dependOnClassesThat(describe(
+                        "are of the bus, but not its Address",
+                        resideInAPackage(BUS).and(not(name(BUS + ".Address")))))
+                .check(Classes.MAIN);
     }
 
     @Test

@@ -39,8 +39,8 @@ final class Limits {
             Consumer<@Nullable Throwable> late) {
         var outcome = new Deferred<@Nullable Void>();
         Promise<?> answer = answerOf(question);
-        Timer timer =
-                timers.after(limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit)));
+        Timer timer = timers.after(
+                limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit, null)));
         answer.handle((value, error) -> {
             timer.cancel();
             if (error == null ? !outcome.resolve(null) : !outcome.reject(error)) {

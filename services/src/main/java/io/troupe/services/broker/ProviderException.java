@@ -23,8 +23,9 @@ public final class ProviderException extends RuntimeException {
         this.overdue = overdue;
     }
 
-    static ProviderException overdue(String message) {
-        return new ProviderException(message, null, true);
+    /** For providers with a time limit of their own: one that has not answered within it. Any other rejection says that it has not done it, and will not. */
+    public static ProviderException overdue(String message, @Nullable Throwable cause) {
+        return new ProviderException(message, cause, true);
     }
 
     /** Whether it has simply not answered in time, so that it may have done it, or do it later. */

@@ -28,8 +28,9 @@ public interface BusPort extends AutoCloseable {
      * Asks. Once at most: nothing is repeated. The answerer is not told of the limit, nor that the asker has given up: it works on the question all the same.
      *
      * @param limit how long to wait, on the clock of the asker's space
-     * @return the answer; rejected with a {@link BusException} if nobody is at the address, or nobody there answers that operation, or no answer comes
-     *     within the limit (an answer that comes later is told to the bus's observer); rejected with a {@link RemoteFailure} if the answerer fails
+     * @return the answer; rejected with a {@link BusException} if nobody is at the address, or nobody there answers that operation; with a
+     *     {@link BusTimeoutException} if no answer comes within the limit (one that comes later is told to the bus's observer); with a {@link RemoteFailure} if the
+     *     answerer fails
      */
     <Q extends Record, A extends Record> Promise<A> ask(
             Address to, Operation<Q, A> operation, Q question, Duration limit);

@@ -72,7 +72,15 @@ final class Pending<A extends Record> {
     }
 
     BusException error(String why) {
-        return new BusException(asker.address() + " asked " + to + " for " + operation.name() + ": " + why);
+        return new BusException(about(why));
+    }
+
+    private String about(String why) {
+        return asker.address() + " asked " + to + " for " + operation.name() + ": " + why;
+    }
+
+    BusTimeoutException timeout(Duration limit) {
+        return new BusTimeoutException(about("no answer within " + limit));
     }
 
     static boolean counted(LongAdder counter, boolean done) {

@@ -49,7 +49,7 @@ final class Questions {
     private void expire(long number, boolean timeIsOver, Duration limit) {
         Pending<?> late = pending.remove(number);
         if (late != null && timeIsOver) {
-            Pending.counted(node.counters.timedOut, late.reject(late.error("no answer within " + limit)));
+            Pending.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
         } else if (late != null) {
             refuse(late, "the space of the asker was closed");
         }

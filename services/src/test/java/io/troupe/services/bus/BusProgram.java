@@ -197,8 +197,7 @@ final class BusProgram implements AutoCloseable {
         return switch (error) {
             case null -> "null";
             case RemoteFailure failure -> "failed";
-            case BusException timeOut
-            when String.valueOf(timeOut.getMessage()).contains("no answer within") -> "timed out";
+            case BusTimeoutException timeOut -> "timed out";
             default -> "refused";
         };
     }

@@ -33,6 +33,7 @@ class FaultContractTest extends BusContract {
         test.advance(Duration.ofMillis(5));
         assertThat(refusalOf(answer))
                 .isEqualTo(asker.address() + " asked " + answerer.address() + " for spell: no answer within PT1S");
+        assertThat(answer.error()).isInstanceOf(BusTimeoutException.class);
         assertThat(losses).isEmpty();
         kept.resolve(new Text("at last"));
         test.crank();

@@ -10,12 +10,18 @@ import io.troupe.services.broker.MissingServiceException;
 import io.troupe.services.broker.ServiceBroker;
 import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
+import io.troupe.services.component.DataConversion;
 import io.troupe.services.component.Lifecycle;
 import io.troupe.services.component.Notes;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.FakePlayer;
 import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.RobotTopics;
+import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
+import io.troupe.services.component.kinds.RobotTopics.SonarReading;
+import io.troupe.services.subsumption.Colours;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -48,6 +54,7 @@ class ApplicationTest {
     private final Notes notes = new Notes();
     private final List<String> events = new ArrayList<>();
     private Application application;
+    private InProcessBus bus;
 
     @AfterEach
     void nothingIsLeft() {
@@ -64,9 +71,10 @@ class ApplicationTest {
 
     private void start(ApplicationPlan plan) {
         test.run(() -> {
+            bus = InProcessBus.open("here", BusSettings.on(test.space()));
             application = Application.start(
                     plan,
-                    InProcessBus.open("here", BusSettings.on(test.space())),
+                    bus,
                     ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
                     ApplicationSettings.DEFAULT.withObservers(notes, this::note));
             application.started().handle((runs, error) -> error); // the test asks for it later
@@ -305,6 +313,55 @@ class ApplicationTest {
         assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0.3, 0, 0, true));
         test.advance(Duration.ofSeconds(10));
         assertThat(application.ended().isDone()).isFalse();
+    }
+
+    /** Whatever is said under a topic from now on. */
+    private <T extends Record> List<T> listenTo(Topic<T> topic) {
+        List<T> heard = new ArrayList<>();
+        test.run(() -> bus.attach("listener").subscribe(topic, (value, from) -> heard.add(value)));
+        return heard;
+    }
+
+    @Test
+    void colourFinder_seesWhatTheCameraOfItsRobotSees_andSaysEachColourOnce() {
+        start(plan(TWO_ROBOTS + "component finder is colourFinder\nrobot2 needs service colourFinder\n"));
+        test.get(application.started().thenApply(runs -> true));
+        assertThat(events.getLast()).isEqualTo("robot2 uses finder [robot2/blobs -> finder/blobs]");
+        var seen = listenTo(RobotTopics.colours("finder"));
+        robots.show(0, Colours.GREEN); // the other robot's camera is not its business
+        robots.tick(100);
+        assertThat(seen).as("walls alone").isEmpty();
+        robots.show(1, Colours.RED);
+        robots.tick(100);
+        robots.tick(100);
+        assertThat(seen).containsExactly(new ColourSeen(0.2, Colours.RED));
+        robots.show(1, Colours.BLUE);
+        robots.tick(100);
+        assertThat(seen).last().isEqualTo(new ColourSeen(0.4, Colours.BLUE));
+    }
+
+    @Test
+    void declaredWire_carriesValues_fromTheStart() {
+        start(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
+        test.get(application.started().thenApply(runs -> true));
+        var sonar = listenTo(RobotTopics.sonar("idle"));
+        assertThat(state("idle")).isEqualTo(Lifecycle.RUNNING);
+        robots.range(0, 3, 1.25);
+        robots.tick(100);
+        robots.tick(100);
+        assertThat(sonar).extracting(SonarReading::timeSeconds).containsExactly(0.1, 0.2);
+        assertThat(sonar).extracting(reading -> reading.rangesM().get(3)).containsOnly(1.25);
+        assertThat(application.face("idle").conversion().losses()).isEqualTo(new DataConversion.Losses(0, 0, 0));
+    }
+
+    @Test
+    void declaredWire_feedsAComponentThatNobodyElseIsConnectedWith() {
+        start(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
+        test.get(application.started().thenApply(runs -> true));
+        var velocities = listenTo(RobotTopics.velocity("idle"));
+        robots.tick(100);
+        assertThat(velocities).containsExactly(new Velocity(0.5, 0));
+        assertThat(robots.commands(0)).as("it drives nobody").containsExactly(FOLLOWER_AHEAD);
     }
 
     /** Fails at its first reading, as often as there are deaths; while more than one is left it does not even start again. */

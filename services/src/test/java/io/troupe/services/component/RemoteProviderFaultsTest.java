@@ -1,0 +1,160 @@
+package io.troupe.services.component;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.services.broker.Broker;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.Health;
+import io.troupe.services.broker.MissingServiceException;
+import io.troupe.services.broker.Need;
+import io.troupe.services.broker.ProviderException;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.broker.ServiceRecord;
+import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.BusTimeoutException;
+import io.troupe.services.bus.InProcessBus;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Components controlled over the bus that are slow, hang, or go away; the limit of their control messages is shorter than the broker's own ones. */
+class RemoteProviderFaultsTest {
+    private static final Duration LIMIT = Duration.ofSeconds(1);
+    private static final Need COUNTING = Need.ofService("user", "counting");
+
+    private final TestSpace test = new TestSpace();
+    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final ServiceBroker broker = ServiceBroker.open(
+            test.space(),
+            BrokerSettings.DEFAULT
+                    .withChecks(Duration.ofSeconds(1), Duration.ofSeconds(5), 3)
+                    .withObserver(event -> {}));
+    private final ScriptedComponent first = new ScriptedComponent();
+    private final ScriptedComponent second = new ScriptedComponent();
+    private final Notes notes = new Notes();
+    private final List<ComponentInterface<?, ?>> faces = new ArrayList<>();
+    private final List<String> heard = new ArrayList<>();
+    private BusPort control;
+
+    @BeforeEach
+    void twoComponentsOfferTheSame() {
+        test.run(() -> control = bus.attach("control"));
+        offer("first", first);
+        offer("second", second);
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.get(broker.shutDown());
+        bus.close();
+        test.crank();
+        test.close();
+    }
+
+    private void offer(String name, ScriptedComponent script) {
+        test.run(() -> faces.add(ComponentInterface.open(bus, name, script.component(), notes)));
+        var face = faces.getLast();
+        test.get(broker.register(
+                "counting", List.of(), face.address(), new RemoteProvider(control, face.address(), LIMIT)));
+    }
+
+    private void connect() {
+        var connected = broker.connect(COUNTING, new Broker.Connection() {
+            @Override
+            public void use(ServiceRecord provider) {
+                heard.add("use " + provider.provider().name());
+            }
+
+            @Override
+            public void lost(MissingServiceException why) {
+                heard.add("lost");
+            }
+        });
+        test.get(connected);
+        assertThat(heard).containsExactly("use first");
+    }
+
+    private void seconds(int count) {
+        for (int i = 0; i < count; i++) {
+            test.crank();
+            test.advance(Duration.ofSeconds(1));
+        }
+    }
+
+    private Health health(int component) {
+        return test.get(broker.registered()).get(component).health();
+    }
+
+    @Test
+    void startThatTakesTooLong_isTerminated_andNeverRunsBesideTheNextProvider() {
+        var slow = ScriptedComponent.later();
+        first.invoke = () -> slow;
+        var required = broker.require(COUNTING);
+        seconds(1);
+        assertThat(test.get(required).provider().name()).isEqualTo("second");
+        assertThat(first.calls).containsExactly("invoke", "terminate");
+        test.run(() -> slow.resolve(null));
+        assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
+        assertThat(faces.getFirst().state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(faces.getLast().state()).isEqualTo(Lifecycle.RUNNING);
+        assertThat(notes.take()).doesNotContain("first RUNNING").contains("second RUNNING");
+    }
+
+    @Test
+    void healthThatHangs_makesItSuspect_andFailedOnlyAfterSoManyMisses() {
+        connect();
+        first.health = ScriptedComponent::later;
+        seconds(2); // asked after one second, given up after another
+        assertThat(health(0)).isEqualTo(Health.SUSPECT);
+        seconds(3);
+        assertThat(health(0)).isEqualTo(Health.SUSPECT);
+        assertThat(heard).containsExactly("use first");
+        seconds(1);
+        assertThat(health(0)).isEqualTo(Health.FAILED);
+        assertThat(heard).containsExactly("use first", "use second");
+        assertThat(first.calls).containsExactly("invoke", "terminate");
+    }
+
+    @Test
+    void suspectThatAnswersInTime_isWellAgain() {
+        connect();
+        first.health = ScriptedComponent::later;
+        seconds(2);
+        first.health = Promise::done;
+        seconds(1);
+        assertThat(health(0)).isEqualTo(Health.WELL);
+        assertThat(heard).containsExactly("use first");
+    }
+
+    @Test
+    void componentThatHasLeftTheBus_isFailedOverWithTheNextCheck() {
+        connect();
+        test.run(faces.getFirst()::close);
+        assertThat(heard).as("nobody has told the broker").containsExactly("use first");
+        seconds(1);
+        assertThat(heard).containsExactly("use first", "use second");
+        assertThat(health(0)).isEqualTo(Health.FAILED);
+    }
+
+    @Test
+    void timeOut_isOverdue_andNamesWhoWasAskedForWhat() {
+        first.invoke = ScriptedComponent::later;
+        var remote = new RemoteProvider(control, faces.getFirst().address(), LIMIT);
+        var started = remote.start();
+        test.crank();
+        test.advance(LIMIT);
+        assertThat(test.error(started))
+                .isInstanceOfSatisfying(
+                        ProviderException.class,
+                        error -> assertThat(error.isOverdue()).isTrue())
+                .hasMessage("here/control asked here/first for component/invoke: no answer within PT1S")
+                .hasCauseInstanceOf(BusTimeoutException.class);
+        test.get(remote.stop().thenApply(ended -> true));
+    }
+}

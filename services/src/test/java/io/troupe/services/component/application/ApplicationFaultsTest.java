@@ -1,0 +1,124 @@
+package io.troupe.services.component.application;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.Lifecycle;
+import io.troupe.services.component.Notes;
+import io.troupe.services.component.kinds.FakePlayer;
+import io.troupe.services.component.kinds.PlayerComponent;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** Providers of an application that hang, or come late: a robot has one driver. */
+class ApplicationFaultsTest {
+    private static final DeviceCommand.Velocity SLOW = new DeviceCommand.Velocity(0.1, 0, 0, true);
+    private static final DeviceCommand.Velocity FAST = new DeviceCommand.Velocity(0.3, 0, 0, true);
+
+    private final TestSpace test = new TestSpace();
+    private final FakePlayer robots = new FakePlayer(test, 1);
+    private final ScriptedDriver first = new ScriptedDriver("first", new Velocity(0.1, 0));
+    private final ScriptedDriver next = new ScriptedDriver("next", new Velocity(0.3, 0));
+    private final List<String> connected = new ArrayList<>();
+    private Application application;
+
+    @AfterEach
+    void nothingIsLeft() {
+        var stopped = application.stop();
+        stopped.handle((ended, error) -> true);
+        for (int second = 0; second < 20 && !stopped.isDone(); second++) {
+            test.advance(Duration.ofSeconds(1)); // what hangs is waited for so long
+        }
+        assertThat(stopped.isDone()).isTrue();
+        test.crank();
+        robots.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        test.close();
+    }
+
+    private void start() {
+        var plan = ApplicationPlan.named("one-robot")
+                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", 7101, List.of(1), false)))
+                .with("first", first.component())
+                .with("next", next.component())
+                .needing("one-robot", "player")
+                .needing("robot1", "driving");
+        test.run(() -> {
+            application = Application.start(
+                    plan,
+                    InProcessBus.open("here", BusSettings.on(test.space())),
+                    ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
+                    ApplicationSettings.DEFAULT.withObservers(new Notes(), this::note));
+            application.started().handle((runs, error) -> error);
+        });
+    }
+
+    private void note(ApplicationEvent event) {
+        if (event instanceof ApplicationEvent.Connected it && it.need().by().equals("robot1")) {
+            connected.add(it.provider().provider().name());
+        }
+    }
+
+    /** What the robot is told in one tick. */
+    private List<DeviceCommand.Velocity> commandsOfOneTick() {
+        int before = robots.commands(0).size();
+        robots.tick(100);
+        return List.copyOf(robots.commands(0).subList(before, robots.commands(0).size()));
+    }
+
+    @Test
+    void providerWhoseHealthHangs_isFailedOver_andTheRobotObeysTheNextOnly() {
+        first.health = ScriptedDriver::later;
+        first.terminate = ScriptedDriver::later; // it hangs altogether, but drives on
+        start();
+        test.get(application.started().thenApply(runs -> true));
+        for (int tick = 1; tick < 60; tick++) {
+            test.advance(Duration.ofMillis(100));
+            assertThat(commandsOfOneTick()).as("commands of tick %d", tick).containsExactly(SLOW);
+        }
+        assertThat(connected).as("after two misses").containsExactly("first");
+        test.advance(Duration.ofMillis(100)); // the third miss: asked after 5 s, given up after 6
+        assertThat(connected).containsExactly("first", "next");
+        int before = robots.commands(0).size();
+        for (int tick = 61; tick < 120; tick++) {
+            test.run(first::drive);
+            assertThat(commandsOfOneTick()).as("commands of tick %d", tick).containsExactly(FAST);
+            test.advance(Duration.ofMillis(100));
+        }
+        assertThat(robots.commands(0).subList(before, robots.commands(0).size()))
+                .hasSize(59)
+                .containsOnly(FAST);
+        assertThat(first.calls).containsExactly("invoke", "terminate");
+        assertThat(application.ended().isDone()).isFalse();
+    }
+
+    @Test
+    void providerThatStartsLate_isNotWired_andIsTerminatedAgain() {
+        var late = ScriptedDriver.later();
+        first.invoke = () -> late;
+        start();
+        test.advance(Duration.ofSeconds(9));
+        assertThat(connected).isEmpty();
+        test.advance(Duration.ofSeconds(1));
+        test.get(application.started().thenApply(runs -> true));
+        assertThat(connected).containsExactly("next");
+        test.run(() -> late.resolve(null));
+        assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
+        assertThat(application.face("first").state()).isEqualTo(Lifecycle.TERMINATED);
+        for (int tick = 1; tick <= 5; tick++) {
+            test.run(first::drive);
+            assertThat(commandsOfOneTick()).as("commands of tick %d", tick).containsExactly(FAST);
+        }
+        assertThat(robots.commands(0)).hasSize(5).containsOnly(FAST);
+        assertThat(connected).containsExactly("next");
+    }
+}
