@@ -288,7 +288,10 @@ public final class Simulation implements AutoCloseable {
         end.toCompletableFuture().thenRun(() -> members.forEach(ClientLine::endWithSpace));
         try {
             space.execute(() -> {
-                clock.advanceTo(nanos); // in the same turn, so that what is due runs after the frames, not beside them
+                // in the same turn, so that what is due runs after the frames, not beside them; the world does not wait
+                // for a
+                // space whose clients have been closed by others, so that this turn may come after a later tick
+                clock.advanceToAtLeast(nanos);
                 members.forEach(line -> line.deliver(now));
             });
             space.onIdle(() -> {

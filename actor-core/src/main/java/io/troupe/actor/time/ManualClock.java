@@ -39,6 +39,13 @@ public final class ManualClock implements Clock {
         listeners.forEach(Runnable::run);
     }
 
+    /** Moves the clock to a moment, unless that is over: for several who move one clock and may come late. */
+    public void advanceToAtLeast(long newNanos) {
+        if (nanos.getAndAccumulate(newNanos, Math::max) < newNanos) {
+            listeners.forEach(Runnable::run);
+        }
+    }
+
     @Override
     public Runnable onMove(Runnable wake) {
         Objects.requireNonNull(wake, "wake");
