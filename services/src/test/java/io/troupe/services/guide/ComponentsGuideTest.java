@@ -30,8 +30,8 @@ import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationPlan;
 import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.BehaviourComponent;
-import io.troupe.services.component.kinds.FakePlayer;
 import io.troupe.services.component.kinds.PlayerComponent;
+import io.troupe.services.subsumption.FakeRobots;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -161,7 +161,7 @@ class ComponentsGuideTest {
 
     @Test
     void applicationInCode_drivesTwoRobots() {
-        var robots = new FakePlayer(test, 2);
+        var robots = new FakeRobots(test, 2);
         var started = new ArrayList<Application>();
         test.run(() -> {
             var plan = ApplicationPlan.named("two-robots")
@@ -184,7 +184,7 @@ class ComponentsGuideTest {
     }
 
     private static Component<?, ?> robots() {
-        return PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(1, 2), true));
+        return PlayerComponent.of(new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(1, 2), true));
     }
 
     private static Component<?, ?> follower() {

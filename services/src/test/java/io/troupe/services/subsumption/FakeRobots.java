@@ -28,8 +28,8 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** A Player server whose robots sense what a test says and remember what they were told. */
-final class FakeRobots implements PlayerServer, AutoCloseable {
-    static final int PORT = 7001;
+public final class FakeRobots implements PlayerServer, AutoCloseable {
+    public static final int PORT = 7001;
 
     private static final long ANSWER_LIMIT_NANOS = 10_000_000_000L;
 
@@ -45,11 +45,11 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
     private int connectionsMade;
     private boolean refuses;
 
-    FakeRobots(TestSpace test, int robots) {
+    public FakeRobots(TestSpace test, int robots) {
         this(test, robots, PORT);
     }
 
-    FakeRobots(TestSpace test, int robots, int portNumber) {
+    public FakeRobots(TestSpace test, int robots, int portNumber) {
         this.port = PlayerPorts.open(portNumber, this);
         this.test = test;
         this.robots = robots;
@@ -64,17 +64,17 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
     }
 
     /** From now on the robot sees a large blob of each of those colours, the first the largest; black stands for the walls and is always there. */
-    void show(int robot, int... shown) {
+    public void show(int robot, int... shown) {
         colours[robot] = shown;
     }
 
     /** From now on one of the robot's sonars reads so much. */
-    void range(int robot, int sonar, double rangeM) {
+    public void range(int robot, int sonar, double rangeM) {
         ranges[robot][sonar] = (float) rangeM;
     }
 
     /** Delivers the readings of the next moment, so many milliseconds after the last, to all clients in one turn of the space. */
-    void tick(int millis) {
+    public void tick(int millis) {
         long number = tick++;
         timeMillis += millis;
         test.run(() -> List.copyOf(lines).forEach(line -> line.deliver(number)));
@@ -108,15 +108,15 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
 
     private long timeMillis;
 
-    List<DeviceCommand.Velocity> commands(int robot) {
+    public List<DeviceCommand.Velocity> commands(int robot) {
         return commands.get(robot);
     }
 
-    DeviceCommand.Velocity lastCommand(int robot) {
+    public DeviceCommand.Velocity lastCommand(int robot) {
         return commands.get(robot).getLast();
     }
 
-    int connections() {
+    public int connections() {
         return lines.size();
     }
 
@@ -129,7 +129,7 @@ final class FakeRobots implements PlayerServer, AutoCloseable {
         refuses = true;
     }
 
-    void vanish() {
+    public void vanish() {
         List.copyOf(lines).forEach(line -> line.sink.lost("the server has gone"));
     }
 

@@ -11,8 +11,8 @@ import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.component.Lifecycle;
 import io.troupe.services.component.Notes;
-import io.troupe.services.component.kinds.FakePlayer;
 import io.troupe.services.component.kinds.PlayerComponent;
+import io.troupe.services.subsumption.FakeRobots;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -25,7 +25,7 @@ class ApplicationFaultsTest {
     private static final DeviceCommand.Velocity FAST = new DeviceCommand.Velocity(0.3, 0, 0, true);
 
     private final TestSpace test = new TestSpace();
-    private final FakePlayer robots = new FakePlayer(test, 1);
+    private final FakeRobots robots = new FakeRobots(test, 1);
     private final ScriptedDriver first = new ScriptedDriver("first", new Velocity(0.1, 0));
     private final ScriptedDriver next = new ScriptedDriver("next", new Velocity(0.3, 0));
     private final List<String> connected = new ArrayList<>();
@@ -47,7 +47,7 @@ class ApplicationFaultsTest {
 
     private void start() {
         var plan = ApplicationPlan.named("one-robot")
-                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", 7101, List.of(1), false)))
+                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", 7001, List.of(1), false)))
                 .with("first", first.component())
                 .with("next", next.component())
                 .needing("one-robot", "player")

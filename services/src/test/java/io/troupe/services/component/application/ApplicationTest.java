@@ -16,12 +16,12 @@ import io.troupe.services.component.DataConversion;
 import io.troupe.services.component.Lifecycle;
 import io.troupe.services.component.Notes;
 import io.troupe.services.component.kinds.BehaviourComponent;
-import io.troupe.services.component.kinds.FakePlayer;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.services.component.kinds.RobotTopics;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
 import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.FakeRobots;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -38,7 +38,7 @@ class ApplicationTest {
     private static final DeviceCommand.Velocity WANDERER_AHEAD = new DeviceCommand.Velocity(0.5, 0, 0, true);
     private static final String TWO_ROBOTS = """
             application two-robots
-            component robots   is player port=7101 robots=1,2
+            component robots   is player port=7001 robots=1,2
             component follower is wallFollower
             component wanderer is spaceWanderer
             component idle     is spaceWanderer service=idling
@@ -50,7 +50,7 @@ class ApplicationTest {
     private static final String ONE_ROBOT = TWO_ROBOTS.replace("robot1 needs service wallFollower\n", "");
 
     private final TestSpace test = new TestSpace();
-    private final FakePlayer robots = new FakePlayer(test, 2);
+    private final FakeRobots robots = new FakeRobots(test, 2);
     private final Notes notes = new Notes();
     private final List<String> events = new ArrayList<>();
     private Application application;

@@ -12,6 +12,7 @@ import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.Lifecycle;
 import io.troupe.services.component.Notes;
 import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.FakeRobots;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
@@ -22,7 +23,7 @@ class PlayerComponentTest {
     private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
 
     private final TestSpace test = new TestSpace();
-    private final FakePlayer robots = new FakePlayer(test, 2);
+    private final FakeRobots robots = new FakeRobots(test, 2);
     private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
     private final Notes notes = new Notes();
     private final List<String> heard = new ArrayList<>();
@@ -34,7 +35,7 @@ class PlayerComponentTest {
         test.run(() -> face = ComponentInterface.open(
                 bus,
                 "robots",
-                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(1, 2), true)),
+                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(1, 2), true)),
                 notes));
     }
 
@@ -128,7 +129,7 @@ class PlayerComponentTest {
         test.run(robots::vanish);
         assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
         assertThat(test.error(face.check()))
-                .hasMessage("here/robots has failed: Player server localhost:7101: the server has gone");
+                .hasMessage("here/robots has failed: Player server localhost:7001: the server has gone");
     }
 
     @Test
@@ -137,7 +138,7 @@ class PlayerComponentTest {
         test.run(() -> face = ComponentInterface.open(
                 bus,
                 "robots",
-                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakePlayer.PORT, List.of(3), true)),
+                PlayerComponent.of(new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(3), true)),
                 notes));
         assertThat(test.error(face.start()))
                 .hasMessageContaining("here/robots has failed")
