@@ -49,10 +49,13 @@ public abstract class Actor {
     /** Called before the first message. */
     protected void started() {}
 
-    /** Called after the last message; not if the constructor threw. */
+    /** Called after the last message; not if the constructor threw. Requests that are still open after it are rejected. */
     protected void stopped() {}
 
-    /** Stops this actor after the current message; the messages behind it become dead letters, the requests are rejected. */
+    /**
+     * Stops this actor after the current message; the messages behind it become dead letters, the requests are rejected, and so are the requests that
+     * have begun and are not answered.
+     */
     protected final void stop() {
         var mine = cell("stop()");
         mine.space().afterTurn(mine::stop);

@@ -21,6 +21,7 @@ public final class ActorCell {
     private @Nullable Object implementation;
     private @Nullable Object proxy;
     private @Nullable FailureCount failures;
+    private @Nullable Throwable endedBy; // the failure that led to the last end of an instance
     private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as is stopped for other threads
     private Life life;
     private boolean begun;
@@ -167,14 +168,14 @@ public final class ActorCell {
             stopped = true;
             watched = ended;
         }
-        endLife();
+        endLife(whyStopped());
         if (watched != null) {
             watched.resolve(null);
         }
     }
 
     /** The end of one instance. */
-    private void endLife() {
+    private void endLife(String reason) {
         if (implementation instanceof Actor actor) {
             space.beginTurnOf(life);
             try {
@@ -185,13 +186,19 @@ public final class ActorCell {
         }
         implementation = null;
         life.end();
+        life.rejectOpenRequests(reason, endedBy);
+    }
+
+    private String whyStopped() {
+        return space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
     }
 
     private void restart() {
         if (stopped) {
             return;
         }
-        endLife();
+        endLife("the actor " + this + " was restarted");
+        endedBy = null;
         life = new Life(this);
         startInstance();
     }
@@ -263,8 +270,9 @@ public final class ActorCell {
     }
 
     private void refuse(Node call) {
-        String reason = space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
-        space.reports().turnAway(call, this, reason, new ActorStoppedException(call + " was not begun: " + reason));
+        String reason = whyStopped();
+        var error = new ActorStoppedException(call + " was not begun: " + reason, endedBy, false);
+        space.reports().turnAway(call, this, reason, error);
     }
 
     /** Runs something on behalf of this actor; what it throws is a failure of the actor. */
@@ -286,7 +294,11 @@ public final class ActorCell {
         if (failures == null) {
             failures = new FailureCount(settings.supervision());
         }
-        switch (failures.note(space.clock().nanos())) {
+        Supervision.Directive directive = failures.note(space.clock().nanos());
+        if (directive != Supervision.Directive.RESUME || implementation == null) {
+            endedBy = thrown;
+        }
+        switch (directive) {
             case RESUME -> {}
             case STOP -> space.afterTurn(this::stop);
             case RESTART -> space.afterTurn(this::restart);

@@ -1,5 +1,7 @@
 package io.troupe.actor;
 
+import org.jspecify.annotations.Nullable;
+
 /** What is wrong with an actor or its space; the parent of this room's exceptions. */
 public class ActorException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -8,7 +10,7 @@ public class ActorException extends RuntimeException {
         super(message);
     }
 
-    public ActorException(String message, Throwable cause) {
+    public ActorException(String message, @Nullable Throwable cause) {
         super(message, cause);
     }
 }

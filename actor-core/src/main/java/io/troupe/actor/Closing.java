@@ -4,6 +4,8 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -27,6 +29,7 @@ final class Closing {
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
     private volatile @Nullable Leftovers leftovers;
+    private final List<String> openRequests = new ArrayList<>();
 
     /**
      * The end of a space that lives.
@@ -64,6 +67,15 @@ final class Closing {
     /** Fulfilled, on the space's thread, after its actors have stopped. */
     Promise<@Nullable Void> closed() {
         return closed;
+    }
+
+    /** A request had begun and was rejected when its actor was stopped; on the space's thread. */
+    void noteOpenRequest(Request<?> request) {
+        openRequests.add(request.toString());
+    }
+
+    List<String> openRequests() {
+        return openRequests;
     }
 
     /** What was not done; when it is over. */

@@ -40,6 +40,18 @@ final class Life extends Owner {
         cell.space().sequences().cancelThoseOf(this);
     }
 
+    /** Rejects the requests that this instance has begun and not settled. */
+    void rejectOpenRequests(String reason, @Nullable Throwable cause) {
+        SpaceHome space = cell.space();
+        for (var open : takeOpenRequests()) {
+            var request = (Request<?>) open;
+            var error = new ActorStoppedException(request + " was begun and not answered: " + reason, cause, true);
+            if (request.reject(error) && space.isStopping()) {
+                space.closing.noteOpenRequest(request);
+            }
+        }
+    }
+
     /** Runs something on behalf of this instance; false if it has ended. */
     boolean run(String what, Runnable action) {
         if (isOver()) {

@@ -89,6 +89,8 @@ final class Refusal {
     }
 
     Leftovers leftovers(int sequences) {
-        return new Leftovers(messages, requests, tasks, timers, sequences, examples);
+        List<String> openRequests = space.closing.openRequests();
+        openRequests.forEach(this::note);
+        return new Leftovers(messages, requests, openRequests.size(), tasks, timers, sequences, examples);
     }
 }

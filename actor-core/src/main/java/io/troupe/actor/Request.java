@@ -94,8 +94,22 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         }
     }
 
-    final void reject(Throwable error) {
-        settleError(error);
+    /**
+     * An answer that comes later is rejected with the instance that began the request. The request of another call is not: that one's actor settles
+     * it, or the end of that actor does.
+     */
+    @Override
+    protected final void followPending(Promise<? extends T> answer) {
+        if (answer instanceof Request<?>) {
+            follow(answer);
+        } else {
+            follow(answer, cell.life());
+        }
+    }
+
+    /** False if it was settled before. */
+    final boolean reject(Throwable error) {
+        return settleError(error);
     }
 
     @Override

@@ -115,6 +115,8 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
         if (!isCurrent()) {
             enqueueMail(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
+        } else if (isStopping() && error instanceof ActorStoppedException) {
+            return; // counted among the leftovers
         } else if (isMadeOutside(promise)) {
             rejections.hold(promise, error);
         } else {

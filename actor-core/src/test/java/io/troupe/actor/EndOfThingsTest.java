@@ -23,6 +23,7 @@ import org.junit.jupiter.api.Timeout;
 class EndOfThingsTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
+    private Promise<?> loop = Promise.done();
 
     @AfterEach
     void nothingIsLeft() {
@@ -47,8 +48,8 @@ class EndOfThingsTest {
             stop();
         }
 
-        public Promise<?> loop(Promise<?> step) {
-            return repeatWhile(() -> true, () -> step);
+        public void loop(Promise<?> step) {
+            outer.loop = repeatWhile(() -> true, () -> step);
         }
 
         public void listenTo(Promise<String> promise) {
@@ -109,7 +110,7 @@ class EndOfThingsTest {
     void loop_ofAnActorThatStops_endsAtItsNextRound() {
         Worker worker = spawn(ActorSettings.DEFAULT);
         var step = new Deferred<Integer>(test.space());
-        Promise<?> loop = worker.loop(step);
+        worker.loop(step);
         test.crank();
         worker.end();
         test.crank();

@@ -37,7 +37,7 @@ class SequentialTest {
 
         public Promise<String> askTwice() {
             return space().sequential(() -> {
-                String first = question().await();
+                String first = firstAnswer();
                 log.add("heard " + first);
                 String second = question().await();
                 after(Duration.ofSeconds(1), () -> log.add("timer of the actor"));
@@ -52,6 +52,15 @@ class SequentialTest {
 
         public void end() {
             stop();
+        }
+
+        private String firstAnswer() {
+            try {
+                return question().await();
+            } catch (CancellationException cancelled) {
+                log.add("cancelled: " + cancelled.getMessage());
+                throw cancelled;
+            }
         }
 
         private Promise<String> question() {
@@ -126,8 +135,9 @@ class SequentialTest {
         test.crank();
         asker.end();
         assertThat(test.error(both))
-                .isInstanceOf(CancellationException.class)
+                .isInstanceOf(ActorStoppedException.class)
                 .hasMessageContaining("Asker#1 has stopped");
+        assertThat(log).containsExactly("cancelled: the actor Asker#1 has stopped while a body of it waited");
     }
 
     @Test

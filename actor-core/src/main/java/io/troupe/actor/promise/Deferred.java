@@ -5,7 +5,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A promise that is settled by hand.
  *
- * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred.
+ * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred. Until it is settled, the actor keeps the request
+ * with its arguments; if the actor ends first, the request is rejected, and settling the deferred has no effect on it.
  * <p><b>Threads.</b> Any thread may settle it; the first one wins.
  */
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {

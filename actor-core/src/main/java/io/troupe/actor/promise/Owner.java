@@ -1,14 +1,24 @@
 package io.troupe.actor.promise;
 
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
 /**
  * On whose behalf something runs in a home: one life of an actor, or the home itself.
  *
  * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on any.
  */
 public class Owner {
+    private static final int FEW = 8;
+
     private final Home home;
     private final boolean outside;
     private volatile boolean over;
+    private @Nullable OpenAnswer oldest; // this list is guarded by this
+    private @Nullable OpenAnswer newest;
+    private int openAnswers;
+    private int sweepAt = FEW;
 
     protected Owner(Home home) {
         this(home, false);
@@ -35,6 +45,65 @@ public class Owner {
 
     public final boolean isOver() {
         return over;
+    }
+
+    /** Notes a request that has begun and is not settled. Those that were cancelled are swept out whenever the number has doubled. */
+    final synchronized void open(OpenAnswer answer) {
+        if (openAnswers >= sweepAt) {
+            OpenAnswer next;
+            for (OpenAnswer each = oldest; each != null; each = next) {
+                next = each.after;
+                if (each.isIdle()) {
+                    unlink(each);
+                }
+            }
+            sweepAt = Math.max(FEW, 2 * openAnswers);
+        }
+        answer.listed = true;
+        answer.before = newest;
+        if (newest == null) {
+            oldest = answer;
+        } else {
+            newest.after = answer;
+        }
+        newest = answer;
+        openAnswers++;
+    }
+
+    /** A request is about to be settled; any thread. */
+    final synchronized void close(OpenAnswer answer) {
+        if (answer.listed) {
+            unlink(answer);
+        }
+    }
+
+    private void unlink(OpenAnswer answer) {
+        OpenAnswer before = answer.before;
+        OpenAnswer after = answer.after;
+        if (before == null) {
+            oldest = after;
+        } else {
+            before.after = after;
+        }
+        if (after == null) {
+            newest = before;
+        } else {
+            after.before = before;
+        }
+        answer.before = null;
+        answer.after = null;
+        answer.listed = false;
+        openAnswers--;
+    }
+
+    /** Takes out the requests that have begun and are not settled, in the order in which they began. */
+    protected final synchronized List<Promise<?>> takeOpenRequests() {
+        var requests = new ArrayList<Promise<?>>(openAnswers);
+        while (oldest != null) {
+            requests.add((Promise<?>) oldest.promise);
+            unlink(oldest);
+        }
+        return requests;
     }
 
     @Override

@@ -127,10 +127,22 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     protected final void followAtHome(Promise<? extends T> other) {
         Object outcome = other.outcomeNow();
         if (outcome == null || other == this) {
-            follow(other);
+            followPending(other);
         } else {
             settleAtHome(handedOn(outcome));
         }
+    }
+
+    /** The rest of {@link #followAtHome} if the other one is not settled yet. */
+    protected void followPending(Promise<? extends T> other) {
+        follow(other);
+    }
+
+    /** As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has not settled}. */
+    protected final void follow(Promise<? extends T> other, Owner owner) {
+        var answer = new OpenAnswer(this, owner);
+        owner.open(answer);
+        other.register(answer);
     }
 
     final boolean settleAtHome(Object outcome) {

@@ -8,11 +8,21 @@ import org.jspecify.annotations.Nullable;
 
 /** An actor of the model: its mailbox, its instances and its failures. */
 final class ModelActor {
+    /** A request that has begun; if its answer was settled outside, the outcome may still be on its way. */
+    record OpenRequest(ModelPromise request, ModelPromise answer) {
+        void reject() {
+            if (!answer.isDone()) {
+                request.settle("!ActorStoppedException");
+            }
+        }
+    }
+
     /** One instance, from its start to its end. */
     static final class Instance {
         final ModelActor actor;
         final String name;
         final List<ModelTimers.Timer> timers = new ArrayList<>();
+        final List<OpenRequest> openRequests = new ArrayList<>();
         boolean over;
 
         Instance(ModelActor actor, String name) {
@@ -132,6 +142,7 @@ final class ModelActor {
             space.history.add(instance.name + " ends");
             instance.over = true;
             instance.timers.forEach(ModelTimers.Timer::cancel);
+            instance.openRequests.forEach(OpenRequest::reject);
             instance = null;
         }
     }

@@ -54,6 +54,7 @@ final class ModelPromise {
     private final boolean local;
     final boolean atHome;
     final boolean madeOutside;
+    final boolean isRequest;
     private final List<Listener> listeners = new ArrayList<>();
     private @Nullable String outcome;
     private boolean heard;
@@ -61,8 +62,9 @@ final class ModelPromise {
     private boolean fromAfar;
     private int onTheirWay;
 
-    private ModelPromise(ModelSpace space, boolean atHome, boolean local) {
+    private ModelPromise(ModelSpace space, boolean atHome, boolean local, boolean isRequest) {
         this.space = space;
+        this.isRequest = isRequest;
         this.atHome = atHome;
         this.local = local;
         this.madeOutside = atHome && !space.inside;
@@ -70,12 +72,16 @@ final class ModelPromise {
 
     /** One that may be settled anywhere; {@code atHome} says whether it belongs to the space at all. */
     static ModelPromise shared(ModelSpace space, boolean atHome) {
-        return new ModelPromise(space, atHome, false);
+        return new ModelPromise(space, atHome, false, false);
     }
 
     /** One that changes only in the space, if it is made there. */
     static ModelPromise local(ModelSpace space, boolean atHome) {
-        return new ModelPromise(space, atHome, space.inside);
+        return new ModelPromise(space, atHome, space.inside, false);
+    }
+
+    static ModelPromise request(ModelSpace space) {
+        return new ModelPromise(space, true, space.inside, true);
     }
 
     @Nullable

@@ -62,17 +62,29 @@ final class ModelPromises {
         }
     }
 
-    void answer(Act act, ModelPromise request) {
+    void answer(Act act, ModelPromise request, Instance actor) {
         switch (act.kind() == Kind.OPEN ? Answer.VALUE : Answer.of(act.number())) {
             case VALUE -> request.settle("=" + act.id());
             case FAILED -> request.settle("!Boom" + act.id());
             case NULL -> request.settle("!ActorException");
-            case LATER -> {
-                var later = defer(act.id() + 1);
-                request.follow(later);
+            case LATER -> answerLater(request, defer(act.id() + 1), actor);
+            case OTHER -> {
+                ModelPromise other = promises.get(act.promised());
+                if (other == null) {
+                    request.settle("=" + act.id());
+                } else {
+                    answerLater(request, other, actor);
+                }
             }
-            case OTHER -> follow(request, act.promised(), act.id());
         }
+    }
+
+    /** Unless it is another request's, the promise belongs to the instance: when that ends first, the request is rejected. */
+    private static void answerLater(ModelPromise request, ModelPromise answer, Instance actor) {
+        if (!answer.isDone() && !answer.isRequest) {
+            actor.openRequests.add(new ModelActor.OpenRequest(request, answer));
+        }
+        request.follow(answer);
     }
 
     void play(Act act, @Nullable Instance self) {

@@ -20,6 +20,9 @@ final class ModelRejections {
                 && (promise.madeOutside || String.valueOf(promise.outcome()).contains("ActorStopped"))) {
             return;
         }
+        if (space.inside && space.stopping && String.valueOf(promise.outcome()).contains("ActorStopped")) {
+            return;
+        }
         if (!space.inside) {
             space.enqueue(ModelTask.entry(() -> rejected(promise), () -> rejected(promise)));
         } else if (promise.madeOutside) {

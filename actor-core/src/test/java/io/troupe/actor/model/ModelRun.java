@@ -116,7 +116,7 @@ final class ModelRun {
     }
 
     private void ask(Act act, ModelActor actor, String how, @Nullable ModelStream callback) {
-        var request = ModelPromise.local(space, true);
+        var request = ModelPromise.request(space);
         actor.send(new Call(act.id(), request, callback, instance -> {
             space.history.add(instance.name + " " + how + " " + act.id());
             if (callback != null) {
@@ -124,7 +124,7 @@ final class ModelRun {
             }
             try {
                 play(act.script(), instance);
-                promises.answer(act, request);
+                promises.answer(act, request, instance);
             } catch (History.Boom boom) {
                 request.settle("!" + boom.getMessage());
             }

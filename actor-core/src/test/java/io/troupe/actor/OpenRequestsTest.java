@@ -1,0 +1,282 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.lang.ref.WeakReference;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Requests that have begun, and whose answers are not settled when the instance that began them ends. */
+class OpenRequestsTest {
+    private final TestSpace test = new TestSpace();
+    private final List<Deferred<String>> drivers = new ArrayList<>();
+    private final List<String> log = new ArrayList<>();
+
+    @AfterEach
+    void nothingIsLeft() {
+        test.close();
+    }
+
+    interface Desk {
+        Promise<String> later(String what);
+
+        Promise<String> laterInCapitals();
+
+        Promise<String> inABody();
+
+        Promise<String> forward(Desk other);
+
+        Promise<Integer> work();
+
+        void fail();
+
+        void end();
+    }
+
+    private final class Clerk extends Actor implements Desk {
+        @Override
+        public Promise<String> later(String what) {
+            var driver = new Deferred<String>();
+            drivers.add(driver);
+            return driver;
+        }
+
+        @Override
+        public Promise<String> laterInCapitals() {
+            return later("").thenApply(String::toUpperCase);
+        }
+
+        @Override
+        public Promise<String> inABody() {
+            return space().sequential(() -> later("").await());
+        }
+
+        @Override
+        public Promise<String> forward(Desk other) {
+            return other.later("forwarded");
+        }
+
+        @Override
+        public Promise<Integer> work() {
+            stop();
+            return Promise.of(1);
+        }
+
+        @Override
+        public void fail() {
+            throw new IllegalStateException("no paper");
+        }
+
+        @Override
+        public void end() {
+            stop();
+        }
+
+        @Override
+        protected void stopped() {
+            log.add("stopped");
+        }
+    }
+
+    private Desk spawn(String name, Supervision supervision) {
+        Desk desk = test.space()
+                .spawn(
+                        Desk.class,
+                        Clerk::new,
+                        ActorSettings.named(name).withSupervision(supervision).withOnError((where, error) -> {}));
+        test.crank();
+        return desk;
+    }
+
+    private static void assertBegun(@Nullable Throwable error, String text) {
+        assertThat(error).isInstanceOf(ActorStoppedException.class).hasMessage(text);
+        assertThat(((ActorStoppedException) error).wasBegun()).isTrue();
+    }
+
+    @Test
+    void stop_rejectsRequestsThatHaveBegun_inTheOrderInWhichTheyBegan_beforeWatchersHear() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        desk.later("a").handle((value, error) -> log.add("first"));
+        desk.later("b").handle((value, error) -> log.add("second"));
+        test.space().whenStopped(desk).thenRun(() -> log.add("watcher"));
+        Promise<String> third = desk.laterInCapitals();
+        test.crank();
+        desk.end();
+        Promise<String> tooLate = desk.later("c");
+        assertBegun(
+                test.error(third), "Desk.laterInCapitals() of desk was begun and not answered: the actor desk has stopped");
+        assertThat(log).containsExactly("stopped", "first", "second", "watcher");
+        assertThat(((ActorStoppedException) test.error(tooLate)).wasBegun()).isFalse();
+    }
+
+    @Test
+    void restart_rejectsRequestsThatHaveBegun_andNamesTheFailure() {
+        Desk desk = spawn("desk", Supervision.restart(3, Duration.ofSeconds(1)));
+        Promise<String> answer = desk.later("a");
+        desk.fail();
+        assertBegun(test.error(answer), "Desk.later(a) of desk was begun and not answered: the actor desk was restarted");
+        assertThat(answer.error()).hasRootCauseMessage("no paper");
+        Promise<String> ofTheFreshInstance = desk.later("b");
+        test.crank();
+        drivers.getLast().resolve("done");
+        assertThat(test.get(ofTheFreshInstance)).isEqualTo("done");
+    }
+
+    @Test
+    void resume_keepsRequestsThatHaveBegun() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        Promise<String> answer = desk.later("a");
+        desk.fail();
+        test.crank();
+        drivers.getFirst().resolve("done");
+        assertThat(test.get(answer)).isEqualTo("done");
+    }
+
+    @Test
+    void stopByAFailure_isTheCause_ofWhatHadBegunAndOfWhatHadNot() {
+        Desk desk = spawn("desk", Supervision.STOP);
+        Promise<String> begun = desk.later("a");
+        desk.fail();
+        Promise<String> waiting = desk.later("b");
+        assertThat(test.error(begun)).hasRootCauseMessage("no paper");
+        assertThat(test.error(waiting)).hasRootCauseMessage("no paper");
+    }
+
+    @Test
+    void factoryThatThrows_isTheCause() {
+        Desk desk = test.space()
+                .spawn(
+                        Desk.class,
+                        () -> {
+                            throw new IllegalStateException("no desk");
+                        },
+                        ActorSettings.DEFAULT.withOnError((where, error) -> {}));
+        assertThat(test.error(desk.later("a")))
+                .isInstanceOf(ActorStoppedException.class)
+                .hasRootCauseMessage("no desk");
+    }
+
+    @Test
+    void stopInTheTurnOfARequest_doesNotTouchItsAnswer() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        assertThat(test.get(desk.work())).isEqualTo(1);
+    }
+
+    @Test
+    void answerOfABody_isRejectedWithItsActor() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        Promise<String> answer = desk.inABody();
+        test.crank();
+        desk.end();
+        assertBegun(test.error(answer), "Desk.inABody() of desk was begun and not answered: the actor desk has stopped");
+    }
+
+    @Test
+    void requestThatWasForwarded_isTheOthersToAnswer() {
+        Desk front = spawn("front", Supervision.RESUME);
+        Desk back = spawn("back", Supervision.RESUME);
+        Promise<String> answered = front.forward(back);
+        Promise<String> abandoned = front.forward(back);
+        test.crank();
+        front.end();
+        test.crank();
+        assertThat(answered.isDone()).isFalse();
+        drivers.getFirst().resolve("from the back");
+        assertThat(test.get(answered)).isEqualTo("from the back");
+        back.end();
+        assertBegun(
+                test.error(abandoned), "Desk.later(forwarded) of back was begun and not answered: the actor back has stopped");
+    }
+
+    @Test
+    void outcomeThatComesAfterTheEnd_isIgnored() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        Promise<String> answer = desk.later("a");
+        desk.later("b").exceptionally(error -> "");
+        test.crank();
+        desk.end();
+        Throwable error = test.error(answer);
+        assertThat(drivers.get(0).resolve("too late")).isTrue();
+        assertThat(drivers.get(1).reject(new IllegalStateException("too late"))).isTrue();
+        test.crank();
+        assertThat(answer.error()).isSameAs(error);
+    }
+
+    @Test
+    void cancelledRequest_isNotRejectedAgain() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        Promise<String> answer = desk.later("a");
+        test.crank();
+        answer.cancel();
+        desk.end();
+        test.crank();
+        assertThat(answer.isCancelled()).isTrue();
+    }
+
+    @Test
+    void close_rejectsRequestsThatHaveBegun_andCountsThem() {
+        var problems = new ArrayList<String>();
+        var space = ActorSpace.create(SpaceSettings.named("short-lived")
+                .withOnError((where, error) -> problems.add(where))
+                .withHandCrank());
+        Desk desk = space.spawn(Desk.class, Clerk::new, ActorSettings.named("desk"));
+        Promise<String> asked = desk.later("a");
+        Promise<String> answered = desk.later("b");
+        Promise<String> cancelled = desk.later("c");
+        space.crank();
+        drivers.get(1).resolve("in time");
+        cancelled.cancel();
+        Leftovers left = space.close(Duration.ofSeconds(1));
+        assertBegun(asked.error(), "Desk.later(a) of desk was begun and not answered: space short-lived is closed");
+        assertThat(answered.getNow()).isEqualTo("in time");
+        assertThat(left.openRequests()).isEqualTo(1);
+        assertThat(left.requests()).isZero();
+        assertThat(left.isEmpty()).isFalse();
+        assertThat(left.examples()).containsExactly("Desk.later(a) of desk");
+        assertThat(left.toString()).contains("0 requests, 1 open requests");
+        assertThat(problems).isEmpty();
+    }
+
+    @Test
+    @Timeout(30)
+    void stop_onAThreadOfItsOwn_endsTheWaitOfTheCaller() throws Exception {
+        var begun = new Deferred<String>((ActorSpace) null);
+        var space = ActorSpace.create(SpaceSettings.named("short-lived"));
+        Desk desk = space.spawn(Desk.class, Clerk::new, ActorSettings.named("desk"));
+        Promise<String> answer = desk.later("a");
+        desk.work().thenAccept(one -> begun.resolve("stopped"));
+        assertThat(begun.get(Duration.ofSeconds(20))).isEqualTo("stopped");
+        assertBegun(
+                answer.handle((value, error) -> error).get(Duration.ofSeconds(20)),
+                "Desk.later(a) of desk was begun and not answered: the actor desk has stopped");
+        space.close();
+    }
+
+    @Test
+    void requestsThatWereSettledOrCancelled_areNotKept() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        var settled = new WeakReference<>(desk.later("settled"));
+        test.crank();
+        drivers.removeFirst().resolve("done");
+        var cancelled = new ArrayList<WeakReference<Promise<String>>>();
+        for (int index = 0; index < 100; index++) {
+            Promise<String> answer = desk.later("cancelled");
+            cancelled.add(new WeakReference<>(answer));
+            test.crank();
+            answer.cancel();
+        }
+        test.crank();
+        drivers.clear(); // the actor has forgotten them: only the list of open requests could keep them
+        System.gc();
+        assertThat(settled.get()).isNull();
+        assertThat(cancelled.stream().filter(each -> each.get() != null).count()).isLessThan(20);
+    }
+}
