@@ -235,6 +235,14 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         return dispatcher.isQuiet();
     }
 
+    /**
+     * A moment of this space's clock until which no timer is due; {@link Long#MAX_VALUE} if there is none. For whoever moves the clock of a space that is cranked
+     * by hand; exact as {@link #isQuiet} is.
+     */
+    public long nextTimerNanos() {
+        return dispatcher.timers.nextDeadline();
+    }
+
     /** How much this space has done, and how far it is behind. */
     public SpaceMetrics metrics() {
         return figures();

@@ -1,5 +1,6 @@
 package io.troupe.actor.testkit;
 
+import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.SpaceSettings;
@@ -8,6 +9,7 @@ import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -47,6 +49,13 @@ public final class TestSpace implements AutoCloseable {
         return proxy;
     }
 
+    /** Makes an actor with settings, and lets it start. */
+    public <A> A spawn(Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
+        A proxy = space.spawn(type, factory, settings);
+        crank();
+        return proxy;
+    }
+
     /** A stand-in for an actor, that records its calls; a request it has not answered at the end fails the test. */
     public <A> Probe<A> probe(Class<A> type) {
         var probe = new Probe<>(this, type);
@@ -70,27 +79,51 @@ public final class TestSpace implements AutoCloseable {
         crank();
     }
 
-    /** Moves the clock, and serves what is due then. A periodic timer runs once for each period that is over. */
+    /**
+     * Serves what waits, then moves the clock from one timer to the next, and serves what is due and what comes of it, each at its own time. A periodic
+     * timer runs once for each period that is over.
+     *
+     * <p>Other spaces may share this clock: one with a thread is woken at each step and runs beside the test, one that is cranked by hand is not cranked by this.
+     *
+     * @throws IllegalArgumentException if the duration is negative
+     */
     public void advance(Duration duration) {
-        clock.advance(duration);
+        if (duration.isNegative()) {
+            throw new IllegalArgumentException("a clock does not go back: by " + duration);
+        }
+        long end = Math.addExact(clock.nanos(), duration.toNanos());
+        crank();
+        for (long next = space.nextTimerNanos(); next < end; next = space.nextTimerNanos()) {
+            clock.advanceToAtLeast(next);
+            crank();
+        }
+        clock.advanceToAtLeast(end);
         crank();
     }
 
     /**
-     * The value of a promise, after serving what waits.
+     * The value of a promise, after serving what waits. A rejected promise throws its own error as it is, a checked one too.
      *
-     * @throws AssertionError if it is not settled then: nothing in the space could settle it any more
+     * @throws AssertionError if it is not settled then: nothing in the space could settle it any more, unless the clock moves
      */
-    public <T> T get(Promise<T> promise) {
+    public <T extends @Nullable Object> T get(Promise<T> promise) {
         crank();
         if (!promise.isDone()) {
-            throw new AssertionError("nothing is left to do, and " + promise + " is still pending");
+            int timers = space.metrics().timers();
+            throw new AssertionError("nothing is left to do, and " + promise + " is still pending"
+                    + (timers == 0 ? "" : "; timers that wait for advance(..): " + timers));
         }
+        withdrawUnheard(promise);
         try {
             return promise.get(Duration.ZERO);
-        } catch (InterruptedException | java.util.concurrent.TimeoutException impossible) {
-            throw new AssertionError("a settled promise does not wait", impossible);
+        } catch (InterruptedException | TimeoutException rejection) { // a settled promise does not wait
+            throw TestSpace.<RuntimeException>unchecked(rejection);
         }
+    }
+
+    @SuppressWarnings("unchecked") // unchecked by the compiler: that is the point
+    private static <E extends Throwable> E unchecked(Throwable error) throws E {
+        throw (E) error;
     }
 
     /** The error of a promise, after serving what waits. */
@@ -102,7 +135,14 @@ public final class TestSpace implements AutoCloseable {
             throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending")
                     + ", expected it to be rejected");
         }
+        withdrawUnheard(promise);
         return error;
+    }
+
+    /** The test looks at a rejection that was reported, because the clock went on, before the test could listen. */
+    private void withdrawUnheard(Promise<?> promise) {
+        problems.removeIf(problem ->
+                problem.error() == promise.error() && problem.where().startsWith("a promise nobody listens to"));
     }
 
     /** What has been reported so far; taking it says that the test expected it. */

@@ -20,9 +20,17 @@ public final class ManualClock implements Clock {
         return nanos.get();
     }
 
-    /** Moves the clock forward by a duration. */
+    /**
+     * Moves the clock forward by a duration; several threads may do so at once, and each counts.
+     *
+     * @throws IllegalArgumentException if the duration is negative
+     */
     public void advance(Duration duration) {
-        advanceTo(nanos.get() + duration.toNanos());
+        if (duration.isNegative()) {
+            throw new IllegalArgumentException("a clock does not go back: by " + duration);
+        }
+        nanos.getAndAccumulate(duration.toNanos(), Math::addExact);
+        listeners.forEach(Runnable::run);
     }
 
     /**

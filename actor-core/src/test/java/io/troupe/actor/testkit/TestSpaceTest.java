@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.List;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 
@@ -66,6 +69,95 @@ class TestSpaceTest {
                     .isInstanceOf(TimeoutException.class)
                     .hasMessage(
                             "no answer to thread main within PT3S from Probe.never() of Probe#1, which has begun it");
+        }
+    }
+
+    public static class Patient extends Actor {
+        private final Probe probe;
+        private final List<String> log;
+
+        Patient(Probe probe, List<String> log) {
+            this.probe = probe;
+            this.log = log;
+        }
+
+        public Promise<String> ask() {
+            return probe.never().orTimeout(Duration.ofSeconds(2));
+        }
+
+        public void wait(int millis, int times) {
+            if (times > 0) {
+                after(Duration.ofMillis(millis), () -> {
+                    log.add("at " + space().clock().nanos() / 1_000_000 + " ms");
+                    wait(millis, times - 1);
+                });
+            }
+        }
+    }
+
+    @Test
+    void advance_servesWhatWaits_beforeItMovesTheClock() {
+        try (var test = new TestSpace()) {
+            Probe probe = test.spawn(Probe.class, Silent::new);
+            Patient patient = test.spawn(Patient.class, () -> new Patient(probe, new ArrayList<>()));
+            Promise<String> limited = patient.ask();
+            test.advance(Duration.ofSeconds(3));
+            assertThat(test.error(limited)).isInstanceOf(TimeoutException.class);
+        }
+    }
+
+    @Test
+    void advance_goesFromTimerToTimer_soThatEachRunsAtItsOwnTime() {
+        var log = new ArrayList<String>();
+        try (var test = new TestSpace()) {
+            Probe probe = test.spawn(Probe.class, Silent::new);
+            Patient patient = test.spawn(Patient.class, () -> new Patient(probe, log));
+            patient.wait(1_000, 10);
+            test.advance(Duration.ofMillis(3_500));
+            assertThat(log).containsExactly("at 1000 ms", "at 2000 ms", "at 3000 ms");
+            assertThat(test.clock().nanos()).isEqualTo(3_500_000_000L);
+        }
+    }
+
+    @Test
+    void advance_backwards_isRefused() {
+        try (var test = new TestSpace()) {
+            assertThatThrownBy(() -> test.advance(Duration.ofSeconds(-1)))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("PT-1S");
+        }
+    }
+
+    @Test
+    void get_ofARejectedPromise_throwsItsError_whateverItIs() {
+        try (var test = new TestSpace()) {
+            for (var error : List.of(
+                    new TimeoutException("late"),
+                    new InterruptedException("woken"),
+                    new IOException("no disk"),
+                    new AssertionError("wrong"))) {
+                assertThatThrownBy(() -> test.get(Promise.failed(error))).isSameAs(error);
+            }
+        }
+    }
+
+    @Test
+    void get_ofAPromiseThatWaitsForATimer_saysSo() {
+        try (var test = new TestSpace()) {
+            Promise<?> delay = test.space().delay(Duration.ofSeconds(1));
+            assertThatThrownBy(() -> test.get(delay))
+                    .isInstanceOf(AssertionError.class)
+                    .hasMessageContaining("timers that wait for advance(..): 1");
+            test.advance(Duration.ofSeconds(1));
+            assertThat(delay.isDone()).isTrue();
+        }
+    }
+
+    @Test
+    void spawn_takesSettings() {
+        try (var test = new TestSpace()) {
+            Probe probe = test.spawn(Probe.class, Silent::new, ActorSettings.named("silent"));
+            assertThat(probe).hasToString("silent");
         }
     }
 

@@ -3,7 +3,14 @@ package io.troupe.actor.time;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.ArrayList;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class ManualClockTest {
     private final ManualClock clock = new ManualClock();
@@ -24,5 +31,49 @@ class ManualClockTest {
         clock.advanceToAtLeast(20);
         assertThat(clock.nanos()).isEqualTo(20);
         assertThat(moves[0]).isEqualTo(1);
+    }
+
+    @Test
+    void advance_byANegativeDuration_isRefused() {
+        assertThatThrownBy(() -> clock.advance(Duration.ofNanos(-1)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("does not go back");
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void advance_bySeveralThreadsAtOnce_countsEachMove() throws Exception {
+        int moversMoves = 50_000;
+        var movers = new ArrayList<Thread>();
+        for (int mover = 0; mover < 4; mover++) {
+            movers.add(Thread.ofPlatform().start(() -> {
+                for (int move = 0; move < moversMoves; move++) {
+                    clock.advance(Duration.ofNanos(1));
+                }
+            }));
+        }
+        for (Thread mover : movers) {
+            mover.join();
+        }
+        assertThat(clock.nanos()).isEqualTo(4L * moversMoves);
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void severalSpaces_onOneClock_eachRunTheirTimers() throws Exception {
+        try (var one = ActorSpace.create(SpaceSettings.named("one").withClock(clock));
+                var other = ActorSpace.create(SpaceSettings.named("other").withClock(clock))) {
+            Promise<?> short1 = one.delay(Duration.ofMillis(10));
+            Promise<?> short2 = other.delay(Duration.ofMillis(10));
+            Promise<?> longer = other.delay(Duration.ofMillis(11));
+            clock.advance(Duration.ofMillis(10));
+            short1.get(Duration.ofSeconds(50));
+            short2.get(Duration.ofSeconds(50));
+            assertThat(longer.isDone()).isFalse();
+            clock.advance(Duration.ofMillis(1));
+            longer.get(Duration.ofSeconds(50));
+        }
     }
 }
