@@ -14,8 +14,9 @@ import java.util.stream.Stream;
 /**
  * Which methods of an actor type are messages.
  *
- * <p>An interface's are its abstract ones; its default methods run where they are called. A class actor's are all its public ones, inherited
- * default methods too, because nothing but a message may run on its proxy, whose fields are unset.
+ * <p>An interface's are its abstract ones, and the default ones that return what a message can return, since the implementation may override them; its other
+ * default methods run where they are called. A class actor's are all its public ones, inherited default methods too, because nothing but a message may run
+ * on its proxy, whose fields are unset.
  *
  * @param messages those a proxy sends, one per name and parameter types
  * @param bridges what else a proxy has to answer to, because a supertype calls a message by another descriptor
@@ -34,7 +35,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         var bridges = new ArrayList<Bridge>();
         for (List<Found> same : groups(type, rules.arguments())) {
             Method chosen = choose(same, rules.arguments());
-            boolean isMessage = !type.isInterface() || Modifier.isAbstract(chosen.getModifiers());
+            boolean isMessage = !type.isInterface() || isAbstract(chosen) || MethodRules.canBeMessage(chosen);
             if (isMessage) {
                 rules.checkMessage(chosen);
                 same.stream()
@@ -44,7 +45,8 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                 messages.add(chosen);
             }
             same.stream()
-                    .filter(found -> Modifier.isAbstract(found.called().getModifiers()))
+                    .filter(found -> isAbstract(found.called())
+                            || isMessage && type.isInterface() && !found.called().isBridge())
                     .filter(found -> !descriptor(found.called()).equals(descriptor(chosen)))
                     .forEach(found -> bridges.add(new Bridge(found.called(), chosen)));
         }
@@ -83,6 +85,10 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
             }
         }
         return chosen;
+    }
+
+    private static boolean isAbstract(Method method) {
+        return Modifier.isAbstract(method.getModifiers());
     }
 
     private static boolean isExact(Method method, TypeArguments arguments) {

@@ -67,7 +67,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     /**
      * Makes an actor.
      *
-     * @param type an interface, or a class that extends {@link Actor}; its public methods return {@code void} or {@link Promise}
+     * @param type an interface, or a class that extends {@link Actor} and whose fields are private; its public methods return {@code void} or {@link Promise}
      * @param factory makes the implementation, on the space's thread, before the first message
      * @return a proxy, for any thread: calling it sends a message and returns at once
      * @throws ActorTypeException if the type has a method that cannot be a message, or cannot be reached

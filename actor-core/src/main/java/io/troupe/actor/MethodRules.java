@@ -26,9 +26,13 @@ final class MethodRules {
         return arguments;
     }
 
+    static boolean canBeMessage(Method method) {
+        return method.getReturnType() == void.class || method.getReturnType() == Promise.class;
+    }
+
     void checkMessage(Method method) {
         Class<?> result = method.getReturnType();
-        if (result != void.class && result != Promise.class) {
+        if (!canBeMessage(method)) {
             throw wrong(
                     method,
                     "returns " + result.getSimpleName()

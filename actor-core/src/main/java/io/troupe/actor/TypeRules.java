@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import java.lang.invoke.MethodHandles;
+import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 
 /** What a type must be like to be an actor type, apart from its methods; whoever breaks a rule is told what to do instead. */
@@ -10,6 +11,9 @@ final class TypeRules {
     /** Access to the type's package, if it can be an actor type. */
     static MethodHandles.Lookup check(Class<?> type) {
         checkShape(type);
+        if (!type.isInterface()) {
+            checkFields(type);
+        }
         MethodHandles.Lookup lookup = lookupIn(type);
         checkSeesActors(type);
         return lookup;
@@ -35,6 +39,20 @@ final class TypeRules {
         }
         if (problem != null) {
             throw new ActorTypeException(type.getName() + " cannot be an actor type: " + problem);
+        }
+    }
+
+    /** The proxy has the same fields, which are never set: whoever reads one there gets nothing, and what is written there the actor does not see. */
+    private static void checkFields(Class<?> type) {
+        for (Class<?> each = type; each != null && each != Actor.class; each = each.getSuperclass()) {
+            for (Field field : each.getDeclaredFields()) {
+                int modifiers = field.getModifiers();
+                if (!Modifier.isStatic(modifiers) && !Modifier.isPrivate(modifiers) && !field.isSynthetic()) {
+                    throw new ActorTypeException("the field " + each.getSimpleName() + "." + field.getName()
+                            + " of actor type " + type.getName()
+                            + " can be reached through a proxy, where it is not the actor's: make it private, and let a method return a Promise of it");
+                }
+            }
         }
     }
 

@@ -26,11 +26,11 @@ class ClassActorTest {
         }
     }
 
-    public abstract static class AbstractLamp extends Actor implements Lamp {
-        boolean on = true;
-    }
+    public abstract static class AbstractLamp extends Actor implements Lamp {}
 
     static class RealLamp extends AbstractLamp {
+        private boolean on = true;
+
         @Override
         public void set(boolean value) {
             on = value;
@@ -84,7 +84,7 @@ class ClassActorTest {
     }
 
     public static class Clockwork extends Actor {
-        final List<String> log = new ArrayList<>();
+        private final List<String> log = new ArrayList<>();
 
         @Override
         public void started() {
@@ -117,6 +117,27 @@ class ClassActorTest {
         test.space().stop(proxy);
         test.crank();
         assertThat(made.log).containsExactly("started", "started 2", "stopped");
+    }
+
+    public static class PublicField extends Actor {
+        public int count;
+    }
+
+    abstract static class ProtectedField extends Actor {
+        protected final List<String> shared = new ArrayList<>();
+    }
+
+    public static class InheritedField extends ProtectedField {}
+
+    public static class PackageField extends Actor {
+        long total;
+    }
+
+    @Test
+    void fieldsThatOthersCanReach_areRefusedAtSpawn() {
+        refused(PublicField.class, "the field PublicField.count", "make it private", "Promise");
+        refused(InheritedField.class, "the field ProtectedField.shared", "make it private");
+        refused(PackageField.class, "the field PackageField.total", "make it private");
     }
 
     public static class FinalHelper extends Actor {
@@ -211,7 +232,11 @@ class ClassActorTest {
     }
 
     abstract static class Base<T> extends Actor {
-        final List<Object> got = new ArrayList<>();
+        private final List<Object> got = new ArrayList<>();
+
+        List<Object> got() {
+            return got;
+        }
 
         public void put(T value) {
             got.add("base");
@@ -231,7 +256,7 @@ class ClassActorTest {
     public static class Sub extends Base<String> {
         @Override
         public void put(String value) {
-            got.add(value);
+            got().add(value);
         }
 
         @Override
@@ -241,7 +266,7 @@ class ClassActorTest {
 
         @Override
         public void step(String value) {
-            got.add("step " + value);
+            got().add("step " + value);
         }
 
         @Override
@@ -261,13 +286,17 @@ class ClassActorTest {
         assertThat(base.answer()).isInstanceOf(Request.class);
         assertThatThrownBy(base::part).hasMessageContaining("Sub.part()");
         assertThat(test.get(proxy.answer())).isEqualTo("sub");
-        assertThat(made.got).containsExactly("a", "b", "step c");
+        assertThat(made.got()).containsExactly("a", "b", "step c");
         test.crank();
     }
 
     /** Public methods of a class that is not: the compiler lets a public subclass bridge to them. */
     abstract static class Unseen extends Actor {
-        int count;
+        private int count;
+
+        void count(int more) {
+            count += more;
+        }
 
         public Promise<Integer> next(Callback<String> names) {
             names.next("n" + ++count);
@@ -281,7 +310,7 @@ class ClassActorTest {
 
     public static class Seen extends Unseen {
         public void next(String text) {
-            count += 100;
+            count(100);
         }
     }
 
@@ -292,7 +321,6 @@ class ClassActorTest {
         proxy.next((Object) 1);
         proxy.next("text");
         Promise<Integer> answer = proxy.next((String name, Throwable error) -> names.add(name));
-        assertThat(proxy.count).isZero();
         assertThat(test.get(answer)).isEqualTo(111);
         test.crank();
         assertThat(names).containsExactly("n111");

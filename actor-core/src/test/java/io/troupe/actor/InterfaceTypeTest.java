@@ -197,4 +197,83 @@ class InterfaceTypeTest {
                 .hasMessageContaining(type.getName())
                 .hasMessageContainingAll(reasons);
     }
+
+    interface Door {
+        Promise<Integer> visitors();
+
+        default Promise<Integer> twice() {
+            return visitors().thenApply(number -> 2 * number);
+        }
+
+        default void close() {}
+
+        default Promise<String> called(String name) {
+            return Promise.of("door " + name);
+        }
+
+        default String label() {
+            return "label of " + this;
+        }
+    }
+
+    interface Named<T> {
+        default Promise<String> of(T value) {
+            return Promise.of("any " + value);
+        }
+    }
+
+    interface NamedText extends Named<String> {
+        @Override
+        Promise<String> of(String value);
+    }
+
+    private static class Gate implements Door {
+        private final List<String> log;
+
+        Gate(List<String> log) {
+            this.log = log;
+        }
+
+        @Override
+        public Promise<Integer> visitors() {
+            return Promise.of(1);
+        }
+
+        @Override
+        public Promise<Integer> twice() {
+            return Promise.of(100);
+        }
+
+        @Override
+        public void close() {
+            log.add("closed");
+        }
+    }
+
+    @Test
+    void defaultMethodThatCanBeAMessage_isTheImplementations_overriddenOrNot() {
+        var log = new ArrayList<String>();
+        Door door = test.spawn(Door.class, () -> new Gate(log));
+        Promise<Integer> twice = door.twice();
+        assertThat(twice).isInstanceOf(Request.class);
+        assertThat(test.get(twice)).isEqualTo(100);
+        assertThat(test.get(door.called("one"))).isEqualTo("door one");
+        door.close();
+        test.crank();
+        assertThat(log).containsExactly("closed");
+    }
+
+    @Test
+    void defaultMethodThatReturnsSomethingElse_runsWhereItIsCalled() {
+        Door door = test.spawn(Door.class, () -> new Gate(new ArrayList<>()));
+        assertThat(door.label()).isEqualTo("label of " + door);
+    }
+
+    @Test
+    void genericDefaultMethod_thatASubtypeNarrows_leadsToTheSameMessage() {
+        NamedText text = test.spawn(NamedText.class, () -> value -> Promise.of("text " + value));
+        Named<String> general = text;
+        assertThat(test.get(text.of("a"))).isEqualTo("text a");
+        assertThat(test.get(general.of("b"))).isEqualTo("text b");
+    }
 }
