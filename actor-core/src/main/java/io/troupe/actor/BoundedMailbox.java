@@ -22,7 +22,9 @@ final class BoundedMailbox {
         /** It waits; nothing is to be queued. */
         TAKEN_IN,
         /** There is no room. */
-        REFUSED
+        REFUSED,
+        /** The caller was interrupted while it waited for room. */
+        INTERRUPTED
     }
 
     private final MailboxBound bound;
@@ -46,7 +48,12 @@ final class BoundedMailbox {
                     || cell.space().isCrankedByHand()) {
                 return Admission.REFUSED;
             }
-            room.acquireUninterruptibly();
+            try {
+                room.acquire();
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return Admission.INTERRUPTED;
+            }
         }
         return Admission.QUEUED;
     }

@@ -1,7 +1,8 @@
 package io.troupe.actor;
 
 /**
- * How many calls may wait in an actor's mailbox, and what happens to one more.
+ * How many calls may wait in an actor's mailbox, and what happens to one more. A request that is cancelled holds its place until its turn, because it stays in the
+ * queue until then: cancelling cannot make a bounded mailbox grow.
  *
  * @param capacity calls that may wait
  * @param overflow what happens to one more
@@ -11,7 +12,7 @@ public record MailboxBound(int capacity, Overflow overflow) {
     public enum Overflow {
         /** The new request is rejected with {@link MailboxFullException}; a new one-way message becomes a dead letter. */
         REJECT,
-        /** A caller outside every actor space waits for room; one on an actor space must not wait, and is treated as by
+        /** A caller outside every actor space waits for room, and is refused as by {@link #REJECT} when it is interrupted; one on an actor space must not wait, and is treated as by
          * {@link #REJECT}; so is everybody whose actor lives in a space cranked by hand, where nobody else would make room.
          */
         BLOCK,

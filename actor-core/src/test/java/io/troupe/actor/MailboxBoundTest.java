@@ -10,6 +10,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -116,6 +118,51 @@ class MailboxBoundTest {
             sender.join();
             assertThat(sink.taken().get(Duration.ofSeconds(30))).hasSize(1_000).isSorted();
         }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void block_interruptedCaller_isRefused_andStaysInterrupted() throws Exception {
+        var letters = new LinkedBlockingQueue<DeadLetter>();
+        try (var space = ActorSpace.create(SpaceSettings.named("bounded").withOnDeadLetter(letters::add))) {
+            var gate = new CountDownLatch(1);
+            Sink sink = space.spawn(
+                    Sink.class, Keeping::new, ActorSettings.named("sink").withMailbox(3, Overflow.BLOCK));
+            space.execute(() -> {
+                try {
+                    gate.await();
+                } catch (InterruptedException e) {
+                    throw new IllegalStateException(e);
+                }
+            });
+            var interrupted = new AtomicBoolean();
+            var sender = Thread.ofPlatform().start(() -> {
+                takeFive(sink);
+                interrupted.set(Thread.currentThread().isInterrupted());
+            });
+            while (sender.getState() != Thread.State.WAITING) {
+                Thread.onSpinWait(); // until the mailbox is full
+            }
+            sender.interrupt();
+            sender.join();
+            assertThat(interrupted).isTrue();
+            assertThat(letters.take().reason())
+                    .isEqualTo("its mailbox is full (3 calls, BLOCK), and its caller was interrupted while it waited for room");
+            gate.countDown();
+            assertThat(sink.taken().get(Duration.ofSeconds(30))).containsExactly(1, 2, 3);
+            assertThat(letters.take().message()).isEqualTo("Sink.take(5)");
+        }
+    }
+
+    @Test
+    void cancelledRequest_holdsItsPlaceUntilItsTurn() {
+        Sink sink = spawn(Overflow.REJECT);
+        for (int request = 0; request < 3; request++) {
+            sink.taken().cancel();
+        }
+        assertThat(test.error(sink.taken())).isInstanceOf(MailboxFullException.class);
+        assertThat(test.get(sink.taken())).isEmpty();
     }
 
     @Test

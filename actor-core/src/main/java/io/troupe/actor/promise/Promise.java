@@ -90,7 +90,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /**
      * Waits for the value, from outside.
      *
-     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an {@code ExecutionException}.
+     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an {@code ExecutionException}: to catch an {@code IOException}, say,
+     * catch {@code Exception} and look. Its stack is that of the thread where it was thrown, and has no frame of the caller.
      *
      * @throws IllegalStateException on the thread of an actor space, which must never wait; use {@code then} or {@code thenCompose}
      * @throws TimeoutException if it is not settled in time
@@ -169,6 +170,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     public final <U extends @Nullable Object, R extends @Nullable Object> Promise<R> thenCombine(
             Promise<? extends U> other, BiFunction<? super T, ? super U, ? extends R> function) {
+        Objects.requireNonNull(other, "other");
         Objects.requireNonNull(function, "function");
         Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
         other.register(new Relay(() -> {}, both)); // so that an error of the other is not one that nobody hears
@@ -183,6 +185,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     public final Promise<T> exceptionallyCompose(Function<Throwable, ? extends Promise<? extends T>> function) {
+        Objects.requireNonNull(function, "function");
         return listen(new Stage.Compose<T, T>(this, Promise::of, function));
     }
 
@@ -197,7 +200,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /** Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first. */
     public final Promise<T> orTimeout(Duration timeout) {
-        return Limited.start(this, timeout);
+        return Limited.start(this, Objects.requireNonNull(timeout, "timeout"));
     }
 
     /**

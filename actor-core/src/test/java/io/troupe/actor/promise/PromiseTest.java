@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
 /** Outside every space, where listeners run on the settling thread. */
@@ -193,5 +195,27 @@ class PromiseTest {
             chain = chain.thenApply(n -> n + 1);
         }
         assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
+    }
+
+    @Test
+    @SuppressWarnings("NullAway") // nulls where none may be
+    void nullArguments_areRefusedWhereTheyArePassed() {
+        var promise = new Deferred<String>();
+        for (ThrowingCallable call : List.<ThrowingCallable>of(
+                () -> promise.then((Consumer<String>) null),
+                () -> promise.thenApply(null),
+                () -> promise.thenAccept(null),
+                () -> promise.thenRun(null),
+                () -> promise.thenCompose(null),
+                () -> promise.thenCombine(null, (one, other) -> one),
+                () -> promise.thenCombine(Promise.done(), null),
+                () -> promise.exceptionally(null),
+                () -> promise.exceptionallyCompose(null),
+                () -> promise.handle(null),
+                () -> promise.whenComplete(null),
+                () -> promise.orTimeout(null))) {
+            assertThatThrownBy(call).isInstanceOf(NullPointerException.class);
+        }
+        promise.resolve("nothing was registered");
     }
 }
