@@ -86,7 +86,8 @@ public final class ActorCell {
             case QUEUED -> space.enqueueMail(call);
             case TAKEN_IN -> {}
             case REFUSED -> drop(call, bounded.reason());
-            case INTERRUPTED -> drop(call, bounded.reason() + ", and its caller was interrupted while it waited for room");
+            case INTERRUPTED ->
+                drop(call, bounded.reason() + ", and its caller was interrupted while it waited for room");
         }
     }
 

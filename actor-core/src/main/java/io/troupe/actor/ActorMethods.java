@@ -46,7 +46,9 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
             }
             same.stream()
                     .filter(found -> isAbstract(found.called())
-                            || isMessage && type.isInterface() && !found.called().isBridge())
+                            || isMessage
+                                    && type.isInterface()
+                                    && !found.called().isBridge())
                     .filter(found -> !descriptor(found.called()).equals(descriptor(chosen)))
                     .forEach(found -> bridges.add(new Bridge(found.called(), chosen)));
         }

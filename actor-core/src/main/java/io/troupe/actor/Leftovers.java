@@ -13,7 +13,8 @@ import java.util.List;
  * @param sequences bodies of {@code sequential} that had not ended
  * @param examples the first calls of those that waited and then of those that had begun, at most {@value #EXAMPLES}, each with its arguments and its actor
  */
-public record Leftovers(int messages, int requests, int openRequests, int tasks, int timers, int sequences, List<String> examples) {
+public record Leftovers(
+        int messages, int requests, int openRequests, int tasks, int timers, int sequences, List<String> examples) {
     static final int EXAMPLES = 20;
 
     public Leftovers {
@@ -27,7 +28,8 @@ public record Leftovers(int messages, int requests, int openRequests, int tasks,
 
     @Override
     public String toString() {
-        return messages + " messages, " + requests + " requests, " + openRequests + " open requests, " + tasks + " tasks, " + timers + " timers and "
-                + sequences + " sequential bodies" + (examples.isEmpty() ? "" : ", the first: " + examples);
+        return messages + " messages, " + requests + " requests, " + openRequests + " open requests, " + tasks
+                + " tasks, " + timers + " timers and " + sequences + " sequential bodies"
+                + (examples.isEmpty() ? "" : ", the first: " + examples);
     }
 }

@@ -48,9 +48,10 @@ final class TypeRules {
             for (Field field : each.getDeclaredFields()) {
                 int modifiers = field.getModifiers();
                 if (!Modifier.isStatic(modifiers) && !Modifier.isPrivate(modifiers) && !field.isSynthetic()) {
-                    throw new ActorTypeException("the field " + each.getSimpleName() + "." + field.getName()
-                            + " of actor type " + type.getName()
-                            + " can be reached through a proxy, where it is not the actor's: make it private, and let a method return a Promise of it");
+                    throw new ActorTypeException(
+                            "the field " + each.getSimpleName() + "." + field.getName()
+                                    + " of actor type " + type.getName()
+                                    + " can be reached through a proxy, where it is not the actor's: make it private, and let a method return a Promise of it");
                 }
             }
         }

@@ -148,7 +148,8 @@ class MailboxBoundTest {
             sender.join();
             assertThat(interrupted).isTrue();
             assertThat(letters.take().reason())
-                    .isEqualTo("its mailbox is full (3 calls, BLOCK), and its caller was interrupted while it waited for room");
+                    .isEqualTo(
+                            "its mailbox is full (3 calls, BLOCK), and its caller was interrupted while it waited for room");
             gate.countDown();
             assertThat(sink.taken().get(Duration.ofSeconds(30))).containsExactly(1, 2, 3);
             assertThat(letters.take().message()).isEqualTo("Sink.take(5)");

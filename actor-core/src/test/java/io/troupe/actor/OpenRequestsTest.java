@@ -112,7 +112,8 @@ class OpenRequestsTest {
         desk.end();
         Promise<String> tooLate = desk.later("c");
         assertBegun(
-                test.error(third), "Desk.laterInCapitals() of desk was begun and not answered: the actor desk has stopped");
+                test.error(third),
+                "Desk.laterInCapitals() of desk was begun and not answered: the actor desk has stopped");
         assertThat(log).containsExactly("stopped", "first", "second", "watcher");
         assertThat(((ActorStoppedException) test.error(tooLate)).wasBegun()).isFalse();
     }
@@ -122,7 +123,8 @@ class OpenRequestsTest {
         Desk desk = spawn("desk", Supervision.restart(3, Duration.ofSeconds(1)));
         Promise<String> answer = desk.later("a");
         desk.fail();
-        assertBegun(test.error(answer), "Desk.later(a) of desk was begun and not answered: the actor desk was restarted");
+        assertBegun(
+                test.error(answer), "Desk.later(a) of desk was begun and not answered: the actor desk was restarted");
         assertThat(answer.error()).hasRootCauseMessage("no paper");
         Promise<String> ofTheFreshInstance = desk.later("b");
         test.crank();
@@ -176,7 +178,8 @@ class OpenRequestsTest {
         Promise<String> answer = desk.inABody();
         test.crank();
         desk.end();
-        assertBegun(test.error(answer), "Desk.inABody() of desk was begun and not answered: the actor desk has stopped");
+        assertBegun(
+                test.error(answer), "Desk.inABody() of desk was begun and not answered: the actor desk has stopped");
     }
 
     @Test
@@ -193,7 +196,8 @@ class OpenRequestsTest {
         assertThat(test.get(answered)).isEqualTo("from the back");
         back.end();
         assertBegun(
-                test.error(abandoned), "Desk.later(forwarded) of back was begun and not answered: the actor back has stopped");
+                test.error(abandoned),
+                "Desk.later(forwarded) of back was begun and not answered: the actor back has stopped");
     }
 
     @Test
@@ -277,6 +281,7 @@ class OpenRequestsTest {
         drivers.clear(); // the actor has forgotten them: only the list of open requests could keep them
         System.gc();
         assertThat(settled.get()).isNull();
-        assertThat(cancelled.stream().filter(each -> each.get() != null).count()).isLessThan(20);
+        assertThat(cancelled.stream().filter(each -> each.get() != null).count())
+                .isLessThan(20);
     }
 }
