@@ -246,16 +246,13 @@ class DriverGoneTest {
 
     private Application start(ActorSpace space, InProcessBus bus, Supplier<Behaviour> law) throws Exception {
         var plan = ApplicationPlan.named("turning")
-                .with(
-                        "robots",
-                        PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
+                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
                 .needing("turning", "player")
                 .needing("robot1", "turning");
         var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
         var application = new CompletableFuture<Application>();
-        space.execute(
-                () -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
+        space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
         Application begun = application.get(20, TimeUnit.SECONDS);
         begun.started().get(Duration.ofSeconds(20));
         awaitMoving(0);
@@ -386,7 +383,8 @@ class DriverGoneTest {
     void processThatIsFrozen_drivesAgainWhenItGoesOn_andOneThatIsKilled() throws Exception {
         try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0)) {
             var process = new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                            Path.of(System.getProperty("java.home"), "bin", "java")
+                                    .toString(),
                             "-XX:TieredStopAtLevel=1",
                             "-cp",
                             System.getProperty("java.class.path"),
