@@ -17,6 +17,7 @@ import sys
 PLAYER, POSITION2D, SONAR = 1, 4, 5  # interfaces
 DATA, COMMAND, REQUEST, ACK, SYNCH, NACK = 1, 2, 3, 4, 5, 6  # types of messages
 SUBSCRIBE, NEXT_FRAME, DATA_MODE = 3, 4, 5  # requests to the server itself
+SET_INTEGER_PROPERTY = 253  # request to a device
 OPEN, PULL = 1, 2
 BANNER_BYTES = 32
 HEADER = struct.Struct(">6IdII")  # host, robot, interface, index, type, subtype, time, sequence, size
@@ -24,6 +25,7 @@ HEADER = struct.Struct(">6IdII")  # host, robot, interface, index, type, subtype
 NEAR_M = 0.5
 FAST_MPS = 0.4
 TURN_RADPS = 0.6
+COMMAND_LIMIT_MS = 400  # our robot stops when this program has been silent for so long
 
 
 class Player:
@@ -80,6 +82,12 @@ class Player:
             if kind == DATA:
                 messages.append((interface, index, subtype, body))
 
+    def limit_commands(self, index, millis):
+        """Lets speeds expire; a server of another make refuses that, and its answer is passed over by next_frame."""
+        key = b"troupe_command_limit_ms\0"
+        body = struct.pack(f">II{len(key)}si", len(key), len(key), key, millis)
+        self.send(POSITION2D, index, REQUEST, SET_INTEGER_PROPERTY, body)
+
     def drive(self, index, forward_mps, turn_radps):
         self.send(POSITION2D, index, COMMAND, 1, struct.pack(">3dI", forward_mps, 0.0, turn_radps, 1))
 
@@ -105,6 +113,7 @@ def main(host, port, index):
     player = Player(host, port)
     player.subscribe(SONAR, index)
     player.subscribe(POSITION2D, index)
+    player.limit_commands(index, COMMAND_LIMIT_MS)
     print(f"ready: robot {index + 1} of {host}:{port}", flush=True)
     try:
         while True:

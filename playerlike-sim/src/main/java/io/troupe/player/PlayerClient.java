@@ -13,7 +13,9 @@ import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.RemoteServer;
 import io.troupe.player.wire.RequestFailedException;
 import java.lang.System.Logger.Level;
+import java.time.Duration;
 import java.util.Set;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,6 +44,7 @@ public class PlayerClient extends ServerInquiries {
     private final PlayerConnection connection;
     private volatile boolean threaded;
     private volatile boolean pull;
+    private final AtomicBoolean commandLimitWasRefused = new AtomicBoolean();
 
     /**
      * Connects.
@@ -166,6 +169,19 @@ public class PlayerClient extends ServerInquiries {
         return incoming.next();
     }
 
+    /**
+     * Lets this client notice that its server is connected and silent: when nothing has come from it for half of the limit it is asked for a sign of life, and when none comes in the other half, every
+     * call that waits, and every later one, throws {@link PlayerException}. Commands are still sent, until {@link #close}. Our addition to the Player client, which waits for as long as it takes.
+     *
+     * <p>By the machine's clock. A server whose time is paused, or whose lock step waits for another client, answers and is not silent; one in this JVM never is.
+     */
+    public void setSilenceLimit(Duration limit) {
+        if (limit.compareTo(Duration.ofMillis(2)) < 0) {
+            throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more");
+        }
+        tell(() -> connection.silenceLimit(limit));
+    }
+
     /** Stops the thread and disconnects; every later call, and every call that waits, throws {@link PlayerException}. */
     public void close() {
         incoming.lost("[PlayerClient] this client is closed");
@@ -209,6 +225,19 @@ public class PlayerClient extends ServerInquiries {
         } catch (PlayerException notSent) {
             incoming.requestFails();
             throw notSent;
+        }
+    }
+
+    /** Says it once for all robots of this client. */
+    void commandLimitRefused(Position2DInterface device, String reason) {
+        if (commandLimitWasRefused.compareAndSet(false, true)) {
+            LOG.log(
+                    Level.INFO,
+                    "{0}: {1} does not know limits of commands, so the server decides when a robot stops whose driver is"
+                            + " silent: {2}",
+                    getName(),
+                    device,
+                    reason);
         }
     }
 

@@ -158,7 +158,7 @@ public abstract class PlayerDevice implements PlayerConstants {
 
     final void receive(DeviceRequest request, DeviceReply reply) {
         if (reply instanceof DeviceReply.Nack(String reason)) {
-            LOG.log(Level.WARNING, "{0} refused {1}: {2}", this, request, reason);
+            refused(request, reason);
             return;
         }
         answer = reply;
@@ -167,6 +167,11 @@ public abstract class PlayerDevice implements PlayerConstants {
         } finally {
             answer = null;
         }
+    }
+
+    /** The server has refused a request, or has not answered it in time. */
+    void refused(DeviceRequest request, String reason) {
+        LOG.log(Level.WARNING, "{0} refused {1}: {2}", this, request, reason);
     }
 
     final void bind(DeviceAddress newAddress, byte newAccess, String newDriverName) {

@@ -10,6 +10,7 @@ import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
@@ -71,6 +72,35 @@ public class Position2DInterface extends AbstractPositionDevice {
     @Override
     public void setSpeed(double speed, double turnrate) {
         drive(speed, 0, turnrate, true);
+    }
+
+    /**
+     * Asks the server to stop the robot when this client has sent no speed for so long; our addition to the Player client. Without it the last speed holds
+     * until another command or the end of the connection, even if this program hangs or is cut off.
+     *
+     * <p>It counts for the speeds that this client sends to this device from now on, on the server's clock (simulated time), and not for {@link #setPosition}. Another
+     * client's newer command is not touched. When a speed has expired, the next one drives again. A server of another make refuses this and decides by
+     * itself when to stop; the log says so once (INFO).
+     *
+     * @param limit whole milliseconds, longer than the program ever needs between two speeds; zero for no limit
+     */
+    public void setCommandLimit(Duration limit) {
+        long millis = limit.toMillis();
+        if (millis < 0 || millis > Integer.MAX_VALUE || !limit.equals(Duration.ofMillis(millis))) {
+            throw new PlayerException(
+                    "command limit of " + this + " is " + limit + ", expected whole milliseconds, 0 or more");
+        }
+        ask(new DeviceRequest.SetIntegerProperty(DeviceRequest.COMMAND_LIMIT_KEY, (int) millis));
+    }
+
+    @Override
+    void refused(DeviceRequest request, String reason) {
+        if (request instanceof DeviceRequest.SetIntegerProperty set
+                && set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
+            pc.commandLimitRefused(this, reason);
+        } else {
+            super.refused(request, reason);
+        }
     }
 
     /** Drives with a velocity in the robot's frame; state 0 stops the motors. A differential drive ignores the part to the side, as Stage does. */

@@ -29,7 +29,7 @@ final class Capabilities {
                 };
             case REQUEST ->
                 switch (device) {
-                    case POSITION2D -> List.of(1, 2, 4, 5, 6);
+                    case POSITION2D -> List.of(1, 2, 4, 5, 6, 253);
                     case SONAR, SIMULATION -> List.of(1, 2);
                     case RANGER -> List.of(1, 2, 3, 4, 5);
                     case LASER -> List.of(1, 2, 3, 4, 5);

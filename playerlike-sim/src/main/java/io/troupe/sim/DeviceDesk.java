@@ -10,6 +10,8 @@ import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
+import java.util.HashMap;
+import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -34,6 +36,8 @@ final class DeviceDesk {
     private final Simulation simulation;
     private final World world;
     private final Later later;
+    /** For how long the client's speeds hold, where it has asked for a limit. */
+    private final Map<Offer, Long> commandLimitsMicros = new HashMap<>();
 
     DeviceDesk(Simulation simulation, Later later) {
         this.simulation = simulation;
@@ -52,18 +56,21 @@ final class DeviceDesk {
     /** Sideways speeds are ignored: these robots have two wheels. */
     private void drive(Offer offer, DeviceCommand command) {
         int robot = offer.robot();
+        long limitMicros = commandLimitsMicros.getOrDefault(offer, 0L);
         Runnable action = switch (command) {
             case DeviceCommand.Velocity to -> {
                 checkFinite(offer, to, to.vx(), to.va());
-                yield to.enabled() ? () -> world.command(robot, to.vx(), to.va()) : () -> world.stop(robot);
+                yield to.enabled()
+                        ? () -> world.command(robot, to.vx(), to.va(), limitMicros)
+                        : () -> world.stop(robot);
             }
             case DeviceCommand.Car to -> {
                 checkFinite(offer, to, to.velocityMps(), to.angleRad());
-                yield () -> world.command(robot, to.velocityMps(), to.angleRad());
+                yield () -> world.command(robot, to.velocityMps(), to.angleRad(), limitMicros);
             }
             case DeviceCommand.VelocityHeading to -> {
                 checkFinite(offer, to, to.velocityMps(), to.headingRad());
-                yield () -> world.steer(robot, to.velocityMps(), to.headingRad());
+                yield () -> world.steer(robot, to.velocityMps(), to.headingRad(), limitMicros);
             }
             case DeviceCommand.GoTo to -> {
                 checkFinite(offer, to, to.px(), to.py(), to.pa());
@@ -142,8 +149,22 @@ final class DeviceDesk {
                         ? ACK
                         : new DeviceReply.Nack(
                                 "position mode is " + mode.mode() + ", expected 0 (velocity) or 1 (position)");
+            case DeviceRequest.SetIntegerProperty set -> commandLimit(offer, set);
             default -> NOT_OFFERED;
         };
+    }
+
+    /** For the commands that follow; it belongs to the client and not to the world, so a reset of the world leaves it. */
+    private DeviceReply commandLimit(Offer offer, DeviceRequest.SetIntegerProperty set) {
+        if (!set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
+            return new DeviceReply.Nack(
+                    "there is no property '" + set.key() + "', expected " + DeviceRequest.COMMAND_LIMIT_KEY);
+        }
+        if (set.value() < 0) {
+            return new DeviceReply.Nack(set.key() + " is " + set.value() + ", expected 0 (no limit) or more");
+        }
+        commandLimitsMicros.put(offer, set.value() * 1000L);
+        return ACK;
     }
 
     private DeviceReply odometry(Offer offer, Pose pose) {

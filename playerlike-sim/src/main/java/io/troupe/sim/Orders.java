@@ -37,9 +37,10 @@ final class Orders {
 
     // ---- from any thread
 
-    void drive(int robot, double forwardMps, double turnRadps) {
+    /** @param limitMicros how long it holds; 0 = until another command */
+    void drive(int robot, double forwardMps, double turnRadps, long limitMicros) {
         check(robot, forwardMps, turnRadps);
-        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps));
+        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps), limitMicros);
     }
 
     /** From the thread that advances the world: newer than what the others have said so far. */
@@ -56,13 +57,14 @@ final class Orders {
         }
     }
 
-    void steer(int robot, double forwardMps, double headingRad) {
+    /** @param limitMicros how long it holds; 0 = until another command */
+    void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
         RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
         }
-        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad));
+        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad), limitMicros);
     }
 
     void goTo(int robot, Pose goal) {
@@ -71,7 +73,7 @@ final class Orders {
             throw new IllegalArgumentException(
                     "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
         }
-        pilots.get(robot).drive(new Drive.GoTo(goal));
+        pilots.get(robot).drive(new Drive.GoTo(goal), 0);
     }
 
     void power(int robot, boolean on) {

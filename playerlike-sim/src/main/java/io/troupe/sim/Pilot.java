@@ -13,10 +13,17 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> What the advancing thread tells by {@link #driveNow} allocates nothing.
  */
 final class Pilot {
+    /**
+     * A command that waits for the next interval.
+     *
+     * @param limitMicros how long a speed holds; 0 = until another command
+     */
+    private record Order(Drive drive, long limitMicros) {}
+
     private final DriveSpec spec;
     private final int robot;
     private final WorldSettings settings;
-    private final AtomicReference<@Nullable Drive> newestDrive = new AtomicReference<>();
+    private final AtomicReference<@Nullable Order> newestDrive = new AtomicReference<>();
     private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestPlace = new AtomicReference<>();
@@ -30,16 +37,18 @@ final class Pilot {
     private double turnRadps;
     private boolean powered = true;
     private long toldAtMicros;
+    private long limitMicros; // of what holds; 0 = none
 
     Pilot(DriveSpec spec, int robot, WorldSettings settings) {
         this.spec = spec;
         this.robot = robot;
         this.settings = settings;
-        hold(spec.startForwardMps(), spec.startTurnRadps(), 0);
+        hold(spec.startForwardMps(), spec.startTurnRadps(), 0, 0);
     }
 
-    void drive(Drive command) {
-        newestDrive.set(command);
+    /** @param newLimitMicros how long a speed holds; 0 = until another command, as a goal always does */
+    void drive(Drive command, long newLimitMicros) {
+        newestDrive.set(new Order(command, command instanceof Drive.GoTo ? 0 : newLimitMicros));
     }
 
     /** A speed told by the thread that advances the world, newer than what the others said. */
@@ -87,7 +96,7 @@ final class Pilot {
         return newest.get() == null ? null : newest.getAndSet(null);
     }
 
-    /** What holds from now on: the newest command, unless the motors are off, which forgets what they were told, or the watchdog has barked. */
+    /** What holds from now on: the newest command, unless its own time is over, the motors are off, which forgets what they were told, or the watchdog has barked. */
     void latch(long nowMicros, @Nullable Recording recording) {
         Boolean power = take(newestPower);
         if (power != null && power != powered) {
@@ -100,27 +109,42 @@ final class Pilot {
             toldNow = false;
             if (powered) {
                 note(recording, steering != null || differs(toldForwardMps, toldTurnRadps));
-                hold(toldForwardMps, toldTurnRadps, nowMicros);
+                hold(toldForwardMps, toldTurnRadps, nowMicros, 0);
             }
         }
-        Drive command = take(newestDrive);
+        Order command = take(newestDrive);
         if (command != null && powered) {
-            accept(command, nowMicros, recording);
+            accept(command.drive, command.limitMicros, nowMicros, recording);
         }
         if (!powered || isLate(nowMicros)) {
-            steering = null;
-            heldForwardMps = 0;
-            heldTurnRadps = 0;
+            stand();
+        } else if (limitMicros > 0 && nowMicros - toldAtMicros >= limitMicros) {
+            expire(recording);
         }
     }
 
-    private void accept(Drive command, long nowMicros, @Nullable Recording recording) {
+    private void stand() {
+        steering = null;
+        heldForwardMps = 0;
+        heldTurnRadps = 0;
+        limitMicros = 0;
+    }
+
+    /** Recorded as a command to stand still: a replay knows no clients, and so nothing of their limits. */
+    private void expire(@Nullable Recording recording) {
+        if (recording != null && (steering != null || differs(0, 0))) {
+            recording.drive(robot, Drive.STILL);
+        }
+        stand();
+    }
+
+    private void accept(Drive command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
         if (command instanceof Drive.Velocity velocity) {
             if (recording != null
                     && (isWatched() || steering != null || differs(velocity.forwardMps(), velocity.turnRadps()))) {
                 recording.drive(robot, velocity);
             }
-            hold(velocity.forwardMps(), velocity.turnRadps(), nowMicros);
+            hold(velocity.forwardMps(), velocity.turnRadps(), nowMicros, newLimitMicros);
             return;
         }
         if (recording != null && (isWatched() || !command.equals(steering))) {
@@ -128,6 +152,7 @@ final class Pilot {
         }
         steering = command;
         toldAtMicros = nowMicros;
+        limitMicros = newLimitMicros;
     }
 
     private void note(@Nullable Recording recording, boolean changes) {
@@ -140,11 +165,12 @@ final class Pilot {
         return Double.compare(newForwardMps, heldForwardMps) != 0 || Double.compare(newTurnRadps, heldTurnRadps) != 0;
     }
 
-    private void hold(double newForwardMps, double newTurnRadps, long nowMicros) {
+    private void hold(double newForwardMps, double newTurnRadps, long nowMicros, long newLimitMicros) {
         steering = null;
         heldForwardMps = newForwardMps;
         heldTurnRadps = newTurnRadps;
         toldAtMicros = nowMicros;
+        limitMicros = newLimitMicros;
     }
 
     private boolean isWatched() {
@@ -189,7 +215,7 @@ final class Pilot {
 
     /** The world starts again. */
     void forget(long nowMicros) {
-        hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros);
+        hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros, 0);
         toldNow = false;
         powered = true;
         clamp(0, 0);

@@ -118,7 +118,17 @@ public final class World implements AutoCloseable {
      * @param turnRadps left positive
      */
     public void command(int robot, double forwardMps, double turnRadps) {
-        orders.drive(robot, forwardMps, turnRadps);
+        command(robot, forwardMps, turnRadps, 0);
+    }
+
+    /**
+     * The same for a client whose commands expire.
+     *
+     * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it takes effect, but for one interval at least; 0 = until
+     *     another command
+     */
+    void command(int robot, double forwardMps, double turnRadps, long limitMicros) {
+        orders.drive(robot, forwardMps, turnRadps, limitMicros);
     }
 
     /** The same for the thread that advances the world. */
@@ -132,7 +142,12 @@ public final class World implements AutoCloseable {
      * @param forwardMps clamped to the settings' limits
      */
     public void steer(int robot, double forwardMps, double headingRad) {
-        orders.steer(robot, forwardMps, headingRad);
+        steer(robot, forwardMps, headingRad, 0);
+    }
+
+    /** The same for a client whose commands expire. */
+    void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
+        orders.steer(robot, forwardMps, headingRad, limitMicros);
     }
 
     /**

@@ -8,6 +8,12 @@ import static java.util.Objects.requireNonNull;
  * <p><b>Units and shapes.</b> Metres, radians, seconds.
  */
 public sealed interface DeviceRequest {
+    /**
+     * The property of a position2d that says for how many milliseconds, on the server's clock, a speed that this client sends holds; 0 = until
+     * another command, as Player has it.
+     */
+    String COMMAND_LIMIT_KEY = "troupe_command_limit_ms";
+
     /** REQ 1 of position2d, sonar, ranger and laser. */
     record Geometry() implements DeviceRequest {}
 
@@ -79,6 +85,17 @@ public sealed interface DeviceRequest {
     record SetPose(String model, double px, double py, double pa) implements DeviceRequest {
         public SetPose {
             requireNonNull(model, "model");
+        }
+    }
+
+    /**
+     * position2d REQ 253: sets an integer property of the driver.
+     *
+     * @param key {@link #COMMAND_LIMIT_KEY} is the only one that our server has
+     */
+    record SetIntegerProperty(String key, int value) implements DeviceRequest {
+        public SetIntegerProperty {
+            requireNonNull(key, "key");
         }
     }
 

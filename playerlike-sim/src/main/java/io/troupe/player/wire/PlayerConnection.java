@@ -41,6 +41,12 @@ public interface PlayerConnection extends AutoCloseable {
     default void replyLimit(Duration limit) {}
 
     /**
+     * How long the server may say nothing, not even when it is asked for a sign of life, before {@link DataSink#lost} is called; the connection stays open. In this
+     * JVM no server is silent.
+     */
+    default void silenceLimit(Duration limit) {}
+
+    /**
      * Lock step: this client has done what it wants to do about the frame of that tick and waits for a newer one.
      *
      * @param tick {@link #NO_TICK} while it waits for its first

@@ -25,6 +25,9 @@ import org.jspecify.annotations.Nullable;
  */
 final class RemoteLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
+    /** How often a read that waits looks whether the server is silent. */
+    private static final int READ_TIMEOUT_MILLIS = 500;
+
     private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
 
     private final String name;
@@ -38,6 +41,7 @@ final class RemoteLine implements PlayerConnection {
     private final Object outputLock = new Object();
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
+    private volatile Duration silenceLimit = Duration.ZERO; // none
     private final AtomicReference<@Nullable String> closed = new AtomicReference<>();
 
     RemoteLine(String name, Socket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
@@ -54,6 +58,11 @@ final class RemoteLine implements PlayerConnection {
 
     /** Starts reading, and asks what there is. */
     void begin() {
+        try {
+            socket.setSoTimeout(READ_TIMEOUT_MILLIS);
+        } catch (IOException e) {
+            throw new LineClosedException(gone(e.getMessage()));
+        }
         reader.start();
         try {
             if (ask(new PlayerRequest.DeviceList(), "the device list") instanceof PlayerReply.DeviceList list) {
@@ -153,6 +162,18 @@ final class RemoteLine implements PlayerConnection {
     @Override
     public void replyLimit(Duration limit) {
         replyLimit = limit;
+    }
+
+    @Override
+    public void silenceLimit(Duration limit) {
+        checkOpen();
+        silenceLimit = limit;
+        try {
+            socket.setSoTimeout(Math.toIntExact(Math.min(limit.toMillis() / 2, READ_TIMEOUT_MILLIS)));
+        } catch (IOException e) {
+            lose(gone(e.getMessage()));
+            checkOpen();
+        }
     }
 
     @Override
@@ -307,6 +328,27 @@ final class RemoteLine implements PlayerConnection {
         } catch (ActorStoppedException spaceIsClosed) {
             close(); // a client ends with the space it lives on
         }
+    }
+
+    Duration silenceLimit() {
+        return silenceLimit;
+    }
+
+    /** Asks for something that every server answers at once; on a thread of its own, as sending may have to wait. */
+    void askForSign() {
+        Thread.ofVirtual().name("player-ask-" + name).start(() -> {
+            try {
+                send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.DeviceList()));
+            } catch (LineClosedException closedMeanwhile) {
+                LOG.log(Level.DEBUG, "{0} was not asked for a sign of life", name);
+            }
+        });
+    }
+
+    /** The server is connected and has not said anything for the whole limit. */
+    void silent() {
+        sink.lost("the Player server at " + name + " is connected and silent: nothing has come from it for "
+                + silenceLimit.toMillis() + " ms, and no answer to a request");
     }
 
     void lose(String reason) {

@@ -1,5 +1,6 @@
 package io.troupe.player.wire;
 
+import io.troupe.actor.time.Clock;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -36,7 +37,9 @@ final class RemoteReader implements Runnable {
     @Override
     public void run() {
         try {
-            var messages = new MessageReader(new BufferedInputStream(socket.getInputStream()), MOST_PAYLOAD_BYTES);
+            var input = new PatientInput(
+                    socket.getInputStream(), Clock.system(), line::silenceLimit, line::askForSign, line::silent);
+            var messages = new MessageReader(new BufferedInputStream(input), MOST_PAYLOAD_BYTES);
             for (Message message = messages.read(); message != null; message = messages.read()) {
                 take(message);
             }

@@ -13,6 +13,7 @@ import io.troupe.player.wire.DeviceRequest.Power;
 import io.troupe.player.wire.DeviceRequest.ResetOdometry;
 import io.troupe.player.wire.DeviceRequest.SetColour;
 import io.troupe.player.wire.DeviceRequest.SetImager;
+import io.troupe.player.wire.DeviceRequest.SetIntegerProperty;
 import io.troupe.player.wire.DeviceRequest.SetLaserConfiguration;
 import io.troupe.player.wire.DeviceRequest.SetOdometry;
 import io.troupe.player.wire.DeviceRequest.SetPose;
@@ -25,6 +26,7 @@ import io.troupe.player.wire.DeviceRequest.VelocityMode;
 /** REQ messages to devices as bytes, and back. */
 final class RequestMessages {
     private static final int CAPABILITY = 255;
+    private static final int SET_INTEGER_PROPERTY = 253;
 
     private RequestMessages() {}
 
@@ -71,6 +73,8 @@ final class RequestMessages {
             case LaserId id -> 5;
             case GetPose get -> subtype(1, out.string(get.model()).float64(0, 0, 0));
             case SetPose set -> subtype(2, out.string(set.model()).float64(set.px(), set.py(), set.pa()));
+            case SetIntegerProperty property ->
+                subtype(SET_INTEGER_PROPERTY, out.string(property.key()).int32(property.value()));
             case Capability capability ->
                 subtype(CAPABILITY, out.int32(capability.type()).int32(capability.subtype()));
             case Unknown unknown -> unknown.subtype();
@@ -128,6 +132,7 @@ final class RequestMessages {
                 yield ended(new PositionPid(gain(in, doubles), gain(in, doubles), gain(in, doubles)), in);
             }
             case 9 -> ended(new SpeedProfile(in.float32("speed"), in.float32("acc")), in);
+            case SET_INTEGER_PROPERTY -> ended(new SetIntegerProperty(in.string("key"), in.int32("value")), in);
             default -> new Unknown(subtype);
         };
     }

@@ -135,6 +135,7 @@ final class RandomMessages {
                 new Asked(4, new DeviceRequest.SpeedPid(f(), f(), f())),
                 new Asked(4, new DeviceRequest.PositionPid(f(), f(), f())),
                 new Asked(4, new DeviceRequest.SpeedProfile(f(), f())),
+                new Asked(4, new DeviceRequest.SetIntegerProperty(name(), i())),
                 new Asked(5, new DeviceRequest.Geometry()),
                 new Asked(5, new DeviceRequest.Power(b())),
                 new Asked(7, new DeviceRequest.SetColour(i(), i(), i(), i(), i(), i(), i())),

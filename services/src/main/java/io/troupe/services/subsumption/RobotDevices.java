@@ -6,6 +6,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
@@ -20,12 +21,19 @@ import java.util.List;
  * <p><b>Source.</b> Paper, Figure 7.
  */
 final class RobotDevices {
+    /** Two cycles, half of {@link DriverLimits#COMMAND_LIMIT}: one reading may be late. Half a millisecond forgives rounding. */
+    private static final double RENEWAL_SECONDS = 2 * ReadingTime.CYCLE_SECONDS - 0.0005;
+
     private final Position2DInterface position;
     private final SonarInterface sonar;
     private final BlobfinderInterface blobfinder;
+    private final ReadingTime time = new ReadingTime();
+    private Velocity told = Velocity.STOP;
+    private double toldAtSeconds;
 
     RobotDevices(PlayerClient client, int robot) {
         position = client.requestInterfacePosition2D(robot, PlayerConstants.PLAYER_OPEN_MODE);
+        DriverLimits.limit(position);
         sonar = client.requestInterfaceSonar(robot, PlayerConstants.PLAYER_OPEN_MODE);
         blobfinder = client.requestInterfaceBlobfinder(robot, PlayerConstants.PLAYER_OPEN_MODE);
     }
@@ -35,8 +43,13 @@ final class RobotDevices {
         return position.getData() != null && sonar.getData() != null && blobfinder.getData() != null;
     }
 
-    /** When the sonar readings were taken, in seconds on the robot's clock. */
+    /** When the sonar readings were taken, in seconds on the robot's clock; it never goes back. */
     double timeSeconds() {
+        return time.at(sonar.getTimestamp());
+    }
+
+    /** The same as the robot's clock has it, to compare with other robots of the connection: the clock may be set back. */
+    double stampSeconds() {
         return sonar.getTimestamp();
     }
 
@@ -60,6 +73,15 @@ final class RobotDevices {
     }
 
     void drive(Velocity velocity) {
+        told = velocity;
+        toldAtSeconds = timeSeconds();
         position.setSpeed(velocity.forwardMps(), velocity.turnRadps());
+    }
+
+    /** Sends the last speed again before it expires, for a robot whose turn comes later than that. */
+    void renew() {
+        if (!told.equals(Velocity.STOP) && timeSeconds() - toldAtSeconds >= RENEWAL_SECONDS) {
+            drive(told);
+        }
     }
 }

@@ -23,6 +23,7 @@ final class RobotLink implements AutoCloseable {
         this.client = client;
         client.requestDataDeliveryMode(
                 PlayerConstants.PLAYER_DATAMODE_PULL); // behind a socket, too, a frame is all readings of a time
+        DriverLimits.watch(client);
         devices = new RobotDevices(client, robot);
         client.runThreaded(-1, -1);
     }

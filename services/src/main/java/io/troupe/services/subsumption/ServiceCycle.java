@@ -1,14 +1,12 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.Velocity;
 import java.util.function.BooleanSupplier;
 
 /** What a service that is in charge of a robot does about a reading; the same in all three modes. */
 final class ServiceCycle {
-    /** A cycle takes 100 ms; data that come more often are passed over. Half a millisecond forgives rounding. */
-    static final double SECONDS = 0.1 - 0.0005;
-
     /** What a robot's colour finder does with what it sees in a cycle. */
     @FunctionalInterface
     interface Finder {
@@ -44,9 +42,9 @@ final class ServiceCycle {
         beganSeconds = devices.timeSeconds();
     }
 
-    /** Whether the cycle before is over. */
+    /** Whether the cycle before is over; readings that come more often are passed over. */
     boolean isDue() {
-        return devices.timeSeconds() - lastSeconds >= SECONDS;
+        return ReadingTime.isCycle(lastSeconds, devices.timeSeconds());
     }
 
     /**

@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
+import io.troupe.services.behaviour.ReadingTime;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,7 +17,8 @@ import org.jspecify.annotations.Nullable;
  * The synchronous mode: one connection for all robots, and their services' cycles one after the other.
  *
  * <p><b>Threads.</b> One of its own does everything, so there is nothing to be atomic and no message to be sent. <b>Order.</b> A colour that is seen changes the state
- * at once, after that robot's cycle; nobody is told to stop, and no zero speed is sent in between.
+ * at once, after that robot's cycle; nobody is told to stop, and no zero speed is sent in between. A robot whose turn comes only after its speed has expired
+ * ({@link DriverLimits}) gets the same speed again meanwhile, so that it rolls on as long as this thread lives, and no longer.
  * <p><b>Errors.</b> What goes wrong stops all robots and is told to the one who started it.
  * <p><b>Source.</b> Paper, section 3.4, Figure 14.
  */
@@ -88,6 +90,7 @@ final class SynchronousLoop implements AutoCloseable {
     private void drive(PlayerClient client) {
         try {
             client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // all robots' readings at a time
+            DriverLimits.watch(client);
             for (int robot = 0; robot < settings.table().robots(); robot++) {
                 robots.add(new RobotDevices(client, robot));
             }
@@ -119,11 +122,12 @@ final class SynchronousLoop implements AutoCloseable {
     private void react() {
         if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
             reactWithAll();
-        } else if (robots.get(turn).timeSeconds() - lastCycleSeconds >= ServiceCycle.SECONDS) {
-            lastCycleSeconds = robots.get(turn).timeSeconds();
+        } else if (ReadingTime.isCycle(lastCycleSeconds, robots.get(turn).stampSeconds())) {
+            lastCycleSeconds = robots.get(turn).stampSeconds();
             int robot = turn;
             turn = (turn + 1) % robots.size();
             cycle(robot).ifPresent(next -> change(next, robot));
+            robots.forEach(RobotDevices::renew);
         }
     }
 

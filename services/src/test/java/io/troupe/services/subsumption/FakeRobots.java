@@ -19,6 +19,7 @@ import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.ReplaceRule;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -37,6 +38,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     private final int robots;
     private final PlayerPorts.Registration port;
     private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final List<String> limits = new CopyOnWriteArrayList<>();
     private final Object answers = new Object();
     private final float[][] ranges;
     private final int[][] colours;
@@ -107,6 +109,11 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     }
 
     private long timeMillis;
+
+    /** What clients have asked for, to be stopped or to stop in time. */
+    public List<String> limits() {
+        return limits;
+    }
 
     public List<DeviceCommand.Velocity> commands(int robot) {
         return commands.get(robot);
@@ -225,7 +232,16 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
         @Override
         public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-            return new DeviceReply.Nack("a fake answers nothing");
+            if (request instanceof DeviceRequest.SetIntegerProperty limit) {
+                limits.add("robot " + (device.index() + 1) + " " + limit.key() + " " + limit.value());
+                return new DeviceReply.Ack();
+            }
+            return new DeviceReply.Nack("a fake answers nothing else");
+        }
+
+        @Override
+        public void silenceLimit(Duration limit) {
+            limits.add("silence " + limit);
         }
 
         @Override

@@ -9,6 +9,8 @@ import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
@@ -122,6 +124,61 @@ class RobotServicesTest {
         test.crank();
         services.stop(reference);
         assertThat(test.get(colour)).isEqualTo(Colours.GREEN);
+    }
+
+    @Test
+    void clockThatIsSetBackOrForward_leavesNoReadingWithoutACommand() {
+        services.wallFollower(0, running());
+        test.crank();
+        for (int millis : new int[] {100, 100, -60_000, 100, 100, 60_000, 100, -50, 100, -60_000}) {
+            int before = robots.commands(0).size();
+            robots.tick(millis);
+            assertThat(robots.commands(0))
+                    .as("commands after a step of %s ms", millis)
+                    .hasSize(before + 1);
+        }
+    }
+
+    @Test
+    void behaviour_seesATimeThatGoesOn_whenTheClockIsSetBack() {
+        List<Double> times = new ArrayList<>();
+        var clock = new Service("clock", false, () -> senses -> {
+            times.add(senses.timeSeconds());
+            return Optional.empty();
+        });
+        services.serve(0, clock, running(), new AtomicReference<>(0), ColourRule.NONE);
+        test.crank();
+        for (int millis : new int[] {100_000, 100, -60_000, 100}) {
+            robots.tick(millis);
+        }
+        assertThat(times)
+                .usingComparatorForType((a, b) -> Math.abs(a - b) < 1e-9 ? 0 : Double.compare(a, b), Double.class)
+                .containsExactly(100.0, 100.1, 100.2, 100.3);
+    }
+
+    @Test
+    void hold_countsOn_whenTheClockIsSetBack() {
+        List<Double> inCharge = new ArrayList<>();
+        ColourRule rule = (sightings, seconds) -> {
+            inCharge.add(seconds);
+            return OptionalInt.empty();
+        };
+        services.serve(0, Service.SPACE_WANDERER, running(), running(), rule);
+        test.crank();
+        for (int millis : new int[] {100_000, 100, -60_000, 100}) {
+            robots.tick(millis);
+        }
+        assertThat(inCharge)
+                .hasSize(4)
+                .isSorted()
+                .allSatisfy(seconds -> assertThat(seconds).isBetween(0.0, 0.35));
+    }
+
+    @Test
+    void robot_isStoppedByItsServerIfItsServiceEnds_andASilentServerIsNoticed() {
+        services.wallFollower(1, running());
+        test.crank();
+        assertThat(robots.limits()).containsExactly("silence PT5S", "robot 2 troupe_command_limit_ms 400");
     }
 
     @Test

@@ -10,9 +10,12 @@ import io.troupe.player.wire.DeviceCommand;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** The synchronous mode, reading by reading. */
 @Timeout(60)
@@ -76,6 +79,68 @@ class SynchronousLoopTest {
         }
     }
 
+    @ParameterizedTest
+    @EnumSource
+    void clockThatIsSetBackOrForward_leavesNoRobotWithoutControl(SynchronousRound round) throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings.withRound(round))) {
+            for (int steppedMillis : new int[] {-60_000, 60_000}) {
+                for (int reading = 0; reading < 4; reading++) {
+                    robots.tickAndAwait(100);
+                }
+                int before = robots.commands(0).size() + robots.commands(1).size();
+                robots.tickAndAwait(steppedMillis);
+                robots.tickAndAwait(100);
+                robots.tickAndAwait(100);
+                robots.tickAndAwait(100);
+                int each = round == SynchronousRound.ALL_SERVICES_A_READING ? 2 : 1;
+                assertThat(robots.commands(0).size() + robots.commands(1).size() - before)
+                        .as("commands to both robots in the 4 readings from a step of %s ms on", steppedMillis)
+                        .isGreaterThanOrEqualTo(4 * each);
+            }
+            run.check();
+        }
+    }
+
+    @Test
+    void robotWhoseTurnComesTooLate_getsItsSpeedAgain_andOneThatStandsDoesNot() throws InterruptedException {
+        var standing = new Service("standing", true, () -> senses -> Optional.empty());
+        var table = SubsumptionTable.forRobots(6)
+                .when(Colours.BLUE, Assignment.everyRobot(SW).robots(6, 6, standing))
+                .allowFinal()
+                .build();
+        try (var six = new FakeRobots(test, 6, FakeRobots.PORT + 1);
+                var run = SubsumptionRun.start(new SubsumptionRun.Settings(
+                        Mode.SYNC,
+                        "localhost",
+                        FakeRobots.PORT + 1,
+                        table,
+                        Clock.system(),
+                        ServiceObserver.NONE,
+                        settings.listener()))) {
+            for (int reading = 0; reading < 12; reading++) {
+                six.tickAndAwait(100);
+            }
+            run.check();
+            assertThat(six.commands(0))
+                    .as("by its turns at 0.1 and 0.7 s, and again at 0.3, 0.5, 0.9 and 1.1 s")
+                    .hasSize(6)
+                    .containsOnly(new DeviceCommand.Velocity(0.5, 0, 0, true));
+            assertThat(six.commands(5)).as("by its turns at 0.6 and 1.2 s").containsExactly(STOP, STOP);
+        }
+    }
+
+    @Test
+    void eachRobot_isStoppedByItsServerIfThisEnds_andASilentServerIsNoticed() throws InterruptedException {
+        try (var run = SubsumptionRun.start(settings)) {
+            run.check();
+            assertThat(robots.limits())
+                    .containsExactly(
+                            "silence PT5S",
+                            "robot 1 troupe_command_limit_ms 400",
+                            "robot 2 troupe_command_limit_ms 400");
+        }
+    }
+
     @Test
     void colour_changesTheStateInItsRobotsTurn_withoutAStop_andRobot1IsNext() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings)) {
@@ -106,9 +171,9 @@ class SynchronousLoopTest {
             assertThat(states).endsWith("1 by 0");
             assertCommands(2, 1);
             robots.tickAndAwait(100);
-            assertCommands(3, 1);
+            assertCommands(3, 2); // robot 2 waits for its turn longer than usual: its speed is sent again
             robots.tickAndAwait(100);
-            assertCommands(3, 2);
+            assertCommands(3, 3);
             run.check();
         }
     }
@@ -148,6 +213,9 @@ class SynchronousLoopTest {
             robots.tickAndAwait(100);
             robots.vanish();
             robots.awaitNoConnection();
+            assertThat(robots.lastCommand(0))
+                    .as("to a server that may still listen")
+                    .isEqualTo(STOP);
             assertThatThrownBy(run::check).isInstanceOf(PlayerException.class).hasMessage("the server has gone");
             assertThat(charge.of(0)).isEmpty();
         }

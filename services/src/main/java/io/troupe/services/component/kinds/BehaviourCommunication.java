@@ -2,6 +2,7 @@ package io.troupe.services.component.kinds;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.Velocity;
@@ -13,13 +14,12 @@ import org.jspecify.annotations.Nullable;
 /** The CCU of a behaviour: a control law that is asked once for each ring of ranges. */
 final class BehaviourCommunication implements ComponentCommunication<BehaviourInput, Velocity> {
     private static final RobotPose UNKNOWN = new RobotPose(0, 0, 0);
-    /** Ranges that come more often than a cycle are passed over. Half a millisecond forgives rounding. */
-    private static final double CYCLE_SECONDS = 0.1 - 0.0005;
 
     private final Supplier<? extends Behaviour> law;
     private @Nullable Behaviour behaviour;
     private @Nullable Signals<? super Velocity> signals;
     private RobotPose pose = UNKNOWN;
+    private final ReadingTime time = new ReadingTime();
     private double lastSeconds = Double.NEGATIVE_INFINITY;
 
     BehaviourCommunication(Supplier<? extends Behaviour> law) {
@@ -42,13 +42,14 @@ final class BehaviourCommunication implements ComponentCommunication<BehaviourIn
     }
 
     private void step(BehaviourInput.Ranges ranges) {
-        if (behaviour == null || signals == null || ranges.timeSeconds() - lastSeconds < CYCLE_SECONDS) {
-            return;
+        double nowSeconds = time.at(ranges.timeSeconds());
+        if (behaviour == null || signals == null || !ReadingTime.isCycle(lastSeconds, nowSeconds)) {
+            return; // ranges that come more often than a cycle are passed over
         }
-        lastSeconds = ranges.timeSeconds();
+        lastSeconds = nowSeconds;
         Optional<Velocity> wanted;
         try {
-            wanted = behaviour.step(new Senses(ranges.timeSeconds(), ranges.sonar(), pose));
+            wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose));
         } catch (RuntimeException thrown) {
             signals.data(Velocity.STOP); // nobody is left who would
             throw thrown;

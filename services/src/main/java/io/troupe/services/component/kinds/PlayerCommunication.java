@@ -6,6 +6,7 @@ import io.troupe.player.PlayerException;
 import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.kinds.PlayerSignal.Reading;
 import io.troupe.services.component.kinds.PlayerSignal.SetSpeed;
+import io.troupe.services.subsumption.DriverLimits;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -26,6 +27,7 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
         var connected = new PlayerClient(settings.host(), settings.port());
         client = connected;
         try {
+            DriverLimits.watch(connected);
             settings.robots()
                     .forEach(number ->
                             robots.put(number - 1, new PlayerRobot(connected, number - 1, settings.camera())));
@@ -71,8 +73,10 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
             return Promise.done();
         }
         try {
+            robots.values().forEach(PlayerRobot::stop); // a server that was silent may still listen
+        } catch (PlayerException unreachable) {
             if (lost == null) {
-                robots.values().forEach(PlayerRobot::stop);
+                throw unreachable;
             }
         } finally {
             ending.close();

@@ -6,15 +6,17 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.component.ComponentCommunication.Signals;
+import io.troupe.services.subsumption.DriverLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
  * One robot of a Player server, and how long it has gone without a command.
  *
- * <p><b>Role.</b> Player keeps the last command for ever. A robot that nobody commands any more is stopped here, since whoever drove it may be gone.
+ * <p><b>Role.</b> Player keeps the last command for ever. A robot that nobody commands any more is stopped here, since whoever drove it may be gone; a server that knows {@link DriverLimits} does the same even if this
+ * program hangs.
  */
 final class PlayerRobot {
-    /** Readings without a command after which a robot that was driven is stopped: half a second in the worlds of the paper. */
+    /** Readings without a command at which a robot that was driven is stopped: half a second in the worlds of the paper. */
     static final int PATIENCE_READINGS = 5;
 
     private final int index;
@@ -30,24 +32,25 @@ final class PlayerRobot {
     PlayerRobot(PlayerClient client, int index, boolean camera) {
         this.index = index;
         position = client.requestInterfacePosition2D(index, PlayerConstants.PLAYER_OPEN_MODE);
+        DriverLimits.limit(position);
         sonar = client.requestInterfaceSonar(index, PlayerConstants.PLAYER_OPEN_MODE);
         blobfinder = camera ? client.requestInterfaceBlobfinder(index, PlayerConstants.PLAYER_OPEN_MODE) : null;
     }
 
-    /** Says what is new; the pose and the picture before the ranges, so that whoever reacts to these knows the rest. */
+    /** Says what is new, by another time stamp than before, older ones too: a clock may be set back; the pose and the picture before the ranges, so that whoever reacts to these knows the rest. */
     void report(Signals<? super PlayerSignal.Reading> signals) {
         var pose = position.getData();
-        if (pose != null && position.getTimestamp() > positionSeconds) {
+        if (pose != null && position.getTimestamp() != positionSeconds) {
             positionSeconds = position.getTimestamp();
             signals.data(new PlayerSignal.Position(index, positionSeconds, pose));
         }
         var picture = blobfinder == null ? null : blobfinder.getData();
-        if (picture != null && blobfinder.getTimestamp() > blobsSeconds) {
+        if (picture != null && blobfinder.getTimestamp() != blobsSeconds) {
             blobsSeconds = blobfinder.getTimestamp();
             signals.data(new PlayerSignal.Blobs(index, blobsSeconds, picture));
         }
         var ranges = sonar.getData();
-        if (ranges != null && sonar.getTimestamp() > sonarSeconds) {
+        if (ranges != null && sonar.getTimestamp() != sonarSeconds) {
             sonarSeconds = sonar.getTimestamp();
             signals.data(new PlayerSignal.Sonar(index, sonarSeconds, ranges));
             countSilence(signals);
@@ -55,7 +58,7 @@ final class PlayerRobot {
     }
 
     private void countSilence(Signals<?> signals) {
-        if (moves && ++readingsSinceCommand > PATIENCE_READINGS) {
+        if (moves && ++readingsSinceCommand >= PATIENCE_READINGS) {
             stop();
             signals.tell("robot " + (index + 1) + " has heard no command for " + PATIENCE_READINGS
                     + " readings, and is stopped");

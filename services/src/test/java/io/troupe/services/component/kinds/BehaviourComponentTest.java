@@ -93,6 +93,21 @@ class BehaviourComponentTest {
     }
 
     @Test
+    void clockThatIsSetBackOrForward_leavesNoRingWithoutAVelocity_andTimeGoesOn() {
+        List<Double> times = new ArrayList<>();
+        start(() -> senses -> {
+            times.add(senses.timeSeconds());
+            return Optional.of(new Velocity(0.1, 0));
+        });
+        double[] stamps = {100, 100.1, 40.1, 40.2, 100.2, 100.3};
+        for (double stamp : stamps) {
+            ranges(stamp, 5);
+        }
+        assertThat(velocities).hasSize(stamps.length);
+        assertThat(times).isSorted();
+    }
+
+    @Test
     void behaviourWithNothingToSay_saysNothing() {
         start(() -> senses -> Optional.empty());
         ranges(0.1, 5);

@@ -100,7 +100,7 @@ class PlayerComponentTest {
     void robotThatNobodyCommandsAnyMore_isStopped_andThisIsTold() {
         started();
         drive("robot1", 0.3, 0);
-        for (int reading = 0; reading < PlayerRobot.PATIENCE_READINGS; reading++) {
+        for (int reading = 1; reading < PlayerRobot.PATIENCE_READINGS; reading++) {
             robots.tick(100);
         }
         assertThat(robots.commands(0)).hasSize(1);
@@ -109,6 +109,46 @@ class PlayerComponentTest {
         assertThat(notes.take()).containsExactly("robots robot 1 has heard no command for 5 readings, and is stopped");
         robots.tick(100);
         assertThat(robots.commands(0)).hasSize(2);
+    }
+
+    @Test
+    void clockThatIsSetBackOrForward_leavesNoReadingUnsaid_andStillStopsARobotThatNobodyCommands() {
+        test.run(() -> {
+            user.subscribe(RobotTopics.sonar("robot1"), (reading, from) -> heard.add("sonar"));
+            user.subscribe(RobotTopics.position("robot1"), (reading, from) -> heard.add("position"));
+            user.subscribe(RobotTopics.blobs("robot1"), (reading, from) -> heard.add("blobs"));
+        });
+        started();
+        robots.tick(100_000);
+        for (int steppedMillis : new int[] {-60_000, 60_000}) {
+            drive("robot1", 0.3, 0);
+            heard.clear();
+            robots.tick(steppedMillis);
+            assertThat(heard).containsExactlyInAnyOrder("sonar", "position", "blobs");
+            for (int reading = 1; reading < PlayerRobot.PATIENCE_READINGS; reading++) {
+                robots.tick(100);
+            }
+            assertThat(robots.lastCommand(0))
+                    .as("after a step of %s ms", steppedMillis)
+                    .isEqualTo(STOP);
+        }
+    }
+
+    @Test
+    void robot_isStoppedByItsServerIfThisEnds_andASilentServerIsNoticed() {
+        started();
+        assertThat(robots.limits())
+                .containsExactly(
+                        "silence PT5S", "robot 1 troupe_command_limit_ms 400", "robot 2 troupe_command_limit_ms 400");
+    }
+
+    @Test
+    void serverThatWasSilent_getsZeroSpeed_whenTheComponentFails() {
+        started();
+        drive("robot1", 0.3, 0);
+        test.run(robots::vanish);
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
     }
 
     @Test

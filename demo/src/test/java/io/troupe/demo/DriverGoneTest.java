@@ -1,0 +1,430 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.player.PlayerPorts;
+import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.Frame;
+import io.troupe.player.wire.Interfaces;
+import io.troupe.player.wire.TcpServer;
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.broker.BrokerSettings;
+import io.troupe.services.broker.ServiceBroker;
+import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.InProcessBus;
+import io.troupe.services.component.application.Application;
+import io.troupe.services.component.application.ApplicationPlan;
+import io.troupe.services.component.application.ApplicationSettings;
+import io.troupe.services.component.kinds.BehaviourComponent;
+import io.troupe.services.component.kinds.PlayerComponent;
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Assignment;
+import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/**
+ * A robot stands half a second of the world's time after its driver has gone, whichever way it goes. The world has no watchdog, and another client has all robots open, so that no robot stops because its
+ * last client has left. Until the driver goes the world is in lock step: nothing is on its way then.
+ */
+@Timeout(60)
+class DriverGoneTest {
+    private static final int PORT = 6665;
+    private static final int HALF_A_SECOND_TICKS = 5;
+    private static final Velocity TURNING = new Velocity(0, 0.3);
+
+    private final Simulation simulation =
+            Simulation.open(ScenarioReader.read(Path.of("worlds", "paper-arena.cfg")), WorldSettings.DEFAULT);
+
+    DriverGoneTest() {
+        var onlooker = PlayerPorts.find(PORT)
+                .orElseThrow()
+                .connect(
+                        new DataSink() {
+                            @Override
+                            public void frame(Frame frame) {}
+
+                            @Override
+                            public void lost(String reason) {}
+                        },
+                        null);
+        onlooker.answers(false);
+        onlooker.devices().stream()
+                .filter(device -> device.interfaceCode() == Interfaces.POSITION2D.code())
+                .forEach(onlooker::subscribe);
+    }
+
+    @AfterEach
+    void close() {
+        simulation.close();
+    }
+
+    private boolean moves(int robot) {
+        var odometry = simulation.latest().robots().get(robot).odometry();
+        return odometry.forwardMps() != 0 || odometry.turnRadps() != 0;
+    }
+
+    private void tick(int times) {
+        for (int i = 0; i < times; i++) {
+            simulation.tick();
+        }
+    }
+
+    /** In lock step, until the service drives. */
+    private void awaitMoving(int robot) {
+        simulation.lockStep(true);
+        for (int tick = 0; tick < 100 && !moves(robot); tick++) {
+            simulation.tick();
+        }
+        assertThat(moves(robot)).as("robot %d is driven", robot + 1).isTrue();
+    }
+
+    /** The driver has just gone, and the world does not wait for it. */
+    private void assertStandsAfterHalfASecond(int robot) {
+        assertThat(moves(robot)).as("robot %d was driven until now", robot + 1).isTrue();
+        simulation.lockStep(false);
+        tick(HALF_A_SECOND_TICKS);
+        var pose = simulation.latest().robots().get(robot).pose();
+        tick(HALF_A_SECOND_TICKS);
+        assertThat(simulation.latest().robots().get(robot).pose())
+                .as("pose of robot %d after half a second, and after a second", robot + 1)
+                .isEqualTo(pose);
+    }
+
+    private static void await(CountDownLatch latch) {
+        try {
+            assertThat(latch.await(30, TimeUnit.SECONDS)).isTrue();
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    // ---- services in this process
+
+    @ParameterizedTest
+    @EnumSource
+    void serviceThatHangsInItsCycle_andDrivesAgainWhenItGoesOn(Mode mode) throws Exception {
+        var hangs = new AtomicBoolean();
+        var goesOn = new CountDownLatch(1);
+        var hanging = new Service("hanging", false, () -> senses -> {
+            if (hangs.get()) {
+                await(goesOn);
+            }
+            return Optional.of(TURNING);
+        });
+        var table = SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, Assignment.everyRobot(hanging))
+                .allowFinal()
+                .build();
+        var settings = new SubsumptionRun.Settings(
+                mode, "localhost", PORT, table, simulation.clock(), ServiceObserver.NONE, (state, seenBy) -> {});
+        try (var run = SubsumptionRun.start(settings)) {
+            awaitMoving(0);
+            awaitMoving(1);
+            hangs.set(true); // both robots' services are on one thread
+            assertStandsAfterHalfASecond(0);
+            assertThat(moves(1)).isFalse();
+            goesOn.countDown();
+            awaitMoving(0);
+            awaitMoving(1);
+            run.check();
+        }
+    }
+
+    private ActorSpace space() {
+        return ActorSpace.create(SpaceSettings.named("driver").withClock(simulation.clock()));
+    }
+
+    private static void end(ActorSpace space) {
+        space.close();
+    }
+
+    private static RobotServices drive(ActorSpace space, int port) {
+        var settings = RobotServices.Settings.ofThePaper().withPort(port);
+        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(settings));
+        services.wallFollower(0, new AtomicReference<>(1));
+        var connected = new CountDownLatch(1);
+        space.onIdle(connected::countDown);
+        await(connected);
+        return services;
+    }
+
+    @Test
+    void actorThatIsStopped() {
+        try (var space = space()) {
+            var services = drive(space, PORT);
+            awaitMoving(0);
+            space.stop(services);
+            assertStandsAfterHalfASecond(0);
+        }
+    }
+
+    @Test
+    void spaceThatIsClosed() {
+        try (var space = space()) {
+            drive(space, PORT);
+            awaitMoving(0);
+            end(space);
+            assertStandsAfterHalfASecond(0);
+        }
+    }
+
+    @Test
+    void spaceThatAnotherActorHolds_andItsServiceDrivesAgainAfterThat() {
+        var goesOn = new CountDownLatch(1);
+        try (var space = space()) {
+            drive(space, PORT);
+            awaitMoving(0);
+            space.execute(() -> await(goesOn));
+            assertStandsAfterHalfASecond(0);
+            goesOn.countDown();
+            awaitMoving(0);
+        }
+    }
+
+    @Test
+    void arbitratorThatFailsBetweenTwoStates() throws Exception {
+        var states = new AtomicInteger();
+        Arbitrator.StateListener failing = (state, seenBy) -> {
+            if (states.incrementAndGet() == 2) {
+                throw new IllegalStateException("no way on");
+            }
+        };
+        var settings = new SubsumptionRun.Settings(
+                Mode.PROMISE,
+                "localhost",
+                PORT,
+                SubsumptionTable.ofThePaper(),
+                simulation.clock(),
+                ServiceObserver.NONE,
+                failing);
+        try (var run = SubsumptionRun.start(settings)) {
+            for (int tick = 0; tick < 3_000 && states.get() < 2; tick++) {
+                simulation.tick(); // the speeds of the reading before are still in the newest snapshot
+            }
+            assertThat(states).hasValue(2);
+            assertThatThrownBy(run::check).hasMessage("no way on");
+            tick(HALF_A_SECOND_TICKS);
+            assertThat(moves(0) || moves(1)).isFalse();
+        }
+    }
+
+    // ---- components
+
+    private Application start(ActorSpace space, InProcessBus bus, Supplier<Behaviour> law) throws Exception {
+        var plan = ApplicationPlan.named("turning")
+                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
+                .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
+                .needing("turning", "player")
+                .needing("robot1", "turning");
+        var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        var application = new CompletableFuture<Application>();
+        space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
+        Application begun = application.get(20, TimeUnit.SECONDS);
+        begun.started().get(Duration.ofSeconds(20));
+        awaitMoving(0);
+        return begun;
+    }
+
+    @Test
+    void driverComponentThatFallsSilentWithoutALastWord_andDrivesAgain() throws Exception {
+        var silent = new AtomicBoolean();
+        try (var space = space()) {
+            start(
+                    space,
+                    InProcessBus.open("here", BusSettings.on(space)),
+                    () -> senses -> silent.get() ? Optional.empty() : Optional.of(TURNING));
+            silent.set(true);
+            assertStandsAfterHalfASecond(0);
+            silent.set(false);
+            awaitMoving(0);
+        }
+    }
+
+    @Test
+    void busThatIsClosed_betweenTheDriverAndItsRobot() throws Exception {
+        try (var space = space()) {
+            var bus = InProcessBus.open("here", BusSettings.on(space));
+            start(space, bus, () -> senses -> Optional.of(TURNING));
+            bus.close();
+            assertStandsAfterHalfASecond(0);
+        }
+    }
+
+    @Test
+    void spaceOfBrokerBusAndComponents_thatHangs_andThatIsClosed() throws Exception {
+        var goesOn = new CountDownLatch(1);
+        try (var space = space()) {
+            start(space, InProcessBus.open("here", BusSettings.on(space)), () -> senses -> Optional.of(TURNING));
+            space.execute(() -> await(goesOn));
+            assertStandsAfterHalfASecond(0);
+            goesOn.countDown();
+            awaitMoving(0);
+            end(space);
+            assertStandsAfterHalfASecond(0);
+        }
+    }
+
+    // ---- over TCP
+
+    @Test
+    void connectionThatIsCutWithoutAWord() throws Exception {
+        try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0);
+                var cable = new Cable(tcp.port());
+                var space = space()) {
+            drive(space, cable.port());
+            awaitMoving(0);
+            cable.cut();
+            assertStandsAfterHalfASecond(0);
+        }
+    }
+
+    /** Forwards one connection, until it is cut: both ends stay open, and nothing goes through any more. */
+    private static final class Cable implements AutoCloseable {
+        private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        private final List<Socket> ends = new CopyOnWriteArrayList<>();
+        private volatile boolean cut;
+
+        Cable(int serverPort) throws IOException {
+            Thread.ofVirtual().start(() -> {
+                try {
+                    var client = listener.accept();
+                    var server = new Socket(InetAddress.getLoopbackAddress(), serverPort);
+                    client.setTcpNoDelay(true);
+                    server.setTcpNoDelay(true);
+                    ends.add(client);
+                    ends.add(server);
+                    Thread.ofVirtual().start(() -> forward(client, server));
+                    forward(server, client);
+                } catch (IOException closed) {
+                    // by the test
+                }
+            });
+        }
+
+        private void forward(Socket from, Socket to) {
+            var bytes = new byte[8192];
+            try {
+                for (int count = from.getInputStream().read(bytes);
+                        count > 0;
+                        count = from.getInputStream().read(bytes)) {
+                    if (!cut) {
+                        to.getOutputStream().write(bytes, 0, count);
+                    }
+                }
+            } catch (IOException closed) {
+                // by the test
+            }
+        }
+
+        int port() {
+            return listener.getLocalPort();
+        }
+
+        void cut() {
+            cut = true;
+        }
+
+        @Override
+        public void close() throws IOException {
+            listener.close();
+            for (var end : ends) {
+                end.close();
+            }
+        }
+    }
+
+    /** Drives robot 1 in a process of its own; says so, and goes on until it is killed or its input ends. */
+    static final class Driver {
+        private Driver() {}
+
+        public static void main(String[] args) throws IOException {
+            var space = ActorSpace.create(SpaceSettings.named("driver"));
+            drive(space, Integer.parseInt(args[0]));
+            System.out.println("connected");
+            System.in.read();
+        }
+    }
+
+    @Test
+    void processThatIsFrozen_drivesAgainWhenItGoesOn_andOneThatIsKilled() throws Exception {
+        try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0)) {
+            var process = new ProcessBuilder(
+                            Path.of(System.getProperty("java.home"), "bin", "java")
+                                    .toString(),
+                            "-XX:TieredStopAtLevel=1",
+                            "-cp",
+                            System.getProperty("java.class.path"),
+                            Driver.class.getName(),
+                            String.valueOf(tcp.port()))
+                    .redirectError(ProcessBuilder.Redirect.INHERIT)
+                    .start();
+            try {
+                assertThat(process.inputReader().readLine()).isEqualTo("connected");
+                awaitMoving(0);
+                assumeTrue(signal(process, "-STOP"), "this machine has no kill -STOP");
+                assertStandsAfterHalfASecond(0);
+                signal(process, "-CONT");
+                awaitMoving(0);
+                process.destroyForcibly().waitFor();
+                assertStandsAfterHalfASecond(0);
+            } finally {
+                process.destroyForcibly();
+            }
+        }
+    }
+
+    /** Sends a signal and waits until it has had its effect. */
+    private static boolean signal(Process process, String name) throws InterruptedException {
+        String pid = String.valueOf(process.pid());
+        try {
+            if (new ProcessBuilder("kill", name, pid).start().waitFor() != 0) {
+                return false;
+            }
+            boolean stops = name.equals("-STOP");
+            String state;
+            do {
+                state = new ProcessBuilder("ps", "-o", "state=", "-p", pid)
+                        .start()
+                        .inputReader()
+                        .readLine();
+            } while (state != null && state.startsWith("T") != stops);
+            return state != null;
+        } catch (IOException noSuchProgram) {
+            return false;
+        }
+    }
+}
