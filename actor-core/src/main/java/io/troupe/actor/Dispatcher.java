@@ -2,27 +2,40 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
+import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queues of a space and the order in which they are served; on the space's thread, but for {@link #inbox} and {@link #served}.
+ * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and {@link #served}.
  *
- * <p><b>Order.</b> Entries from outside wait in the inbox, entries from inside in two rings: callbacks and mails. An entry from the inbox
- * runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one receiver keep their order.
- * Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the timers have their turn, so that nobody starves. What an entry asked for
- * {@link #afterTurn} comes before everything else.
+ * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. Before each mail the inbox of
+ * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
+ * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
+ * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
+ * timers have their turn. What an entry asked for {@link #afterTurn} comes before everything else.
+ *
+ * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} entries, or after each entry while entries take longer than a
+ * millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass is soon enough.
  */
 final class Dispatcher {
     private static final int QUOTA = 256;
     private static final int RENEWAL = (1 << 10) - 1;
+    private static final int STRIDE = 16;
+    private static final long LONG_STRIDE_NANOS = 1_000_000;
+    private static final int SPINS = 1_000;
 
     final NodeQueue inbox;
+    final NodeQueue callbackInbox;
     final TimerWheel timers;
     private final SpaceHome space;
+    private final Clock clock;
+    private final boolean ownThread;
+    private final Consumer<Runnable> runTask = this::runTask; // made once: a pass must not need memory
     private final NodeRing callbacks;
     private final NodeRing mails;
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
@@ -31,18 +44,33 @@ final class Dispatcher {
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
+    private int stride = STRIDE;
+    private long nextLook; // so many entries served
+    private long lastLookNanos;
 
-    Dispatcher(SpaceHome space, NodeQueue inbox, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
+    Dispatcher(
+            SpaceHome space,
+            NodeQueue inbox,
+            NodeQueue callbackInbox,
+            NodeRing callbacks,
+            NodeRing mails,
+            TimerWheel timers,
+            SpaceSettings settings) {
         this.space = space;
         this.inbox = inbox;
+        this.callbackInbox = callbackInbox;
         this.callbacks = callbacks;
         this.mails = mails;
         this.timers = timers;
+        this.clock = settings.clock();
+        this.ownThread = !settings.handCranked();
+        this.nextLook = clock.runsByItself() ? STRIDE : Long.MAX_VALUE;
     }
 
     /** Serves nothing more after the present turn. */
     void halt() {
         quota = 0;
+        nextLook = Long.MAX_VALUE;
     }
 
     /** Runs an action when the entry that is being served has returned. */
@@ -62,7 +90,7 @@ final class Dispatcher {
         }
         boolean worked = drainInbox();
         worked |= drainRings();
-        worked |= quota > 0 && timers.runDue(this::runTask) > 0;
+        worked |= quota > 0 && timers.runDue(runTask) > 0;
         return worked;
     }
 
@@ -75,7 +103,17 @@ final class Dispatcher {
 
     /** Nothing waits, and no timer is due; between two turns. */
     boolean isQuiet() {
-        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && !timers.isDue();
+        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && callbackInbox.isEmpty() && !timers.isDue();
+    }
+
+    /** Whether something has arrived from outside; does not look where other threads write. */
+    boolean isReady() {
+        return inbox.isReady() || callbackInbox.isReady();
+    }
+
+    /** Whether something from outside waits, or is about to. */
+    boolean hasArrivals() {
+        return !inbox.isEmpty() || !callbackInbox.isEmpty();
     }
 
     /** Runs what waited for quiet; false if nothing did. */
@@ -83,7 +121,7 @@ final class Dispatcher {
         if (idleActions.isEmpty()) {
             return false;
         }
-        takeIdleActions().forEach(this::runTask);
+        takeIdleActions().forEach(runTask);
         return true;
     }
 
@@ -100,6 +138,9 @@ final class Dispatcher {
         if (node == null) {
             node = mails.poll();
         }
+        if (node == null) {
+            node = callbackInbox.poll();
+        }
         return node != null ? node : inbox.poll();
     }
 
@@ -108,9 +149,9 @@ final class Dispatcher {
         return progress.served();
     }
 
-    /** How many entries wait in the rings; those in the inbox are not counted. */
-    int inside() {
-        return callbacks.size() + mails.size();
+    /** How many entries wait; between two turns. Takes time in the number of those from outside. */
+    long waiting() {
+        return (long) callbacks.size() + mails.size() + inbox.size() + callbackInbox.size();
     }
 
     /** How many mails wait in front of one; -1 if it does not wait. Takes time in their number. */
@@ -126,7 +167,7 @@ final class Dispatcher {
 
     /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
     void serve(Node node) {
-        progress.step(); // before, so that a message that never ends is one that was seen to begin
+        long number = progress.step(); // before, so that a message that never ends is one that was seen to begin
         try {
             SpaceHome.runNode(node);
         } catch (Throwable thrown) {
@@ -135,6 +176,25 @@ final class Dispatcher {
         if (turnLeavesWork) {
             endTurn();
         }
+        if (ownThread) {
+            Thread.interrupted(); // of one entry is not of the next
+        }
+        if (number >= nextLook) {
+            lookAtTimers(number);
+        }
+    }
+
+    /** Reads the clock only if there are timers: that costs as much as a few messages. */
+    private void lookAtTimers(long number) {
+        if (!timers.isEmpty()) {
+            long now = clock.nanos();
+            stride = now - lastLookNanos > LONG_STRIDE_NANOS ? 1 : Math.min(STRIDE, 2 * stride);
+            lastLookNanos = now;
+            if (timers.nextDeadline() <= now) {
+                timers.runDue(runTask);
+            }
+        }
+        nextLook = quota == 0 ? Long.MAX_VALUE : number + stride;
     }
 
     /** A task that is no entry: a timer's, or one that waited for quiet. */
@@ -154,32 +214,75 @@ final class Dispatcher {
     }
 
     private boolean drainInbox() {
+        boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();
-        int count = 0;
         try {
-            for (; count < quota; count++) {
-                Node node = inbox.takeAfter(last);
-                if (node == null) {
+            for (int count = 0; count < quota; count++) {
+                mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
+                Node mail = inbox.takeAfter(last);
+                if (mail == null) {
                     break;
                 }
-                last = node;
-                if (callbacks.isEmpty() && mails.isEmpty()) {
-                    serve(node);
-                } else if (SpaceHome.goesToMailbox(node)) {
-                    mails.add(node);
-                } else {
-                    callbacks.add(node);
-                }
+                last = mail;
+                worked = true;
+                serveOrQueue(mail);
             }
         } finally {
             inbox.endBatch(last);
         }
-        return count > 0;
+        return worked;
+    }
+
+    private void serveOrQueue(Node mail) {
+        boolean first = false;
+        try {
+            takeCallbacks(); // what its sender queued before it is among them
+            first = callbacks.isEmpty() && mails.isEmpty();
+        } finally {
+            if (!first) {
+                mails.add(mail);
+            }
+        }
+        if (first) {
+            serve(mail);
+        }
+    }
+
+    /** Moves the callbacks that have come from outside until now into their ring; false if there were none. */
+    private boolean takeCallbacks() {
+        Node last = callbackInbox.newest();
+        if (last == null) {
+            return false;
+        }
+        for (Node node = null; node != last; ) {
+            callbacks.makeRoom();
+            node = nextArrival();
+            callbacks.add(node);
+        }
+        return true;
+    }
+
+    /** The next callback from outside; one is there, but its sender may be between the two steps of queueing it. */
+    private Node nextArrival() {
+        for (int look = 0; ; look++) {
+            Node node = callbackInbox.poll();
+            if (node != null) {
+                return node;
+            }
+            if (look < SPINS) {
+                Thread.onSpinWait();
+            } else {
+                Thread.yield(); // it lost its processor there
+            }
+        }
     }
 
     private boolean drainRings() {
         boolean worked = false;
         for (int count = 0; count < quota; count++) {
+            if (callbackInbox.isReady()) {
+                takeCallbacks();
+            }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
             Node mail = mails.poll();
             if (mail == null && more) {

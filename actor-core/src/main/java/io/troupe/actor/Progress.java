@@ -29,9 +29,11 @@ final class Progress extends ProgressCount {
         }
     }
 
-    /** One more; on the space's thread. */
-    void step() {
-        SERVED.setOpaque(this, served + 1);
+    /** One more, and how many that makes; on the space's thread. */
+    long step() {
+        long now = served + 1;
+        SERVED.setOpaque(this, now);
+        return now;
     }
 
     /** From any thread, a little behind. */

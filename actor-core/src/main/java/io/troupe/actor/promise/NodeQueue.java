@@ -63,11 +63,16 @@ public final class NodeQueue extends QueueTail {
         }
     }
 
-    /** Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. */
+    /**
+     * Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. If this throws, at the end of the
+     * caller's stack, the node was not appended.
+     */
     public void offer(Node node) {
         node.next = null;
+        VarHandle.releaseFence(); // what the node holds is written before the link below
         var before = (Node) TAIL.getAndSet(this, node);
-        NEXT.setRelease(before, node);
+        before.next =
+                node; // no call: between the exchange and this store the stack must not overflow, or the link were lost
     }
 
     /** Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty} tells which. */
@@ -82,6 +87,12 @@ public final class NodeQueue extends QueueTail {
     /** Whether nothing has been offered that was not taken. */
     public boolean isEmpty() {
         return head == tail;
+    }
+
+    /** The node that was offered last, or null if the queue is empty. */
+    public @Nullable Node newest() {
+        Node last = tail;
+        return last == head ? null : last;
     }
 
     /** Whether {@link #poll} would answer a node; unlike {@link #isEmpty} it does not look where producers write. */
