@@ -19,9 +19,11 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} makes further ones, for tests or one per core. Ends with
  * {@link #close}.
  * <p><b>Threads.</b> Every method from any thread unless it says otherwise. An actor's code only ever runs on its space's thread, so it
- * needs no locks.
+ * needs no locks. Actors share the thread: one that interrupts it interrupts whatever comes next there, until the space sleeps (clearing the flag
+ * at each message would cost as much as a fifth of a message).
  * <p><b>Order.</b> Calls from one sender to one actor are handled in the order in which they were made. Answers and other callbacks, from this and from other
- * spaces, are handled before messages, but never more than 256 of them in a row. A timer that is due waits for 16 messages at most.
+ * spaces, are handled before messages, but never more than 256 of them in a row. A timer that is due waits for 16 messages at most, and for the
+ * answers that come before these.
  * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error is fatal to a space: whatever an actor, a listener or a handler throws, an
  * {@link OutOfMemoryError} and an {@link InternalError} too, is reported, and the others are served. If memory is too short even for the report, the error
  * is counted. A caller whose stack ends within a call gets its {@link StackOverflowError} or has its call queued, which is then served within a second.

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
  * timers have their turn. What an entry asked for {@link #afterTurn} comes before everything else.
  *
- * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} entries, or after each entry while entries take longer than a
+ * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
  * millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass is soon enough.
  */
 final class Dispatcher {
@@ -34,7 +34,6 @@ final class Dispatcher {
     final TimerWheel timers;
     private final SpaceHome space;
     private final Clock clock;
-    private final boolean ownThread;
     private final Consumer<Runnable> runTask = this::runTask; // made once: a pass must not need memory
     private final NodeRing callbacks;
     private final NodeRing mails;
@@ -45,7 +44,6 @@ final class Dispatcher {
     private boolean turnLeavesWork;
     private int quota = QUOTA;
     private int stride = STRIDE;
-    private long nextLook; // so many entries served
     private long lastLookNanos;
 
     Dispatcher(
@@ -55,22 +53,19 @@ final class Dispatcher {
             NodeRing callbacks,
             NodeRing mails,
             TimerWheel timers,
-            SpaceSettings settings) {
+            Clock clock) {
         this.space = space;
         this.inbox = inbox;
         this.callbackInbox = callbackInbox;
         this.callbacks = callbacks;
         this.mails = mails;
         this.timers = timers;
-        this.clock = settings.clock();
-        this.ownThread = !settings.handCranked();
-        this.nextLook = clock.runsByItself() ? STRIDE : Long.MAX_VALUE;
+        this.clock = clock;
     }
 
     /** Serves nothing more after the present turn. */
     void halt() {
         quota = 0;
-        nextLook = Long.MAX_VALUE;
     }
 
     /** Runs an action when the entry that is being served has returned. */
@@ -167,7 +162,7 @@ final class Dispatcher {
 
     /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
     void serve(Node node) {
-        long number = progress.step(); // before, so that a message that never ends is one that was seen to begin
+        progress.step(); // before, so that a message that never ends is one that was seen to begin
         try {
             SpaceHome.runNode(node);
         } catch (Throwable thrown) {
@@ -176,17 +171,15 @@ final class Dispatcher {
         if (turnLeavesWork) {
             endTurn();
         }
-        if (ownThread) {
-            Thread.interrupted(); // of one entry is not of the next
-        }
-        if (number >= nextLook) {
-            lookAtTimers(number);
-        }
     }
 
-    /** Reads the clock only if there are timers: that costs as much as a few messages. */
-    private void lookAtTimers(long number) {
-        if (!timers.isEmpty()) {
+    /**
+     * Between two mails. Reads the clock only if there are timers: that costs as much as a few messages.
+     *
+     * @return how many mails later to look again
+     */
+    private int lookAtTimers() {
+        if (!timers.isEmpty() && clock.runsByItself() && quota > 0) {
             long now = clock.nanos();
             stride = now - lastLookNanos > LONG_STRIDE_NANOS ? 1 : Math.min(STRIDE, 2 * stride);
             lastLookNanos = now;
@@ -194,7 +187,7 @@ final class Dispatcher {
                 timers.runDue(runTask);
             }
         }
-        nextLook = quota == 0 ? Long.MAX_VALUE : number + stride;
+        return stride;
     }
 
     /** A task that is no entry: a timer's, or one that waited for quiet. */
@@ -216,36 +209,29 @@ final class Dispatcher {
     private boolean drainInbox() {
         boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();
+        int untilLook = stride;
         try {
-            for (int count = 0; count < quota; count++) {
-                mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
-                Node mail = inbox.takeAfter(last);
-                if (mail == null) {
-                    break;
+            for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
+                // what the mail's sender queued before it is among the callbacks
+                boolean behind = takeCallbacks() || !callbacks.isEmpty() || !mails.isEmpty();
+                if (behind) {
+                    mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
                 }
-                last = mail;
+                last = inbox.takeAfter(last);
                 worked = true;
-                serveOrQueue(mail);
+                if (behind) {
+                    mails.add(last);
+                } else {
+                    serve(last);
+                    if (--untilLook == 0) {
+                        untilLook = lookAtTimers();
+                    }
+                }
             }
         } finally {
             inbox.endBatch(last);
         }
         return worked;
-    }
-
-    private void serveOrQueue(Node mail) {
-        boolean first = false;
-        try {
-            takeCallbacks(); // what its sender queued before it is among them
-            first = callbacks.isEmpty() && mails.isEmpty();
-        } finally {
-            if (!first) {
-                mails.add(mail);
-            }
-        }
-        if (first) {
-            serve(mail);
-        }
     }
 
     /** Moves the callbacks that have come from outside until now into their ring; false if there were none. */
@@ -279,6 +265,7 @@ final class Dispatcher {
 
     private boolean drainRings() {
         boolean worked = false;
+        int untilLook = stride;
         for (int count = 0; count < quota; count++) {
             if (callbackInbox.isReady()) {
                 takeCallbacks();
@@ -291,6 +278,9 @@ final class Dispatcher {
             }
             if (mail != null) {
                 serve(mail);
+                if (--untilLook == 0) {
+                    untilLook = lookAtTimers();
+                }
             } else if (callbacks.isEmpty()) {
                 return worked;
             }

@@ -29,11 +29,9 @@ final class Progress extends ProgressCount {
         }
     }
 
-    /** One more, and how many that makes; on the space's thread. */
-    long step() {
-        long now = served + 1;
-        SERVED.setOpaque(this, now);
-        return now;
+    /** One more; on the space's thread. */
+    void step() {
+        SERVED.setOpaque(this, served + 1);
     }
 
     /** From any thread, a little behind. */

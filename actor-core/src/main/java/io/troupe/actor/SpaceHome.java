@@ -40,7 +40,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         this.settings = settings;
         var wheel = new TimerWheel(settings.clock(), this::isCurrent);
         reports = new Reports(this, settings);
-        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, mails, wheel, settings);
+        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, mails, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
         rejections = new Rejections(wheel, reports);
         figures = new Probing(this, dispatcher, reports);

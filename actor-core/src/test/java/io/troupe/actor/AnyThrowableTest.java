@@ -195,16 +195,4 @@ class AnyThrowableTest {
         assertThatThrownBy(() -> steady.answer().get(LONG)).isInstanceOf(ActorStoppedException.class);
         assertThat(reported).hasAtLeastOneElementOfType(InternalError.class);
     }
-
-    @Test
-    void interrupt_ofOneActor_isNotSeenByTheNext() throws Exception {
-        try (var space = ActorSpace.create(SpaceSettings.named("interrupts"))) {
-            var seen = new Deferred<Boolean>();
-            space.execute(() -> {
-                space.execute(() -> seen.resolve(Thread.currentThread().isInterrupted()));
-                Thread.currentThread().interrupt();
-            });
-            assertThat(seen.get(LONG)).isFalse();
-        }
-    }
 }

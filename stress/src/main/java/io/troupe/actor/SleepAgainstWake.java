@@ -37,7 +37,7 @@ public class SleepAgainstWake {
     private static final ActorSpace SPACE = ActorSpace.create(SETTINGS);
 
     private final Dispatcher dispatcher = new Dispatcher(
-            SPACE, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, SETTINGS);
+            SPACE, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
     private final Lifeline lifeline = new Lifeline();
 
     @Actor

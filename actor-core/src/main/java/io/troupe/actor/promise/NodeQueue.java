@@ -2,6 +2,7 @@ package io.troupe.actor.promise;
 
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps the producers' end and the consumer's end of a queue on different cache lines: fields of a superclass come first. */
@@ -77,10 +78,11 @@ public final class NodeQueue extends QueueTail {
 
     /** Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty} tells which. */
     public @Nullable Node poll() {
-        Node first = takeAfter(head);
-        if (first != null) {
-            head = first;
+        if (!isReadyAfter(head)) {
+            return null;
         }
+        Node first = takeAfter(head);
+        head = first;
         return first;
     }
 
@@ -130,12 +132,14 @@ public final class NodeQueue extends QueueTail {
         return head;
     }
 
-    /** Takes the node behind the one taken last, or null as {@link #poll}. */
-    public @Nullable Node takeAfter(Node last) {
-        var first = (Node) NEXT.getAcquire(last);
-        if (first == null) {
-            return null;
-        }
+    /** Whether there is a node behind the one taken last. */
+    public boolean isReadyAfter(Node last) {
+        return NEXT.getAcquire(last) != null;
+    }
+
+    /** Takes the node behind the one taken last; to be called if {@link #isReadyAfter} says that there is one. */
+    public Node takeAfter(Node last) {
+        Node first = Objects.requireNonNull(last.next);
         last.next = null;
         return first;
     }
