@@ -3,6 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
+import java.util.ArrayDeque;
+import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -12,18 +14,28 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's.
  */
 public final class ActorCell {
+    private static final long FIRST_PAUSE_NANOS = 10_000_000;
+    private static final long LONGEST_PAUSE_NANOS = 10_000_000_000L;
+    private static final int MOST_DOUBLINGS = 10;
+
     private final ActorSpace space;
     private final Class<?> type;
     private final int number;
     private final Supplier<?> factory;
     private final ActorSettings settings;
     private final @Nullable BoundedMailbox mailbox;
-    private @Nullable Object implementation;
+    private @Nullable Object implementation; // null also while calls are held back
+    private @Nullable Object instance;
     private @Nullable Object proxy;
     private @Nullable FailureCount failures;
     private @Nullable Throwable endedBy; // the failure that led to the last end of an instance
     private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as is stopped for other threads
     private Life life;
+    private @Nullable ArrayDeque<Node>
+            held; // since a restart has to wait, until those calls are served that came meanwhile
+    private boolean releasing;
+    private boolean starting;
+    private int failedStarts; // in a row
     private boolean begun;
     private boolean stopped;
 
@@ -82,12 +94,23 @@ public final class ActorCell {
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
-        switch (bounded.admit(call, this)) {
-            case QUEUED -> space.enqueueMail(call);
-            case TAKEN_IN -> {}
-            case REFUSED -> drop(call, bounded.reason());
-            case INTERRUPTED ->
-                drop(call, bounded.reason() + ", and its caller was interrupted while it waited for room");
+        // no switch: its table is a class, which a caller at the end of its stack could spoil for all
+        var admission = bounded.admit(call, this);
+        if (admission == BoundedMailbox.Admission.QUEUED) {
+            queue(call, bounded);
+        } else if (admission == BoundedMailbox.Admission.REFUSED) {
+            drop(call, bounded.reason());
+        } else if (admission == BoundedMailbox.Admission.INTERRUPTED) {
+            drop(call, bounded.reason() + ", and its caller was interrupted while it waited for room");
+        }
+    }
+
+    private void queue(Node call, BoundedMailbox bounded) {
+        try {
+            space.enqueueMail(call);
+        } catch (Throwable notQueued) { // the caller's stack has ended: the place is free again
+            bounded.takeBack(call);
+            throw notQueued;
         }
     }
 
@@ -139,9 +162,17 @@ public final class ActorCell {
     private void startInstance() {
         begun = true;
         space.actors().add(this);
+        int failedBefore = failedStarts;
+        starting = true;
         guard("the start", this::begin);
-        if (implementation == null) {
+        starting = false;
+        if (instance == null) {
             stop();
+        } else if (failedStarts == failedBefore) {
+            failedStarts = 0;
+            if (held != null) {
+                releaseSoon();
+            }
         }
     }
 
@@ -153,7 +184,8 @@ public final class ActorCell {
         if (made instanceof ActorProxy) {
             throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
         }
-        implementation = made;
+        instance = made;
+        implementation = held == null ? made : null;
         if (made instanceof Actor actor) {
             actor.join(this);
             actor.started();
@@ -171,6 +203,10 @@ public final class ActorCell {
             watched = ended;
         }
         endLife(whyStopped());
+        if (held != null) {
+            held.forEach(space::enqueueMail); // to be turned away like all others
+            held = null;
+        }
         if (watched != null) {
             watched.resolve(null);
         }
@@ -178,15 +214,16 @@ public final class ActorCell {
 
     /** The end of one instance. */
     private void endLife(String reason) {
-        if (implementation instanceof Actor actor) {
+        if (instance instanceof Actor actor) {
             space.beginTurnOf(life);
             try {
                 actor.stopped();
             } catch (Throwable thrown) { // reported, and no failure of the instance that comes next
-                space.reports().error("stopped() of " + this, thrown, settings.onError());
+                space.reports().error("stopped() of", this, thrown, settings.onError());
             }
         }
         implementation = null;
+        instance = null;
         life.end();
         life.rejectOpenRequests(reason, endedBy);
     }
@@ -195,14 +232,58 @@ public final class ActorCell {
         return space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
     }
 
+    /** At once, but after a second failed start in a row only after a pause, so that an actor that cannot start leaves time for the others. */
     private void restart() {
         if (stopped) {
             return;
         }
         endLife("the actor " + this + " was restarted");
         endedBy = null;
-        life = new Life(this);
-        startInstance();
+        if (failedStarts < 2) {
+            revive();
+            return;
+        }
+        if (held == null) {
+            held = new ArrayDeque<>();
+        }
+        long pauseNanos =
+                Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(failedStarts - 2, MOST_DOUBLINGS));
+        space.dispatcher.timers.set(this::revive, pauseNanos, 0);
+    }
+
+    private void revive() {
+        if (!stopped && !space.isStopping()) {
+            life = new Life(this);
+            startInstance();
+        }
+    }
+
+    /** The calls that were held back come before those that wait in the space, one for each entry, so that others have their turns. */
+    private void releaseSoon() {
+        if (!releasing) {
+            releasing = true;
+            space.enqueueCallback(Entry.urgent(this::release, this::release));
+        }
+    }
+
+    private void release() {
+        releasing = false;
+        if (held == null || instance == null) {
+            return; // it has stopped, or waits again
+        }
+        Node ticket = held.poll();
+        if (ticket != null) {
+            deliver(ticket);
+        }
+        if (held == null) {
+            return;
+        }
+        if (held.isEmpty()) {
+            held = null;
+            implementation = instance;
+        } else {
+            releaseSoon();
+        }
     }
 
     /** Turns a call away that found no room, or had to make room. Any thread. */
@@ -237,8 +318,16 @@ public final class ActorCell {
     /** The slower way: of a call that may be another's ticket, may have been cancelled, or may find nobody. */
     private void deliverNext(Node ticket) {
         start();
+        if (held != null) {
+            held.add(ticket);
+        } else {
+            deliver(ticket);
+        }
+    }
+
+    private void deliver(Node ticket) {
         Node call = mailbox == null ? ticket : mailbox.next(ticket);
-        Object target = implementation;
+        Object target = instance;
         if (call instanceof Request<?> request && request.isDone()) {
             space.reports().skip(request); // cancelled while it waited
         } else if (target == null) {
@@ -266,9 +355,10 @@ public final class ActorCell {
         return mailbox == null ? ticket : mailbox.peek(ticket);
     }
 
-    /** How many calls wait before this one in a mailbox that keeps them itself, or -1. */
+    /** How many calls wait before this one in a mailbox that keeps them itself, or among those held back, or -1. */
     int placeInMailbox(Node call) {
-        return mailbox == null ? -1 : mailbox.placeOf(call);
+        int place = mailbox == null ? -1 : mailbox.placeOf(call);
+        return place < 0 && held != null ? List.copyOf(held).indexOf(call) : place;
     }
 
     private void refuse(Node call) {
@@ -289,9 +379,12 @@ public final class ActorCell {
 
     /** What the failure leads to comes when the failing turn has returned, and before anything else. */
     void failed(String what, Throwable thrown) {
-        space.reports().error(what + " of " + this, thrown, settings.onError());
+        space.reports().error(what + " of", this, thrown, settings.onError());
         if (stopped) {
             return;
+        }
+        if (starting) {
+            failedStarts++;
         }
         if (failures == null) {
             failures = new FailureCount(settings.supervision());

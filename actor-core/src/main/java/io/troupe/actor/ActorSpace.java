@@ -19,10 +19,14 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} makes further ones, for tests or one per core. Ends with
  * {@link #close}.
  * <p><b>Threads.</b> Every method from any thread unless it says otherwise. An actor's code only ever runs on its space's thread, so it
- * needs no locks.
- * <p><b>Order.</b> Calls from one sender to one actor are handled in the order in which they were made. Answers and other callbacks are
- * handled before messages, but never more than 256 of them in a row.
- * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed.
+ * needs no locks. Actors share the thread: one that interrupts it interrupts whatever comes next there, until the space sleeps (clearing the flag
+ * at each message would cost as much as a fifth of a message).
+ * <p><b>Order.</b> Calls from one sender to one actor are handled in the order in which they were made. Answers and other callbacks, from this and from other
+ * spaces, are handled before messages, but never more than 256 of them in a row. A timer that is due waits for 16 messages at most, and for the
+ * answers that come before these.
+ * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error is fatal to a space: whatever an actor, a listener or a handler throws, an
+ * {@link OutOfMemoryError} and an {@link InternalError} too, is reported, and the others are served. If memory is too short even for the report, the error
+ * is counted. A caller whose stack ends within a call gets its {@link StackOverflowError} or has its call queued, which is then served within a second.
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single thread.
  */
 public final class ActorSpace extends SpaceHome implements AutoCloseable {
@@ -141,6 +145,10 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     /**
      * Runs blocking work on a virtual thread, so many at a time as {@link SpaceSettings#offloadLimit} says.
      *
+     * <p>For work that waits, for a file, a socket or a lock; not for computing. All virtual threads share a few carriers, one for each processor, and one that
+     * computes keeps its carrier until it is done, so that the blocking work of every space waits. Give computing to a pool of platform threads of your own:
+     * {@code Promise.from(CompletableFuture.supplyAsync(work, pool))}; its listeners run on this space all the same.
+     *
      * @return settled with what the work answers or throws
      */
     public <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
@@ -148,11 +156,15 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Runs a body that may wait with {@link Promise#await()}, on a virtual thread that counts as this space's while the body runs: it sees and
+     * Runs a body that may wait with {@link Promise#await()}, on a platform thread that counts as this space's while the body runs: it sees and
      * changes what an actor's code may. While it waits the space serves others, the same actor included, so what it has read before may have changed after.
      *
+     * <p>A body has its thread, with the memory of its stack, until it ends: thousands may wait at a time, but not millions. The threads are daemons that later
+     * bodies use again, of other spaces too; so a body must not rely on thread-locals, and removes those it has set.
+     *
      * <p><b>Order.</b> The body begins in its turn among the messages, on behalf of the calling actor; what it waited for is a callback. <b>Cost.</b> Two switches
-     * between threads for the beginning and for each {@code await()} that really waits.
+     * between threads for the beginning and for each {@code await()} that really waits. <b>Errors.</b> If the machine has no further thread, the promise is
+     * rejected with the {@link OutOfMemoryError} that says so.
      *
      * @return settled with what the body answers or throws
      */
@@ -250,7 +262,8 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
 
     /**
      * Serves what was queued before, stops every actor, turns what is left into dead letters, and ends the thread; waits for that, up to ten seconds, unless
-     * it is called on the space's own thread. Later calls to its actors become dead letters and rejections.
+     * it is called on the thread of a space, this one or another: such a thread never waits, since two spaces that close each other would wait for ever;
+     * {@link #whenClosed()} tells it of the end. Later calls to its actors become dead letters and rejections.
      *
      * @throws IllegalStateException if this is the {@link #global()} space
      * @throws ActorException if the thread is busy with something else all the time; it ends when it has done that
@@ -258,7 +271,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     @Override
     public void close() {
         beginClosing();
-        if (!isCurrent()) {
+        if (isCrankedByHand() ? !isCurrent() : Home.current() == null) {
             awaitEnd(CLOSING_TIME);
         }
     }
@@ -267,13 +280,18 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * Closes the space as {@link #close()} does, and says what it had not done.
      *
      * @param patience how long to wait for the entry that is being served, and for what was queued before
-     * @throws IllegalStateException if this is the {@link #global()} space, or on the space's own thread
+     * @throws IllegalStateException if this is the {@link #global()} space, or on the thread of a space, this one or another
      * @throws ActorException if that takes longer; the text says what the thread is doing
      */
     public Leftovers close(Duration patience) {
         if (isCurrent()) {
             throw new IllegalStateException(
                     "close(" + patience + ") would wait for itself on the thread of space " + this + ": call close()");
+        }
+        Home here = Home.current();
+        if (here != null && !isCrankedByHand()) {
+            throw new IllegalStateException("close(" + patience + ") of space " + this + " would stop space " + here
+                    + " while it waits: call close(), and whenClosed() to learn of the end");
         }
         beginClosing();
         awaitEnd(patience);

@@ -82,6 +82,17 @@ final class BoundedMailbox {
         }
     }
 
+    /** A call that was admitted has not been queued after all. */
+    void takeBack(Node call) {
+        if (calls == null) {
+            room.release();
+            return;
+        }
+        synchronized (calls) {
+            calls.removeLastOccurrence(call);
+        }
+    }
+
     /** The call that would be served with this ticket. */
     Node peek(Node ticket) {
         if (calls == null) {

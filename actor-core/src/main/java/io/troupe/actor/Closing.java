@@ -23,11 +23,13 @@ final class Closing {
     private final Dispatcher dispatcher;
     private final Lifeline lifeline;
     private final Rejections rejections;
-    private final Runnable clockRegistration;
     private final AtomicBoolean begun = new AtomicBoolean();
     private final AtomicBoolean refusing = new AtomicBoolean();
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
+    private final Refusal last;
+    private final List<Runnable> steps; // all made before, so that the end needs little memory
+    private int bodies;
     private volatile @Nullable Leftovers leftovers;
     private final List<String> openRequests = new ArrayList<>();
 
@@ -46,7 +48,19 @@ final class Closing {
         this.dispatcher = dispatcher;
         this.lifeline = lifeline;
         this.rejections = rejections;
-        this.clockRegistration = clockRegistration;
+        last = new Refusal(space, dispatcher);
+        steps = List.of(
+                this::stopActors,
+                this::stopBodies,
+                clockRegistration,
+                lifeline::close,
+                this::dropWhatWaits,
+                last::refuseAll,
+                this::resolveClosed,
+                last::refuseAll, // what those who watched have queued
+                this::reportRejections,
+                last::refuseAll, // what the error handler has asked of actors
+                this::countLeftovers);
     }
 
     /** Stops the space behind what is queued now; only the first call does. */
@@ -83,25 +97,19 @@ final class Closing {
         return Objects.requireNonNull(leftovers);
     }
 
+    /** Whatever one step throws, the others are done, and the space is closed after. */
     void shut() {
-        var last = new Refusal(space, dispatcher);
         refusing.set(true); // nobody else turns leftovers away before this thread has
-        int bodies = space.sequences().count();
+        bodies = space.sequences().count();
         try {
-            space.actors().all().forEach(ActorCell::stop);
-            space.sequences().cancelAll();
-            clockRegistration.run();
-            lifeline.close();
-            last.dropTimers(dispatcher.timers);
-            last.dropIdleActions();
-            last.refuseAll();
-            closed.resolve(null);
-            last.refuseAll(); // what those who watched have queued
-            rejections.releaseAll();
-            rejections.report();
-            last.refuseAll(); // what the error handler has asked of actors
+            for (int step = 0; step < steps.size(); step++) { // an iterator might find no memory
+                try {
+                    steps.get(step).run();
+                } catch (Throwable broken) {
+                    space.reports().error("the end of space", space, broken, null);
+                }
+            }
         } finally {
-            leftovers = last.leftovers(bodies);
             lifeline.close();
             space.giveUpThread();
             refusing.set(false);
@@ -110,11 +118,38 @@ final class Closing {
         refuseLeftovers();
     }
 
+    private void stopActors() {
+        space.actors().all().forEach(ActorCell::stop);
+    }
+
+    private void stopBodies() {
+        space.sequences().cancelAll();
+    }
+
+    private void dropWhatWaits() {
+        last.dropTimers(dispatcher.timers);
+        last.dropIdleActions();
+    }
+
+    private void resolveClosed() {
+        closed.resolve(null);
+    }
+
+    private void reportRejections() {
+        rejections.releaseAll();
+        rejections.report();
+    }
+
+    private void countLeftovers() {
+        leftovers = last.leftovers(bodies);
+    }
+
     /** After the end: whoever finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. */
     void refuseLeftovers() {
-        while (!dispatcher.inbox.isEmpty() && refusing.compareAndSet(false, true)) {
-            Home before = space.enter();
-            try {
+        Home before = Home.current();
+        while (dispatcher.hasArrivals() && refusing.compareAndSet(false, true)) {
+            try { // from the first step on: the caller's stack may end anywhere
+                space.enter();
                 new Refusal(space, dispatcher).refuseAll();
                 rejections.report();
             } finally {

@@ -2,27 +2,39 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
+import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queues of a space and the order in which they are served; on the space's thread, but for {@link #inbox} and {@link #served}.
+ * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and {@link #served}.
  *
- * <p><b>Order.</b> Entries from outside wait in the inbox, entries from inside in two rings: callbacks and mails. An entry from the inbox
- * runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one receiver keep their order.
- * Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the timers have their turn, so that nobody starves. What an entry asked for
- * {@link #afterTurn} comes before everything else.
+ * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. Before each mail the inbox of
+ * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
+ * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
+ * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
+ * timers have their turn. What an entry asked for {@link #afterTurn} comes before everything else.
+ *
+ * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
+ * millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass is soon enough.
  */
 final class Dispatcher {
     private static final int QUOTA = 256;
     private static final int RENEWAL = (1 << 10) - 1;
+    private static final int STRIDE = 16;
+    private static final long LONG_STRIDE_NANOS = 1_000_000;
+    private static final int SPINS = 1_000;
 
     final NodeQueue inbox;
+    final NodeQueue callbackInbox;
     final TimerWheel timers;
     private final SpaceHome space;
+    private final Clock clock;
+    private final Consumer<Runnable> runTask = this::runTask; // made once: a pass must not need memory
     private final NodeRing callbacks;
     private final NodeRing mails;
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
@@ -31,13 +43,24 @@ final class Dispatcher {
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
+    private int stride = STRIDE;
+    private long lastLookNanos;
 
-    Dispatcher(SpaceHome space, NodeQueue inbox, NodeRing callbacks, NodeRing mails, TimerWheel timers) {
+    Dispatcher(
+            SpaceHome space,
+            NodeQueue inbox,
+            NodeQueue callbackInbox,
+            NodeRing callbacks,
+            NodeRing mails,
+            TimerWheel timers,
+            Clock clock) {
         this.space = space;
         this.inbox = inbox;
+        this.callbackInbox = callbackInbox;
         this.callbacks = callbacks;
         this.mails = mails;
         this.timers = timers;
+        this.clock = clock;
     }
 
     /** Serves nothing more after the present turn. */
@@ -62,7 +85,7 @@ final class Dispatcher {
         }
         boolean worked = drainInbox();
         worked |= drainRings();
-        worked |= quota > 0 && timers.runDue(this::runTask) > 0;
+        worked |= quota > 0 && timers.runDue(runTask) > 0;
         return worked;
     }
 
@@ -75,7 +98,17 @@ final class Dispatcher {
 
     /** Nothing waits, and no timer is due; between two turns. */
     boolean isQuiet() {
-        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && !timers.isDue();
+        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && callbackInbox.isEmpty() && !timers.isDue();
+    }
+
+    /** Whether something has arrived from outside; does not look where other threads write. */
+    boolean isReady() {
+        return inbox.isReady() || callbackInbox.isReady();
+    }
+
+    /** Whether something from outside waits, or is about to. */
+    boolean hasArrivals() {
+        return !inbox.isEmpty() || !callbackInbox.isEmpty();
     }
 
     /** Runs what waited for quiet; false if nothing did. */
@@ -83,7 +116,7 @@ final class Dispatcher {
         if (idleActions.isEmpty()) {
             return false;
         }
-        takeIdleActions().forEach(this::runTask);
+        takeIdleActions().forEach(runTask);
         return true;
     }
 
@@ -100,6 +133,9 @@ final class Dispatcher {
         if (node == null) {
             node = mails.poll();
         }
+        if (node == null) {
+            node = callbackInbox.poll();
+        }
         return node != null ? node : inbox.poll();
     }
 
@@ -108,9 +144,9 @@ final class Dispatcher {
         return progress.served();
     }
 
-    /** How many entries wait in the rings; those in the inbox are not counted. */
-    int inside() {
-        return callbacks.size() + mails.size();
+    /** How many entries wait; between two turns. Takes time in the number of those from outside. */
+    long waiting() {
+        return (long) callbacks.size() + mails.size() + inbox.size() + callbackInbox.size();
     }
 
     /** How many mails wait in front of one; -1 if it does not wait. Takes time in their number. */
@@ -137,6 +173,23 @@ final class Dispatcher {
         }
     }
 
+    /**
+     * Between two mails. Reads the clock only if there are timers: that costs as much as a few messages.
+     *
+     * @return how many mails later to look again
+     */
+    private int lookAtTimers() {
+        if (!timers.isEmpty() && clock.runsByItself() && quota > 0) {
+            long now = clock.nanos();
+            stride = now - lastLookNanos > LONG_STRIDE_NANOS ? 1 : Math.min(STRIDE, 2 * stride);
+            lastLookNanos = now;
+            if (timers.nextDeadline() <= now) {
+                timers.runDue(runTask);
+            }
+        }
+        return stride;
+    }
+
     /** A task that is no entry: a timer's, or one that waited for quiet. */
     void runTask(Runnable task) {
         progress.step();
@@ -154,32 +207,69 @@ final class Dispatcher {
     }
 
     private boolean drainInbox() {
+        boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();
-        int count = 0;
+        int untilLook = stride;
         try {
-            for (; count < quota; count++) {
-                Node node = inbox.takeAfter(last);
-                if (node == null) {
-                    break;
+            for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
+                // what the mail's sender queued before it is among the callbacks
+                boolean behind = takeCallbacks() || !callbacks.isEmpty() || !mails.isEmpty();
+                if (behind) {
+                    mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
                 }
-                last = node;
-                if (callbacks.isEmpty() && mails.isEmpty()) {
-                    serve(node);
-                } else if (SpaceHome.goesToMailbox(node)) {
-                    mails.add(node);
+                last = inbox.takeAfter(last);
+                worked = true;
+                if (behind) {
+                    mails.add(last);
                 } else {
-                    callbacks.add(node);
+                    serve(last);
+                    if (--untilLook == 0) {
+                        untilLook = lookAtTimers();
+                    }
                 }
             }
         } finally {
             inbox.endBatch(last);
         }
-        return count > 0;
+        return worked;
+    }
+
+    /** Moves the callbacks that have come from outside until now into their ring; false if there were none. */
+    private boolean takeCallbacks() {
+        Node last = callbackInbox.newest();
+        if (last == null) {
+            return false;
+        }
+        for (Node node = null; node != last; ) {
+            callbacks.makeRoom();
+            node = nextArrival();
+            callbacks.add(node);
+        }
+        return true;
+    }
+
+    /** The next callback from outside; one is there, but its sender may be between the two steps of queueing it. */
+    private Node nextArrival() {
+        for (int look = 0; ; look++) {
+            Node node = callbackInbox.poll();
+            if (node != null) {
+                return node;
+            }
+            if (look < SPINS) {
+                Thread.onSpinWait();
+            } else {
+                Thread.yield(); // it lost its processor there
+            }
+        }
     }
 
     private boolean drainRings() {
         boolean worked = false;
+        int untilLook = stride;
         for (int count = 0; count < quota; count++) {
+            if (callbackInbox.isReady()) {
+                takeCallbacks();
+            }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
             Node mail = mails.poll();
             if (mail == null && more) {
@@ -188,6 +278,9 @@ final class Dispatcher {
             }
             if (mail != null) {
                 serve(mail);
+                if (--untilLook == 0) {
+                    untilLook = lookAtTimers();
+                }
             } else if (callbacks.isEmpty()) {
                 return worked;
             }

@@ -34,7 +34,6 @@ final class ErrorEvent extends Event {
         try {
             return error.getMessage();
         } catch (Throwable broken) {
-            Reports.rethrowIfFatal(broken);
             return "its text cannot be made: " + broken.getClass().getName();
         }
     }

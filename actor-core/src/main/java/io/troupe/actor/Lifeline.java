@@ -31,7 +31,9 @@ final class Lifeline extends LifelinePhase {
      */
     private static final int AWAKE = 0;
     private static final int ASLEEP = 1;
-    private static final int CLOSED = 2;
+    static final int CLOSED = 2;
+    /** A waker whose stack ends within the unpark wakes nobody: the sleeper does not depend on it. */
+    static final long LONGEST_SLEEP_NANOS = 1_000_000_000;
     /*
      * Before it parks it looks a few times, but not without a break: a receiver that is right behind its senders takes each cache line from under their
      * hands, and both are slower than one that lets a few messages gather.
@@ -57,28 +59,31 @@ final class Lifeline extends LifelinePhase {
     boolean wake() {
         int now = phase;
         if (now == ASLEEP && PHASE.compareAndSet(this, ASLEEP, AWAKE)) {
-            LockSupport.unpark(sleeper);
+            try {
+                LockSupport.unpark(sleeper);
+            } catch (StackOverflowError endOfTheCallersStack) {
+                PHASE.compareAndSet(this, AWAKE, ASLEEP); // the next caller tries again, or the sleeper looks by itself
+            }
         }
         return now != CLOSED;
     }
 
-    /** Sleeps until it is woken or a timer is due; returns early without harm. */
+    /** Sleeps until it is woken or a timer is due, {@value #LONGEST_SLEEP_NANOS} ns at most; returns early without harm. */
     void sleep(Dispatcher dispatcher, Clock clock) {
         for (int look = 0; look < LOOKS; look++) {
             for (int spin = 0; spin < SPINS_PER_LOOK; spin++) {
                 Thread.onSpinWait();
             }
-            if (dispatcher.inbox.isReady()) {
+            if (dispatcher.isReady()) {
                 return;
             }
         }
         if (fallAsleep(dispatcher)) {
             long deadline = dispatcher.timers.nextDeadline();
-            if (deadline == Long.MAX_VALUE || !clock.runsByItself()) {
-                LockSupport.park(this);
-            } else {
-                LockSupport.parkNanos(this, deadline - clock.nanos());
-            }
+            long nanos = deadline == Long.MAX_VALUE || !clock.runsByItself()
+                    ? LONGEST_SLEEP_NANOS
+                    : Math.min(LONGEST_SLEEP_NANOS, deadline - clock.nanos());
+            LockSupport.parkNanos(this, nanos);
         }
         PHASE.compareAndSet(this, ASLEEP, AWAKE);
         Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping

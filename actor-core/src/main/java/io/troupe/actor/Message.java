@@ -68,7 +68,6 @@ public abstract class Message extends Node {
         try {
             text = String.valueOf(argument);
         } catch (Throwable broken) { // a list that contains itself overflows the stack
-            Reports.rethrowIfFatal(broken);
             return argument.getClass().getName() + " whose toString throws "
                     + broken.getClass().getName();
         }

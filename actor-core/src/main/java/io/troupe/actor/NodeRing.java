@@ -24,6 +24,13 @@ final class NodeRing {
         tail = place + 1;
     }
 
+    /** Makes sure that the next {@link #add} needs no memory. */
+    void makeRoom() {
+        if (tail - head == entries.length) {
+            moveTo(new Node[entries.length * 2]);
+        }
+    }
+
     @Nullable
     Node poll() {
         int place = head;

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.time.Clock;
+import java.lang.invoke.VarHandle;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -46,7 +47,7 @@ final class Probing implements SpaceMetrics {
     @Override
     public long waiting() {
         if (space.isCrankedByHand()) {
-            return dispatcher.inside() + (long) dispatcher.inbox.size();
+            return dispatcher.waiting();
         }
         Finding last = found; // before the next probe can arrive
         send();
@@ -68,13 +69,16 @@ final class Probing implements SpaceMetrics {
         return sofar.compareTo(last) > 0 ? sofar : last;
     }
 
+    /** The fence: a caller that looks again and again must not be shown what it has seen before. */
     @Override
     public int actors() {
+        VarHandle.acquireFence();
         return space.actors().size();
     }
 
     @Override
     public int timers() {
+        VarHandle.acquireFence();
         return dispatcher.timers.size();
     }
 

@@ -43,7 +43,11 @@ final class Refusal {
     /** Until nothing waits any more; what is refused may lead to more. */
     void refuseAll() {
         for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
-            refuse(node);
+            try {
+                refuse(node);
+            } catch (Throwable broken) { // no memory, say: those that come after are turned away all the same
+                space.reports().error("turning away what waited in space", space, broken, null);
+            }
         }
     }
 

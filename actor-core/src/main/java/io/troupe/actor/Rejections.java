@@ -53,7 +53,7 @@ final class Rejections {
         lost.clear();
         for (var candidate : candidates) {
             if (!SpaceHome.isListenedTo(candidate.promise)) {
-                reports.error("a promise nobody listens to: " + candidate.promise, candidate.error, null);
+                reports.error("a promise nobody listens to:", candidate.promise, candidate.error, null);
             }
         }
     }

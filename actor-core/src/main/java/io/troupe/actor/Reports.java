@@ -27,48 +27,61 @@ final class Reports {
         return deadLetters.sum();
     }
 
-    /** To the actor's handler if it has one, else to the space's. */
-    void error(String where, Throwable error, @Nullable ErrorHandler first) {
-        errors.increment();
-        new ErrorEvent(settings.name(), where, error).commit();
+    /**
+     * To the actor's handler if it has one, else to the space's. Throws nothing, whatever the error is and whatever handlers throw: the thread
+     * of the space depends on it. If there is no memory even for the log, the count is all that is left.
+     *
+     * @param what went wrong, in words that end before the name of {@code whose}
+     */
+    void error(String what, Object whose, Throwable error, @Nullable ErrorHandler first) {
         try {
-            space.asItself(() -> (first != null ? first : settings.onError()).handle(where, error));
+            errors.increment();
+            String where = what + " " + whose;
+            try {
+                new ErrorEvent(settings.name(), where, error).commit();
+            } finally {
+                space.asItself(() -> (first != null ? first : settings.onError()).handle(where, error));
+            }
         } catch (Throwable broken) {
+            logBrokenHandler(what, error, broken);
+        }
+    }
+
+    private void logBrokenHandler(String what, Throwable error, Throwable broken) {
+        try {
             if (broken != error) { // a handler may throw what it was given
                 broken.addSuppressed(error);
             }
             LOG.log(
                     System.Logger.Level.ERROR,
-                    "the error handler of space " + settings.name() + " threw about " + where,
+                    "the error handler of space " + settings.name() + " threw about " + what,
                     broken);
-        }
-        rethrowIfFatal(error);
-    }
-
-    /** A virtual machine that cannot go on must not be talked over. */
-    static void rethrowIfFatal(Throwable error) {
-        if (error instanceof VirtualMachineError fatal
-                && !(error instanceof StackOverflowError)
-                && !(error instanceof OutOfMemoryError)) { // one actor that asks for too much must not end all others
-            throw fatal;
+        } catch (Throwable again) {
+            // the log fails too, or there is no memory: it was counted
         }
     }
 
     void deadLetter(DeadLetter letter) {
-        deadLetters.increment();
-        new DeadLetterEvent(settings.name(), letter).commit();
         try {
-            space.asItself(() -> settings.onDeadLetter().accept(letter));
+            deadLetters.increment();
+            try {
+                new DeadLetterEvent(settings.name(), letter).commit();
+            } finally {
+                space.asItself(() -> settings.onDeadLetter().accept(letter));
+            }
         } catch (Throwable broken) { // an AssertionError in a test, say
-            error("the dead-letter handler of space " + settings.name() + ", about " + letter, broken, null);
+            error("the dead-letter handler of space " + settings.name() + ", about", letter, broken, null);
         }
     }
 
     /** Turns away a call that no actor will handle: its sender, and whoever listens to a callback among its arguments, hear of it. */
     void turnAway(Node call, ActorCell cell, String reason, ActorException error) {
         if (call instanceof Request<?> request) {
-            request.reject(error);
-            endCallbacks(request.arguments(), error);
+            try {
+                request.reject(error);
+            } finally {
+                endCallbacks(request.arguments(), error);
+            }
         } else if (call instanceof Message message) {
             deadLetter(new DeadLetter(cell.toString(), message.toString(), reason));
             endCallbacks(message.arguments(), error);

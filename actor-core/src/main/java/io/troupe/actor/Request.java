@@ -39,11 +39,15 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return cell.target(this);
     }
 
-    /** What an actor throws is its answer. */
+    /** What an actor throws is its answer; an error of the virtual machine itself is reported besides. */
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
-        Reports.rethrowIfFatal(thrown);
+        if (thrown instanceof VirtualMachineError
+                && !(thrown instanceof StackOverflowError)
+                && !(thrown instanceof OutOfMemoryError)) {
+            cell.space().reports().error(method() + " of", cell, thrown, null);
+        }
     }
 
     @Override

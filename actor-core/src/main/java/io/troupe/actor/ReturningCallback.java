@@ -54,8 +54,8 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     /** What goes wrong on the sender's side though it is the reader's. */
-    void report(String where, Throwable error) {
-        home.reports().error(where, error, null);
+    void report(String what, Object whose, Throwable error) {
+        home.reports().error(what, whose, error, null);
     }
 
     @Override

@@ -4,18 +4,24 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Owner;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
-import java.util.concurrent.Semaphore;
+import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** One body that may wait, and its virtual thread; see {@link Sequences}. The semaphores pass the baton, and with it all that was written. */
+/**
+ * One body that may wait, and its thread; see {@link Sequences}. The baton is one volatile flag, which passes on all that was written before.
+ *
+ * <p>{@link #go} and {@link #live} are called near the beginning of a stack, but {@link #giveBack} anywhere in a body, also where the stack ends.
+ */
 final class Sequence<T extends @Nullable Object> {
     private final SpaceHome space;
     private final Owner owner;
     private final Callable<? extends T> body;
     private final Deferred<T> end;
-    private final Semaphore given = new Semaphore(0);
-    private final Semaphore givenBack = new Semaphore(0);
+    private volatile boolean given; // whether the body has the baton
+    private @Nullable Thread giver;
     private @Nullable Thread thread;
+    private boolean begun;
+    private volatile boolean over;
     private @Nullable RuntimeException cancelled;
 
     Sequence(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
@@ -29,28 +35,62 @@ final class Sequence<T extends @Nullable Object> {
         return owner;
     }
 
-    /** The thread it runs on; not started before the first time. */
-    Thread thread() {
-        if (thread == null) {
-            thread = Thread.ofVirtual().name(space + "-sequential").unstarted(this::live);
-        }
-        return thread;
-    }
-
     /** Lets the body run until it ends or waits; on the space's thread. */
     void go() {
-        if (thread().getState() == Thread.State.NEW) {
-            thread().start();
-        } else {
-            given.release();
+        if (over) {
+            return;
         }
-        givenBack.acquireUninterruptibly();
+        giver = Thread.currentThread();
+        given = true;
+        if (begun) {
+            LockSupport.unpark(thread);
+        } else if (!begin()) {
+            return;
+        }
+        boolean interrupted = false;
+        while (given) {
+            LockSupport.parkNanos(this, Lifeline.LONGEST_SLEEP_NANOS); // the body may be unable to wake it
+            interrupted |= Thread.interrupted();
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** False if there is no thread for it, which is the body's error. */
+    private boolean begin() {
+        begun = true;
+        try {
+            HelperThreads.run(space + "-sequential", this::live);
+            return true;
+        } catch (Throwable noThread) {
+            given = false;
+            end.reject(noThread);
+            return false;
+        }
     }
 
     /** Lets the space's thread run until it lets the body go on; on the body's thread. */
     void giveBack() {
-        givenBack.release();
-        given.acquireUninterruptibly();
+        Thread mine = Thread.currentThread();
+        LockSupport.unpark(
+                mine); // if the stack is too short for waiting, that shows here, while the body still has the baton
+        LockSupport.park(this);
+        given = false;
+        try {
+            LockSupport.unpark(giver);
+        } catch (StackOverflowError endOfTheBodysStack) {
+            // the giver looks by itself, and the body has to wait all the same
+        }
+        boolean interrupted = false;
+        while (!given) {
+            LockSupport.park(this);
+            interrupted |= Thread.interrupted();
+        }
+        space.takeThread();
+        if (interrupted) {
+            mine.interrupt();
+        }
     }
 
     /** The next wait, or the one that it is in, ends with this exception. */
@@ -68,10 +108,16 @@ final class Sequence<T extends @Nullable Object> {
     }
 
     private void live() {
+        thread = Thread.currentThread();
         try {
+            space.takeThread();
             space.runOnLoan(this::runBody);
+        } catch (Throwable broken) {
+            space.reports().error("a sequential body", space, broken, null);
         } finally {
-            givenBack.release();
+            over = true;
+            given = false;
+            LockSupport.unpark(giver);
         }
     }
 

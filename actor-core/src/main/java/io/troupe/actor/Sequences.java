@@ -11,8 +11,9 @@ import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bodies of a space that are written as if they could wait. Each runs on a virtual thread of its own, but only while it holds the space's baton: the
- * space's thread hands it over and does nothing until it comes back, so that never more than one of them runs. On the thread that holds the baton.
+ * The bodies of a space that are written as if they could wait. Each has one of the {@link HelperThreads} to itself, but runs only while it holds the
+ * space's baton: the space's thread hands it over and does nothing until it comes back, so that never more than one of them runs. On the thread that
+ * holds the baton.
  */
 final class Sequences {
     private final SpaceHome space;
@@ -51,11 +52,17 @@ final class Sequences {
                             + ": register what comes next with then(..), return thenCompose(..), or call await() in the body of sequential(..)");
         }
         sequence.checkOwner();
-        waiting.add(sequence);
         space.whenPromiseSettled(
                 promise, () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
-        sequence.giveBack();
-        sequence.checkOwner();
+        while (!promise.isDone()) { // it may be resumed for one that it does not wait for any more
+            waiting.add(sequence);
+            try {
+                sequence.giveBack();
+            } finally {
+                waiting.remove(sequence);
+            }
+            sequence.checkOwner();
+        }
     }
 
     private void resume(Sequence<?> sequence) {

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
 abstract sealed class SpaceHome extends Home permits ActorSpace {
     // the space's own and not a part's, because every call from outside and every answer reads them
     private final NodeQueue inbox = new NodeQueue();
+    private final NodeQueue callbackInbox = new NodeQueue();
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
     private final Lifeline lifeline = new Lifeline();
@@ -39,7 +40,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         this.settings = settings;
         var wheel = new TimerWheel(settings.clock(), this::isCurrent);
         reports = new Reports(this, settings);
-        dispatcher = new Dispatcher(this, inbox, callbacks, mails, wheel);
+        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, mails, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
         rejections = new Rejections(wheel, reports);
         figures = new Probing(this, dispatcher, reports);
@@ -68,13 +69,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         if (isCurrent()) {
             callbacks.add(node);
         } else {
-            offer(node);
+            offer(node, callbackInbox);
         }
     }
 
     @Override
     protected final void enqueueFromAfar(Node node) {
-        offer(node);
+        offer(node, callbackInbox);
     }
 
     @Override
@@ -90,15 +91,24 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         if (isCurrent()) {
             mails.add(node);
         } else {
-            offer(node);
+            offer(node, inbox);
         }
     }
 
-    private void offer(Node node) {
-        inbox.offer(node);
-        if (!lifeline.wake()) {
-            closing.refuseLeftovers();
+    /** If this throws and the space is not closed, nothing was queued. */
+    private void offer(Node node, NodeQueue queue) {
+        queue.offer(node);
+        try {
+            if (lifeline.wake()) {
+                return;
+            }
+        } catch (StackOverflowError endOfTheCallersStack) {
+            if (lifeline.phase != Lifeline.CLOSED) {
+                return; // it is queued, and the space looks at its queues by itself within a second
+            }
+            throw endOfTheCallersStack;
         }
+        closing.refuseLeftovers();
     }
 
     // ---- what promises ask of their home
@@ -137,7 +147,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
      * @return for {@link #leave}
      */
     final @Nullable Home enter() {
-        thread = Thread.currentThread();
+        takeThread();
         beginForItself();
         return enterThread();
     }
@@ -158,12 +168,16 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     /** The sequence's thread is this space's until it gives the baton back. */
     final void lendThreadTo(Sequence<?> sequence) {
         Thread mine = thread;
-        thread = sequence.thread();
         try {
             sequence.go();
         } finally {
             thread = mine;
         }
+    }
+
+    /** The calling thread has the baton. */
+    final void takeThread() {
+        thread = Thread.currentThread();
     }
 
     /** Runs something on a thread that holds the baton. */
@@ -217,7 +231,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         try {
             task.run();
         } catch (Throwable thrown) {
-            reports.error("a task of space " + this, thrown, null);
+            reports.error("a task of space", this, thrown, null);
         }
     }
 
@@ -226,7 +240,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         try {
             threw(node, thrown);
         } catch (Throwable again) {
-            reports.error("an entry of space " + this, again, null);
+            reports.error("an entry of space", this, again, null);
         }
     }
 

@@ -1,9 +1,14 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Home;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
 
 /** What the thread of a space does from the beginning to the end: pass after pass through the queues, or as many as there is work for when it is cranked. */
 final class SpaceLoop {
+    private static final long SHORTEST_PAUSE_NANOS = 1_000_000;
+    private static final long LONGEST_PAUSE_NANOS = 1_000_000_000;
+
     private final SpaceHome space;
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
@@ -11,6 +16,7 @@ final class SpaceLoop {
     private final Rejections rejections;
     private final Closing closing;
     private boolean stopping;
+    private long pauseNanos;
 
     SpaceLoop(
             SpaceHome space,
@@ -29,17 +35,39 @@ final class SpaceLoop {
 
     /** What the thread does until the space is closed. */
     void live() {
-        Home before = space.enter();
-        Watchdog.watch(space, settings, lifeline, dispatcher);
+        @Nullable Home before = null;
+        @Nullable Runnable watch = null;
         try {
+            before = space.enter();
+            watch = Watchdog.watch(space, settings, lifeline, dispatcher);
             while (!stopping) {
-                if (!dispatcher.pass() & !settle()) {
-                    lifeline.sleep(dispatcher, settings.clock());
-                }
+                passAndSleep();
             }
         } finally {
             shut();
+            if (watch != null) {
+                watch.run();
+            }
             SpaceHome.leave(before);
+        }
+    }
+
+    /**
+     * Entries, handlers and listeners cannot throw as far as here. What can is the space's own bookkeeping when memory is short; it has lost nothing
+     * by then, so it goes on, but not at full speed: memory may stay short for a while.
+     */
+    private void passAndSleep() {
+        try {
+            if (!dispatcher.pass() & !settle()) {
+                lifeline.sleep(dispatcher, settings.clock());
+            }
+            pauseNanos = 0;
+        } catch (Throwable broken) {
+            if (pauseNanos == 0) { // else it is the same trouble still
+                space.reports().error("the loop of space", space, broken, null);
+            }
+            pauseNanos = Math.min(LONGEST_PAUSE_NANOS, Math.max(SHORTEST_PAUSE_NANOS, 2 * pauseNanos));
+            LockSupport.parkNanos(this, pauseNanos);
         }
     }
 
@@ -91,7 +119,7 @@ final class SpaceLoop {
     }
 
     private void shut() {
-        stopping = true; // also if an error has ended the thread
+        stop(); // also if an error has ended the thread
         closing.shut();
     }
 }

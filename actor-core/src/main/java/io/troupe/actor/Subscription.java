@@ -34,8 +34,8 @@ final class Subscription<T> {
     boolean isGone() {
         try {
             return reader.isOver();
-        } catch (RuntimeException broken) {
-            reader.report("isCancelled() of a subscriber of " + topic, broken);
+        } catch (Throwable broken) {
+            reader.report("isCancelled() of a subscriber of", topic, broken);
             return true;
         }
     }

@@ -15,7 +15,11 @@ public record Supervision(Directive directive, int limit, Duration window) {
     public enum Directive {
         /** Go on with the next message: the actor keeps its state. */
         RESUME,
-        /** Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox is kept. A factory that throws stops the actor. */
+        /**
+         * Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox is kept. A factory that throws stops the
+         * actor. If {@link Actor#started()} throws, the first try after that follows at once, further ones after pauses of 10 ms, 20 ms, 40 ms and so on, at
+         * most 10 s, by the space's clock, until one succeeds or the limit is reached; the actor's calls wait meanwhile.
+         */
         RESTART,
         /** End it. */
         STOP

@@ -3,22 +3,34 @@ package io.troupe.actor;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.locks.LockSupport;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Looks from aside whether a space gets on, on a virtual thread of its own. The space pays one plain store for each entry it serves.
+ * Looks from aside whether a space gets on. The space pays one plain store for each entry it serves.
+ *
+ * <p><b>Threads.</b> One platform thread looks at all spaces that are watched; it begins with the first and ends soon after the last. What a look leads to
+ * that takes time, the listener and the flight recorder, runs on one of the {@link HelperThreads}.
  */
 final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
+    private static final long IDLE_SECONDS = 10;
 
     private static final System.Logger LOG = System.getLogger(Watchdog.class.getName());
+    private static final ScheduledThreadPoolExecutor LOOKS = looks();
 
     private final SpaceHome space;
     private final Lifeline lifeline;
     private final Dispatcher dispatcher;
     private final long limitNanos;
     private final Consumer<Stall> listener;
+    private final Clock clock = Clock.system();
+    private long seen = -1;
+    private long since = clock.nanos();
+    private boolean reported;
+    private boolean failed;
 
     private Watchdog(
             SpaceHome space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
@@ -29,21 +41,38 @@ final class Watchdog {
         this.listener = listener;
     }
 
-    /** Watches until the space is closed. */
-    static void watch(SpaceHome space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
-        if (!settings.stallLimit().isZero()) {
-            var watchdog = new Watchdog(space, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
-            Thread.ofVirtual().name(settings.name() + "-watchdog").start(watchdog::run);
-        }
+    private static ScheduledThreadPoolExecutor looks() {
+        var looks = new ScheduledThreadPoolExecutor(
+                1,
+                Thread.ofPlatform()
+                        .daemon()
+                        .inheritInheritableThreadLocals(false)
+                        .name("troupe-watchdog")
+                        .factory());
+        looks.setRemoveOnCancelPolicy(true);
+        looks.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
+        looks.allowCoreThreadTimeOut(true); // not while a look is due some time
+        return looks;
     }
 
-    private void run() {
-        Clock clock = Clock.system();
-        long seen = -1;
-        long since = clock.nanos();
-        boolean reported = false;
-        while (!lifeline.isClosed()) {
-            LockSupport.parkNanos(limitNanos / LOOKS_PER_LIMIT);
+    /**
+     * Watches a space.
+     *
+     * @return ends that, or null if the space is not to be watched
+     */
+    static @Nullable Runnable watch(SpaceHome space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
+        if (settings.stallLimit().isZero()) {
+            return null;
+        }
+        var watchdog = new Watchdog(space, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
+        long period = Math.max(1, watchdog.limitNanos / LOOKS_PER_LIMIT);
+        var looks = LOOKS.scheduleWithFixedDelay(watchdog::look, period, period, TimeUnit.NANOSECONDS);
+        return () -> looks.cancel(false);
+    }
+
+    /** Throws nothing: that would end the watch. */
+    private void look() {
+        try {
             recordFigures();
             long served = dispatcher.served();
             long now = clock.nanos();
@@ -52,24 +81,53 @@ final class Watchdog {
                 since = now;
                 reported = false;
             } else if (!reported && now - since >= limitNanos) {
-                reported = true; // once for each message
-                report(Duration.ofNanos(now - since));
+                report(served, now - since);
+            }
+            failed = false;
+        } catch (Throwable broken) { // no memory, say: the next look may do better
+            if (!failed) {
+                failed = true;
+                LOG.log(System.Logger.Level.ERROR, "the watchdog of space " + space + " failed", broken);
             }
         }
     }
 
-    private void report(Duration atLeast) {
+    private void report(long served, long nanos) {
         Thread busy = space.servingThread();
         if (busy == null) {
             return;
         }
-        var stall = new Stall(space.toString(), atLeast, List.of(busy.getStackTrace()));
+        var stack = List.of(busy.getStackTrace());
+        if (served != dispatcher.served() || lifeline.isAsleep() || !isInATurn(stack)) {
+            return; // it was just about to go on, or it waits for a processor, which is nobody's fault here
+        }
+        reported = true; // once for each message
+        var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
         new StallEvent(stall).commit();
+        HelperThreads.run(
+                space + "-stall", () -> tell(stall)); // the listener may take its time, others are watched too
+    }
+
+    private void tell(Stall stall) {
         try {
             listener.accept(stall);
-        } catch (Throwable broken) { // an Error must not end the watch
+        } catch (Throwable broken) {
             LOG.log(System.Logger.Level.ERROR, "the stall listener of space " + space + " threw", broken);
         }
+    }
+
+    /** Whether what the thread does is the work of an entry or of a handler, and not the loop of the space itself, or sleep. */
+    static boolean isInATurn(List<StackTraceElement> stack) {
+        return stack.stream().anyMatch(Watchdog::isATurn);
+    }
+
+    private static boolean isATurn(StackTraceElement frame) {
+        String type = frame.getClassName();
+        return type.equals(Dispatcher.class.getName())
+                        && (frame.getMethodName().equals("serve")
+                                || frame.getMethodName().equals("runTask"))
+                || type.equals(Sequence.class.getName())
+                || type.equals(Reports.class.getName());
     }
 
     /** For the flight recorder, if it is on. */

@@ -2,8 +2,10 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -70,5 +72,134 @@ class FairnessTest {
                 callbacksWithoutEnd(atTheTenth);
             }
         });
+    }
+
+    /** Runs by itself, as the space sees it; moved by the test. */
+    private static final class SteppedClock implements Clock {
+        private long nanos;
+
+        @Override
+        public long nanos() {
+            return nanos;
+        }
+
+        @Override
+        public Runnable onMove(Runnable wake) {
+            return () -> {};
+        }
+
+        @Override
+        public boolean runsByItself() {
+            return true;
+        }
+    }
+
+    private static ActorSpace spaceOn(SteppedClock clock) {
+        return ActorSpace.create(SpaceSettings.named("stepped").withClock(clock).withHandCrank());
+    }
+
+    @Test
+    void timer_thatFallsDueAmongManyMails_waitsForSixteenAtMost() {
+        var clock = new SteppedClock();
+        try (var space = spaceOn(clock)) {
+            var served = new int[1];
+            var servedBefore = new ArrayList<Integer>();
+            space.delay(Duration.ofMillis(1)).thenRun(() -> servedBefore.add(served[0]));
+            space.crank();
+            for (int mail = 0; mail < 200; mail++) {
+                boolean hundredth = mail == 99;
+                space.execute(() -> {
+                    served[0]++;
+                    if (hundredth) {
+                        clock.nanos += 1_000_000;
+                    }
+                });
+            }
+            space.crank();
+            assertThat(servedBefore)
+                    .singleElement()
+                    .satisfies(count -> assertThat(count).isBetween(100, 116));
+        }
+    }
+
+    @Test
+    void timer_amongMailsThatTakeLong_waitsForOneMail() {
+        var clock = new SteppedClock();
+        try (var space = spaceOn(clock)) {
+            var servedBefore = new ArrayList<Integer>();
+            var served = new int[1];
+            for (int millis = 100; millis < 300; millis += 10) {
+                space.delay(Duration.ofMillis(millis)).thenRun(() -> servedBefore.add(served[0]));
+            }
+            space.crank();
+            for (int mail = 0; mail < 200; mail++) {
+                space.execute(() -> {
+                    served[0]++;
+                    clock.nanos += 2_000_000; // so long does each take
+                });
+            }
+            space.crank();
+            var expected = new ArrayList<Integer>();
+            for (int millis = 100; millis < 300; millis += 10) {
+                expected.add(millis / 2);
+            }
+            assertThat(servedBefore).isEqualTo(expected);
+        }
+    }
+
+    private static void onAnotherThread(Runnable task) {
+        try {
+            Thread.ofPlatform().start(task).join();
+        } catch (InterruptedException interrupted) {
+            throw new IllegalStateException(interrupted);
+        }
+    }
+
+    @Test
+    void answerOfAnotherThread_waitsForNoMailFromOutside() {
+        var answer = new Deferred<Integer>(test.space());
+        test.run(() -> answer.then(value -> log.add("answer")));
+        Worker worker = test.spawn(Worker.class, () -> new Worker(this));
+        for (int mail = 0; mail < 200; mail++) {
+            worker.poke();
+        }
+        answer.resolve(1); // behind 200 mails in the inbox
+        test.crank();
+        assertThat(log).hasSize(201).startsWith("answer");
+    }
+
+    @Test
+    void answerOfAnotherThread_comesBeforeTheNextMailFromInside() {
+        var answer = new Deferred<Integer>(test.space());
+        test.run(() -> {
+            answer.then(value -> log.add("answer"));
+            for (int mail = 0; mail < 200; mail++) {
+                int number = mail;
+                test.space().execute(() -> {
+                    log.add("mail");
+                    if (number == 9) {
+                        onAnotherThread(() -> answer.resolve(1));
+                    }
+                });
+            }
+        });
+        assertThat(log).hasSize(201);
+        assertThat(log.indexOf("answer")).isEqualTo(10);
+    }
+
+    @Test
+    void mailOfAnotherThread_doesNotOvertakeTheCallbackThatThreadQueuedBefore() {
+        var answer = new Deferred<Integer>(test.space());
+        Worker worker = test.spawn(Worker.class, () -> new Worker(this));
+        worker.poke(); // from the inbox too, so that the space is in the midst of it
+        test.run(() -> answer.then(value -> log.add("answer")));
+        log.clear();
+        test.space()
+                .execute(() -> onAnotherThread(() -> {
+                    answer.resolve(1);
+                    worker.poke();
+                }));
+        test.crank();
+        assertThat(log).containsExactly("answer", "poked after 0 callbacks");
     }
 }

@@ -2,12 +2,14 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
@@ -17,6 +19,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 class MetricsTest {
+    private static final int LOOKS_UNTIL_COMPILED = 200_000;
+
     interface Worker {
         void work();
 
@@ -72,6 +76,36 @@ class MetricsTest {
             test.takeProblems();
             test.takeDeadLetters();
         }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void actors_lookedAtAgainAndAgainFromOutside_areSeenToGo() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("watched"))) {
+            Worker worker = space.spawn(Worker.class, Working::new);
+            var begun = new Deferred<Boolean>(space);
+            space.execute(() -> begun.resolve(true));
+            begun.get(Duration.ofSeconds(30));
+            SpaceMetrics metrics = space.metrics();
+            var compiled = new CountDownLatch(LOOKS_UNTIL_COMPILED);
+            var gone = new CountDownLatch(1);
+            Thread.ofPlatform().daemon().start(() -> {
+                while (compiled.getCount() > 0) { // each time a loop of its own, so that the compiler gets to know it
+                    lookUntil(metrics, 1);
+                    compiled.countDown();
+                }
+                lookUntil(metrics, 0);
+                gone.countDown();
+            });
+            compiled.await();
+            space.stop(worker);
+            assertThat(gone.await(20, TimeUnit.SECONDS)).isTrue();
+        }
+    }
+
+    private static void lookUntil(SpaceMetrics metrics, int actors) {
+        while (metrics.actors() != actors) {}
     }
 
     @Test

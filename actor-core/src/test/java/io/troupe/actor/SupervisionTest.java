@@ -11,12 +11,14 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class SupervisionTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
     private final Deferred<String> later = new Deferred<>();
     private int instances;
+    private boolean refuses;
 
     /** Counts, and fails when told to. */
     public static class Fragile extends Actor {
@@ -118,6 +120,106 @@ class SupervisionTest {
         assertThat(test.error(fragile.count())).isInstanceOf(ActorStoppedException.class);
         assertThat(test.takeProblems()).hasSize(3);
         assertThat(instances).isEqualTo(3);
+    }
+
+    /** Starts only when it is allowed to. */
+    public static class Stubborn extends Actor {
+        private final SupervisionTest outer;
+
+        Stubborn(SupervisionTest outer) {
+            this.outer = outer;
+            outer.instances++;
+        }
+
+        @Override
+        protected void started() {
+            if (outer.refuses) {
+                throw new IllegalStateException("cannot start");
+            }
+        }
+
+        public void note(int number) {
+            outer.log.add("note " + number);
+        }
+
+        public void fail() {
+            throw new IllegalStateException("failed later");
+        }
+    }
+
+    private Stubborn spawnStubborn(ActorSettings settings) {
+        refuses = true;
+        Stubborn stubborn = test.space()
+                .spawn(
+                        Stubborn.class,
+                        () -> new Stubborn(this),
+                        settings.withSupervision(Supervision.restart(Integer.MAX_VALUE, Duration.ofSeconds(10))));
+        test.crank(); // did not return when there were no pauses
+        return stubborn;
+    }
+
+    @Test
+    @Timeout(30)
+    void unlimitedRestart_whoseStartThrows_leavesTimeForOthers_andWaitsLongerAndLonger() {
+        spawnStubborn(ActorSettings.DEFAULT);
+        Fragile other = spawn(Supervision.RESUME);
+        assertThat(test.get(other.count())).isEqualTo(1);
+        instances = 0;
+        test.advance(Duration.ofMillis(9));
+        assertThat(instances).isZero();
+        test.advance(Duration.ofMillis(1));
+        assertThat(instances).isOne();
+        test.advance(Duration.ofMillis(20));
+        assertThat(instances).isEqualTo(2);
+        test.advance(Duration.ofMillis(39));
+        assertThat(instances).isEqualTo(2);
+        test.advance(Duration.ofMillis(1));
+        assertThat(instances).isEqualTo(3);
+        for (int pause = 0; pause < 10; pause++) {
+            test.advance(Duration.ofSeconds(10)); // no pause is longer
+        }
+        assertThat(instances).isEqualTo(13);
+        assertThat(test.takeProblems()).hasSizeGreaterThan(13);
+    }
+
+    @Test
+    @Timeout(30)
+    void callsOfAnActorThatWaitsForItsRestart_areServedInOrder_whenItHasStarted() {
+        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        for (int number = 1; number <= 3; number++) {
+            stubborn.note(number);
+        }
+        test.crank();
+        assertThat(log).isEmpty();
+        refuses = false;
+        test.run(() -> {
+            for (int number = 4; number <= 6; number++) {
+                stubborn.note(number);
+            }
+            test.clock().advance(Duration.ofMillis(10)); // due while these wait in the mailbox
+        });
+        assertThat(log).containsExactly("note 1", "note 2", "note 3", "note 4", "note 5", "note 6");
+        stubborn.note(7);
+        stubborn.fail();
+        stubborn.note(8);
+        test.crank();
+        assertThat(log).endsWith("note 6", "note 7", "note 8");
+        test.takeProblems();
+    }
+
+    @Test
+    @Timeout(30)
+    void callsOfAnActorThatWaitsForItsRestart_areTurnedAway_whenItStops() {
+        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
+        stubborn.note(1);
+        stubborn.note(2);
+        test.crank();
+        test.space().stop(stubborn);
+        test.crank();
+        assertThat(test.takeDeadLetters()).hasSize(2);
+        test.advance(Duration.ofSeconds(10));
+        assertThat(instances).isEqualTo(2);
+        test.takeProblems();
     }
 
     @Test

@@ -81,10 +81,17 @@ class TopicSubscriptionTest {
 
     @Test
     void valueOnItsWay_toASubscriberThatStops_isDropped() {
-        Robot robot = robotThat(test, () -> topic.subscribe(value -> log.add("heard " + value)));
-        test.space().stop(robot);
-        assertThat(topic.publish(2)).as("it has not stopped yet").isOne();
+        Robot robot = test.space()
+                .spawn(
+                        Robot.class,
+                        () -> new Robot(() -> topic.subscribe(value -> log.add("heard " + value))),
+                        ActorSettings.DEFAULT.withSupervision(Supervision.STOP));
+        robot.act(() -> {
+            assertThat(topic.publish(2)).as("it has not stopped yet").isOne();
+            throw new IllegalStateException("on purpose"); // ends it before the next entry
+        });
         test.crank();
+        assertThat(test.takeProblems()).hasSize(1);
         assertThat(log).isEmpty();
     }
 

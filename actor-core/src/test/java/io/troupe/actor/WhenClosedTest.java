@@ -2,13 +2,19 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CyclicBarrier;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 class WhenClosedTest {
+    private static final Duration LONG = Duration.ofSeconds(30);
+
     private final List<String> log = new ArrayList<>();
     private final List<DeadLetter> deadLetters = new ArrayList<>();
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("short-lived")
@@ -61,6 +67,38 @@ class WhenClosedTest {
         assertThat(mine.isCancelled()).isTrue();
         assertThat(others.isRejected()).isFalse();
         assertThat(others.isDone()).isTrue();
+    }
+
+    @Test
+    @Timeout(60)
+    void close_onTheThreadOfAnotherSpace_doesNotWait() throws Exception {
+        var left = ActorSpace.create(SpaceSettings.named("left"));
+        var right = ActorSpace.create(SpaceSettings.named("right"));
+        var bothHold = new CyclicBarrier(2);
+        var fromLeft = new Deferred<String>();
+        var fromRight = new Deferred<String>();
+        left.execute(() -> closeWhileTheOtherCloses(bothHold, right, fromLeft));
+        right.execute(() -> closeWhileTheOtherCloses(bothHold, left, fromRight));
+        assertThat(fromLeft.get(LONG)).contains("close(PT1S) of space right would stop space left", "whenClosed()");
+        assertThat(fromRight.get(LONG)).contains("close(PT1S) of space left would stop space right");
+        left.whenClosed().get(LONG);
+        right.whenClosed().get(LONG);
+    }
+
+    /** Both threads are held until both have called; each would wait for the other. */
+    private static void closeWhileTheOtherCloses(CyclicBarrier bothHold, ActorSpace other, Deferred<String> told) {
+        try {
+            bothHold.await();
+            try {
+                other.close(Duration.ofSeconds(1));
+            } catch (IllegalStateException refused) {
+                told.resolve(String.valueOf(refused.getMessage()));
+            }
+            other.close();
+            bothHold.await();
+        } catch (Exception broken) {
+            told.reject(broken);
+        }
     }
 
     @Test

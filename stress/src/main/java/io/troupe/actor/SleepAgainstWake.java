@@ -33,11 +33,11 @@ public class SleepAgainstWake {
     /** No timer is ever set here, so that all states may share it. */
     private static final TimerWheel NO_TIMERS = new TimerWheel(Clock.system());
 
-    private static final ActorSpace SPACE =
-            ActorSpace.create(SpaceSettings.named("law").withHandCrank());
+    private static final SpaceSettings SETTINGS = SpaceSettings.named("law").withHandCrank();
+    private static final ActorSpace SPACE = ActorSpace.create(SETTINGS);
 
-    private final Dispatcher dispatcher =
-            new Dispatcher(SPACE, new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS);
+    private final Dispatcher dispatcher = new Dispatcher(
+            SPACE, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
     private final Lifeline lifeline = new Lifeline();
 
     @Actor

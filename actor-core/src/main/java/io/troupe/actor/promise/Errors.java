@@ -10,12 +10,12 @@ final class Errors {
         return error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
     }
 
-    /** A virtual machine that cannot go on must not be talked over by a rejected promise. */
-    static void rethrowIfFatal(Throwable error) {
-        if (error instanceof VirtualMachineError fatal
+    /** An error of the virtual machine itself is reported, though it rejects a promise too. */
+    static void rethrowIfOfTheMachine(Throwable error) {
+        if (error instanceof VirtualMachineError broken
                 && !(error instanceof StackOverflowError)
                 && !(error instanceof OutOfMemoryError)) {
-            throw fatal;
+            throw broken;
         }
     }
 

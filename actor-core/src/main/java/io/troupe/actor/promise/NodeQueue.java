@@ -2,6 +2,7 @@ package io.troupe.actor.promise;
 
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps the producers' end and the consumer's end of a queue on different cache lines: fields of a superclass come first. */
@@ -63,25 +64,37 @@ public final class NodeQueue extends QueueTail {
         }
     }
 
-    /** Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. */
+    /**
+     * Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. If this throws, at the end of the
+     * caller's stack, the node was not appended.
+     */
     public void offer(Node node) {
         node.next = null;
+        VarHandle.releaseFence(); // what the node holds is written before the link below
         var before = (Node) TAIL.getAndSet(this, node);
-        NEXT.setRelease(before, node);
+        before.next =
+                node; // no call: between the exchange and this store the stack must not overflow, or the link were lost
     }
 
     /** Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty} tells which. */
     public @Nullable Node poll() {
-        Node first = takeAfter(head);
-        if (first != null) {
-            head = first;
+        if (!isReadyAfter(head)) {
+            return null;
         }
+        Node first = takeAfter(head);
+        head = first;
         return first;
     }
 
     /** Whether nothing has been offered that was not taken. */
     public boolean isEmpty() {
         return head == tail;
+    }
+
+    /** The node that was offered last, or null if the queue is empty. */
+    public @Nullable Node newest() {
+        Node last = tail;
+        return last == head ? null : last;
     }
 
     /** Whether {@link #poll} would answer a node; unlike {@link #isEmpty} it does not look where producers write. */
@@ -119,12 +132,14 @@ public final class NodeQueue extends QueueTail {
         return head;
     }
 
-    /** Takes the node behind the one taken last, or null as {@link #poll}. */
-    public @Nullable Node takeAfter(Node last) {
-        var first = (Node) NEXT.getAcquire(last);
-        if (first == null) {
-            return null;
-        }
+    /** Whether there is a node behind the one taken last. */
+    public boolean isReadyAfter(Node last) {
+        return NEXT.getAcquire(last) != null;
+    }
+
+    /** Takes the node behind the one taken last; to be called if {@link #isReadyAfter} says that there is one. */
+    public Node takeAfter(Node last) {
+        Node first = Objects.requireNonNull(last.next);
         last.next = null;
         return first;
     }

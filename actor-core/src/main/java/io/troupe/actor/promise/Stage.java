@@ -91,7 +91,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     @Override
     protected final void threw(Throwable thrown) {
         settleError(thrown);
-        Errors.rethrowIfFatal(thrown);
+        Errors.rethrowIfOfTheMachine(thrown);
     }
 
     /** Nobody is there to listen any more; an error that nobody else has seen is not lost with them. */

@@ -15,6 +15,7 @@ final class ModelSpace {
     final ModelRejections rejections = new ModelRejections(this);
     final Set<ModelActor> living = new LinkedHashSet<>();
     private final List<ModelTask> inbox = new ArrayList<>();
+    private final List<ModelTask> callbackInbox = new ArrayList<>();
     private final List<ModelTask> callbacks = new ArrayList<>();
     private final List<ModelTask> mails = new ArrayList<>();
     private final List<Runnable> ends = new ArrayList<>();
@@ -31,7 +32,7 @@ final class ModelSpace {
             (task.mail() ? mails : callbacks).add(task);
             return;
         }
-        inbox.add(task);
+        addFromOutside(task);
         if (closed) {
             inside = true;
             refuseAll();
@@ -40,10 +41,14 @@ final class ModelSpace {
         }
     }
 
+    private void addFromOutside(ModelTask task) {
+        (task.mail() ? inbox : callbackInbox).add(task);
+    }
+
     /** Behind what others have queued from outside, whoever calls. */
     void enqueueBehind(ModelTask task) {
         if (inside) {
-            inbox.add(task);
+            addFromOutside(task);
         } else {
             enqueue(task);
         }
@@ -101,7 +106,7 @@ final class ModelSpace {
         while (working && !stopping) {
             working = pass();
             rejections.report();
-            if (!inbox.isEmpty() || !callbacks.isEmpty() || !mails.isEmpty() || timers.isDue()) {
+            if (somethingWaits() || timers.isDue()) {
                 working = true;
             } else if (!stopping) {
                 working |= runIdle();
@@ -111,6 +116,10 @@ final class ModelSpace {
             shut();
         }
         inside = false;
+    }
+
+    private boolean somethingWaits() {
+        return !(inbox.isEmpty() && callbackInbox.isEmpty() && callbacks.isEmpty() && mails.isEmpty());
     }
 
     private boolean runIdle() {
@@ -127,16 +136,25 @@ final class ModelSpace {
     }
 
     private boolean drainInbox() {
-        boolean worked = false;
+        boolean worked = takeCallbacks();
         for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
-            ModelTask task = inbox.removeFirst();
+            ModelTask mail = inbox.removeFirst();
             worked = true;
+            takeCallbacks();
             if (callbacks.isEmpty() && mails.isEmpty()) {
-                turn(task.action());
+                turn(mail.action());
             } else {
-                (task.mail() ? mails : callbacks).add(task);
+                mails.add(mail);
             }
         }
+        return worked;
+    }
+
+    /** Callbacks from outside wait for no mail. */
+    private boolean takeCallbacks() {
+        boolean worked = !callbackInbox.isEmpty();
+        callbacks.addAll(callbackInbox);
+        callbackInbox.clear();
         return worked;
     }
 
@@ -145,6 +163,7 @@ final class ModelSpace {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
             worked = true;
+            takeCallbacks();
             int served = 0;
             while (served < QUOTA && !callbacks.isEmpty() && !stopping) {
                 turn(callbacks.removeFirst().action());
@@ -193,9 +212,10 @@ final class ModelSpace {
     }
 
     private void refuseAll() {
-        while (!(callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty())) {
-            var first = !callbacks.isEmpty() ? callbacks : !mails.isEmpty() ? mails : inbox;
-            ModelTask task = first.removeFirst();
+        while (somethingWaits()) {
+            var inside = callbacks.isEmpty() ? mails : callbacks;
+            var outside = callbackInbox.isEmpty() ? inbox : callbackInbox;
+            ModelTask task = (inside.isEmpty() ? outside : inside).removeFirst();
             turn(task.ifClosed() == null ? task.action() : task.ifClosed());
         }
     }

@@ -26,6 +26,8 @@ class HabitsTest {
     private static final Set<String> MUTABLE_STATICS = Set.of(
             "io.troupe.actor.ActorSpace$Global.SPACE", // the global space
             "io.troupe.actor.ActorType.TYPES", // the cache of generated classes
+            "io.troupe.actor.HelperThreads.POOL", // threads for bodies, shared by all spaces
+            "io.troupe.actor.Watchdog.LOOKS", // the one thread that watches all spaces
             "io.troupe.actor.promise.Home.CURRENT", // the home a thread belongs to, one per thread
             "io.troupe.actor.promise.Detached.WAITING", // listeners that wait for their turn on a thread without a
             // home, one per thread

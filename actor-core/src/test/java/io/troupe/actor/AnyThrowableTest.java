@@ -1,0 +1,198 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Clock;
+import io.troupe.actor.time.ManualClock;
+import java.time.Duration;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Whatever one actor, handler or listener throws, the space serves all others, and what was thrown is reported. */
+@Tag("threads")
+@Timeout(60)
+class AnyThrowableTest {
+    private static final Duration LONG = Duration.ofSeconds(30);
+
+    private final Queue<Throwable> reported = new ConcurrentLinkedQueue<>();
+
+    enum Kind {
+        OUT_OF_MEMORY(() -> new OutOfMemoryError("on purpose")),
+        INTERNAL(() -> new InternalError("on purpose")),
+        UNKNOWN(() -> new UnknownError("on purpose")),
+        STACK_OVERFLOW(() -> new StackOverflowError("on purpose")),
+        LINKAGE(() -> new NoClassDefFoundError("on purpose")),
+        ASSERTION(() -> new AssertionError("on purpose"));
+
+        private final Supplier<Error> made;
+
+        Kind(Supplier<Error> made) {
+            this.made = made;
+        }
+
+        Error make() {
+            return made.get();
+        }
+    }
+
+    interface Worker {
+        void fail();
+
+        Promise<Integer> failRequest();
+
+        Promise<Integer> answer();
+    }
+
+    /** Fails everywhere it can. */
+    public static class Failing extends Actor {
+        private final Kind kind;
+
+        Failing(Kind kind) {
+            this.kind = kind;
+        }
+
+        @Override
+        protected void started() {
+            after(Duration.ZERO, () -> {
+                throw kind.make();
+            });
+            Promise.done().thenRun(() -> {
+                throw kind.make();
+            });
+            throw kind.make();
+        }
+
+        public void fail() {
+            throw kind.make();
+        }
+
+        public Promise<Integer> failRequest() {
+            throw kind.make();
+        }
+
+        @Override
+        protected void stopped() {
+            throw kind.make();
+        }
+    }
+
+    private static final class Steady implements Worker {
+        @Override
+        public void fail() {}
+
+        @Override
+        public Promise<Integer> failRequest() {
+            return Promise.of(0);
+        }
+
+        @Override
+        public Promise<Integer> answer() {
+            return Promise.of(1);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(Kind.class)
+    void error_thrownAnywhereInAnActor_isReported_andTheSpaceServesOthers(Kind kind) throws Exception {
+        var settings = SpaceSettings.named("any-error")
+                .withHandCrank()
+                .withClock(new ManualClock())
+                .withOnError((where, error) -> reported.add(error));
+        try (var space = ActorSpace.create(settings)) {
+            Failing failing = space.spawn(Failing.class, () -> new Failing(kind));
+            failing.fail();
+            Promise<Integer> asked = failing.failRequest();
+            space.execute(() -> {
+                throw kind.make();
+            });
+            space.onIdle(() -> {
+                throw kind.make();
+            });
+            space.crank();
+            assertThat(asked.error()).isInstanceOf(kind.make().getClass());
+            space.stop(failing);
+            Worker steady = space.spawn(Worker.class, Steady::new);
+            Promise<Integer> answer = steady.answer();
+            space.crank();
+            assertThat(answer.getNow()).isEqualTo(1);
+        }
+        // started, timer, listener, message, task, idle action, stopped; an error of the machine itself a second time
+        // where a promise has it too
+        assertThat(reported).hasSizeGreaterThanOrEqualTo(7).allMatch(kind.make().getClass()::isInstance);
+    }
+
+    @ParameterizedTest
+    @EnumSource(Kind.class)
+    void error_thrownByTheErrorHandlerToo_leavesTheSpaceServing(Kind kind) throws Exception {
+        var settings = SpaceSettings.named("broken-handlers")
+                .withOnError((where, error) -> {
+                    reported.add(error);
+                    throw kind.make();
+                })
+                .withOnDeadLetter(letter -> {
+                    throw kind.make();
+                });
+        try (var space = ActorSpace.create(settings)) {
+            Failing failing = space.spawn(Failing.class, () -> new Failing(kind));
+            failing.fail();
+            space.stop(failing);
+            failing.fail(); // a dead letter
+            new Deferred<Integer>(space).reject(kind.make()); // nobody listens
+            Worker steady = space.spawn(Worker.class, Steady::new);
+            assertThat(steady.answer().get(LONG)).isEqualTo(1);
+            assertThat(space.metrics().errors()).isPositive();
+        }
+        assertThat(reported).isNotEmpty();
+    }
+
+    /** Its registration cannot be taken back. */
+    private record StickyClock() implements Clock {
+        @Override
+        public long nanos() {
+            return 0;
+        }
+
+        @Override
+        public Runnable onMove(Runnable wake) {
+            return () -> {
+                throw new InternalError("on purpose");
+            };
+        }
+
+        @Override
+        public boolean runsByItself() {
+            return false;
+        }
+    }
+
+    @Test
+    void error_whileTheSpaceEnds_leavesItClosed_andEveryRequestRejected() throws Exception {
+        var settings = SpaceSettings.named("ends-badly")
+                .withClock(new StickyClock())
+                .withOnError((where, error) -> {
+                    reported.add(error);
+                    throw new OutOfMemoryError("on purpose");
+                });
+        var space = ActorSpace.create(settings);
+        Worker steady = space.spawn(Worker.class, Steady::new);
+        var waits = new Deferred<Promise<Integer>>();
+        space.execute(() -> {
+            space.close();
+            waits.resolve(steady.answer()); // behind the end
+        });
+        Promise<Integer> waiting = waits.get(LONG);
+        assertThatThrownBy(() -> waiting.get(LONG)).isInstanceOf(ActorStoppedException.class);
+        assertThat(space.close(LONG).requests()).isEqualTo(1);
+        assertThatThrownBy(() -> steady.answer().get(LONG)).isInstanceOf(ActorStoppedException.class);
+        assertThat(reported).hasAtLeastOneElementOfType(InternalError.class);
+    }
+}
