@@ -75,7 +75,7 @@ public final class World implements AutoCloseable {
         this.settings = settings;
         this.startPoses = startPoses;
         intervalMicros = spec.intervalMillis() * 1000L;
-        stepsPerInterval = Math.toIntExact(intervalMicros / settings.physicsStepMicros());
+        stepsPerInterval = Math.toIntExact(intervalMicros / Bodies.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
         scene = new Scene(spec);
         orders = new Orders(spec, settings);

@@ -55,7 +55,6 @@ public final class Physics {
     private final TouchLedger touches;
     private final int robotCount;
     private final int stepMicros;
-    private final boolean continuous;
     private final boolean mayGlide;
     private int obstacleCount;
     private long timeMicros;
@@ -63,25 +62,23 @@ public final class Physics {
     /**
      * A world without bodies.
      *
-     * @param sweepM how far a point of a robot may travel in one step, if that is so far that it could pass a wall unnoticed:
-     *     touches are then looked for within the step as well; 0 if it is not
+     * @param stepMicros so short that no robot travels farther in it than half of its smallest extent; in longer ones it may pass walls
      */
-    public Physics(int robotCount, int stepMicros, double sweepM) {
-        this(robotCount, stepMicros, sweepM, true);
+    public Physics(int robotCount, int stepMicros) {
+        this(robotCount, stepMicros, true);
     }
 
     /** @param mayGlide whether robots that nothing is near may make their steps without jbox2d: that changes nothing but the time it takes */
-    Physics(int robotCount, int stepMicros, double sweepM, boolean mayGlide) {
+    Physics(int robotCount, int stepMicros, boolean mayGlide) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
-        continuous = sweepM > 0;
-        this.mayGlide = mayGlide && !continuous;
+        this.mayGlide = mayGlide;
         touches = new TouchLedger(robotCount);
-        tree = new RepairedTree(sweepM);
+        tree = new RepairedTree();
         world = new World(
                 new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
         world.setAllowSleep(false);
-        world.setContinuousPhysics(continuous);
+        world.setContinuousPhysics(false);
         world.setContactListener(touches);
     }
 
@@ -145,7 +142,6 @@ public final class Physics {
     public void addRobot(Pose pose, Shape shape, double massKg, boolean blocksBodies) {
         Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
         body.setSleepingAllowed(false);
-        body.setBullet(continuous);
         var proxies = new int[shape.polygons().size()];
         for (int i = 0; i < proxies.length; i++) {
             FixtureDef fixture = fixture(shape.polygons().get(i));
