@@ -357,6 +357,15 @@ class SimulatedDevicesTest {
     }
 
     @Test
+    void odometryThatIsTooFarAway_isRefused_namingTheRobot() {
+        assertRefused(
+                client.ask(POSITION2D, 1, new DeviceRequest.SetOdometry(1.7e308, 0, 0)),
+                "odometry of robot 'two' was set to Pose[x=1.7E308");
+        assertRefused(
+                client.ask(POSITION2D, 1, new DeviceRequest.SetOdometry(Double.NaN, 0, 0)), "expected finite numbers");
+    }
+
+    @Test
     void pause_stopsTime_whileRequestsAreAnswered_andStepLetsOneTickPass() {
         client.subscribe(POSITION2D, 0);
         client.tell(SIMULATION, 0, new DeviceCommand.Pause());
