@@ -178,8 +178,9 @@ class EntityParserTest {
         String macro = "define m model (" + properties(10_000) + " )\n";
 
         assertThat(worlds.problem(macro + "m()\n".repeat(200)))
-                .isEqualTo("t.world:102:1: instances of macros have taken over more than 1000000 properties and entities"
-                        + " by here");
+                .isEqualTo(
+                        "t.world:102:1: instances of macros have taken over more than 1000000 properties and entities"
+                                + " by here");
         assertThat(worlds.problem(macro + derived("m", 200)))
                 .isEqualTo("t.world:102:14: instances of macros have taken over more than 1000000 properties and"
                         + " entities by here");
