@@ -17,7 +17,7 @@ final class Bodies {
 
     /** All bodies of a world where they start. */
     static Physics atStart(WorldSpec spec, WorldSettings settings, List<Pose> startPoses) {
-        var begun = new Physics(spec.robots().size(), settings.physicsStepMicros(), sweepM(spec, settings));
+        var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
         for (ObstacleSpec obstacle : spec.obstacles()) {
             begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
         }
@@ -28,26 +28,38 @@ final class Bodies {
         return begun;
     }
 
-    /** How far a point of a robot may travel in one step; 0 if that is less than half of every robot's smallest extent. */
-    private static double sweepM(WorldSpec spec, WorldSettings settings) {
+    /**
+     * How long the steps are in which jbox2d moves the bodies: the settings' step, or a whole fraction of it in which no point of a robot travels farther than
+     * half of a robot's smallest extent. In longer ones fast robots would pass thin walls, and push one another through thick ones.
+     */
+    static int stepMicros(WorldSpec spec, WorldSettings settings) {
+        int longest = settings.physicsStepMicros();
+        for (int parts = parts(spec, settings); parts <= longest; parts++) {
+            if (longest % parts == 0) {
+                return longest / parts;
+            }
+        }
+        return 1;
+    }
+
+    /** How many parts a step of the settings needs at least. */
+    private static int parts(WorldSpec spec, WorldSettings settings) {
         double stepS = settings.physicsStepMicros() / 1e6;
-        double sweepM = 0;
-        boolean fast = false;
+        double travelM = 0;
+        double smallestM = Double.POSITIVE_INFINITY;
         for (RobotSpec robot : spec.robots()) {
             List<Point> points = robot.collisionShape().polygons().stream()
                     .flatMap(List::stream)
                     .toList();
             var x = points.stream().mapToDouble(Point::x).summaryStatistics();
             var y = points.stream().mapToDouble(Point::y).summaryStatistics();
-            double smallestM = Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin());
+            smallestM = Math.min(smallestM, Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin()));
             double radiusM = points.stream()
                     .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
                     .max()
                     .orElseThrow();
-            double travelM = (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS;
-            sweepM = Math.max(sweepM, travelM);
-            fast |= travelM >= smallestM / 2;
+            travelM = Math.max(travelM, (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS);
         }
-        return fast ? sweepM : 0;
+        return 1 + (int) Math.min(travelM / (smallestM / 2), settings.physicsStepMicros());
     }
 }

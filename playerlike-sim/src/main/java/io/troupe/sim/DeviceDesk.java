@@ -168,8 +168,9 @@ final class DeviceDesk {
     }
 
     private DeviceReply odometry(Offer offer, Pose pose) {
-        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
-            return new DeviceReply.Nack("odometry cannot be " + pose + ", expected finite numbers");
+        String refusal = world.odometryRefusal(offer.robot(), pose);
+        if (refusal != null) {
+            return new DeviceReply.Nack(refusal);
         }
         later.add(offer, Kind.ODOMETRY, () -> world.setOdometry(offer.robot(), pose));
         return ACK;

@@ -19,9 +19,13 @@ import org.jspecify.annotations.Nullable;
 final class Orders {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
 
+    /** The snapshot of the newest question about a teleport. */
+    private record Seen(Snapshot at, Room.Occupancy occupancy) {}
+
     private final WorldSpec spec;
     private final WorldSettings settings;
     private final Room room;
+    private final AtomicReference<@Nullable Seen> seen = new AtomicReference<>();
     private final List<Pilot> pilots = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
@@ -82,12 +86,21 @@ final class Orders {
     }
 
     void odometry(int robot, Pose pose) {
-        RobotSpec target = robot(robot);
-        if (!isFinite(pose)) {
-            throw new IllegalArgumentException(
-                    "odometry of robot '" + target.name() + "' was set to " + pose + ", expected finite numbers");
+        String refusal = odometryRefusal(robot, pose);
+        if (refusal != null) {
+            throw new IllegalArgumentException(refusal);
         }
         pilots.get(robot).odometry(pose);
+    }
+
+    /** Why a robot's odometry cannot be set to that, or null. */
+    @Nullable
+    String odometryRefusal(int robot, Pose pose) {
+        RobotSpec target = robot(robot);
+        return Position2d.canReport(pose)
+                ? null
+                : "odometry of robot '" + target.name() + "' was set to " + pose
+                        + ", expected finite numbers of at most " + Position2d.FARTHEST;
     }
 
     /** Checked only when it takes effect. */
@@ -100,7 +113,12 @@ final class Orders {
     @Nullable
     String teleportRefusal(int robot, Pose pose, Snapshot at) {
         robot(robot);
-        return room.refusal(robot, pose, other -> at.robots().get(other).pose());
+        Seen known = seen.get();
+        if (known == null || known.at() != at) {
+            known = new Seen(at, room.occupancy(other -> at.robots().get(other).pose()));
+            seen.set(known);
+        }
+        return known.occupancy().refusal(robot, pose);
     }
 
     /** What anybody says from now on holds after the reset. */
@@ -158,10 +176,14 @@ final class Orders {
     /** Takes in teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless somebody on another thread has said something. */
     void latch(long tick, long nowMicros, Physics physics, List<RobotDevices> devices) {
         Recording log = recording.get();
+        Room.Occupancy occupancy = null;
         for (int i = 0; i < pilots.size(); i++) {
             Pose place = pilots.get(i).takeTeleport();
             if (place != null) {
-                latchPlace(i, place, tick, physics, devices.get(i).position2d());
+                if (occupancy == null) {
+                    occupancy = room.occupancy(physics::pose);
+                }
+                latchPlace(i, place, tick, occupancy, physics, devices.get(i).position2d());
             }
         }
         for (int i = 0; i < pilots.size(); i++) {
@@ -180,13 +202,15 @@ final class Orders {
         }
     }
 
-    private void latchPlace(int robot, Pose place, long tick, Physics physics, Position2d odometry) {
-        String refusal = room.refusal(robot, place, physics::pose);
+    private void latchPlace(
+            int robot, Pose place, long tick, Room.Occupancy occupancy, Physics physics, Position2d odometry) {
+        String refusal = occupancy.refusal(robot, place);
         if (refusal != null) {
             LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
             return;
         }
         physics.teleport(robot, place);
+        occupancy.moved(robot);
         odometry.teleported(place);
         Recording log = recording.get();
         if (log != null) {

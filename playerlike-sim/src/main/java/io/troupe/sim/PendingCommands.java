@@ -10,7 +10,8 @@ import java.util.Map;
  * What a client has told its devices and the world does not know yet.
  *
  * <p><b>Order.</b> What it says before its answer to a tick counts at the end of that tick; what it says after it counts at the end of the next, however
- * long the other clients take. The newest command to a device replaces an older one, so a client that never stops talking needs no more room.
+ * long the other clients take. Commands are taken in the order in which they came. The newest command of a kind to a device replaces an older one, and comes
+ * last, so a client that never stops talking needs no more room.
  * <p><b>Threads.</b> None of its own; guarded by the simulation's lock.
  */
 final class PendingCommands {
@@ -32,12 +33,18 @@ final class PendingCommands {
      * @param late whether the client has answered the tick that is being played
      */
     void add(Offer device, Kind kind, Runnable command, boolean late) {
-        (late ? later : now).put(new Subject(device, kind), command);
+        putLast(late ? later : now, new Subject(device, kind), command);
+    }
+
+    /** A map keeps the old place of a key that is put again: without the removal a second reset would come before what was said after the first. */
+    private static void putLast(Map<Subject, Runnable> commands, Subject subject, Runnable command) {
+        commands.remove(subject);
+        commands.put(subject, command);
     }
 
     /** A new tick begins. */
     void tickBegins() {
-        now.putAll(later);
+        later.forEach((subject, command) -> putLast(now, subject, command));
         later.clear();
     }
 
@@ -45,10 +52,11 @@ final class PendingCommands {
     List<Runnable> takeAll(Offer device) {
         var taken = new ArrayList<Runnable>();
         for (var commands : List.of(now, later)) {
-            for (var kind : Kind.values()) {
-                Runnable command = commands.remove(new Subject(device, kind));
-                if (command != null) {
-                    taken.add(command);
+            for (var each = commands.entrySet().iterator(); each.hasNext(); ) {
+                var command = each.next();
+                if (command.getKey().device().equals(device)) {
+                    taken.add(command.getValue());
+                    each.remove();
                 }
             }
         }

@@ -19,6 +19,7 @@ import java.util.Objects;
 public final class Recording implements AutoCloseable {
     static final String TITLE = "troupe-recording 1";
     static final int CHECK_TICKS = 100;
+    static final int LONGEST_NAME = 1_000;
 
     private final Appendable out;
     private final SnapshotHash hash = new SnapshotHash();
@@ -29,12 +30,16 @@ public final class Recording implements AutoCloseable {
     Recording(Appendable out, WorldSpec spec, WorldSettings settings, Snapshot first) {
         this.out = Objects.requireNonNull(out, "out");
         line.append(TITLE).append('\n');
-        line.append("world ").append(spec.name().replace('\n', ' ')).append('\n');
+        line.append("world ").append(onOneLine(spec.name())).append('\n');
         line.append("settings ").append(settings.words()).append('\n');
         line.append("robots ").append(spec.robots().size());
         hash.update(first);
         line.append(" start ").append(hash).append('\n');
         write();
+    }
+
+    private static String onOneLine(String name) {
+        return name.substring(0, Math.min(name.length(), LONGEST_NAME)).replaceAll("\\R", " ");
     }
 
     synchronized void reset() {

@@ -7,4 +7,8 @@ public final class RecordingException extends RuntimeException {
     RecordingException(String message) {
         super(message);
     }
+
+    RecordingException(String message, Throwable cause) {
+        super(message, cause);
+    }
 }

@@ -1,6 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -43,6 +44,8 @@ public final class Replay {
         }
     }
 
+    private static final int LONGEST_LINE = 2 * Recording.LONGEST_NAME;
+
     private final String world;
     private final WorldSettings settings;
     private final int robots;
@@ -66,6 +69,10 @@ public final class Replay {
         var all = new ArrayList<String>();
         var reader = new BufferedReader(from);
         for (String text = reader.readLine(); text != null; text = reader.readLine()) {
+            if (text.length() > LONGEST_LINE) {
+                throw new RecordingException("line " + (all.size() + 1) + " of the recording has " + text.length()
+                        + " characters, expected at most " + LONGEST_LINE);
+            }
             all.add(text);
         }
         if (all.isEmpty() || !all.getFirst().equals(Recording.TITLE)) {
@@ -185,7 +192,7 @@ public final class Replay {
                     "the recording was made in world '" + world + "' with " + robots + " robots; world '" + spec.name()
                             + "' has " + spec.robots().size());
         }
-        World player = World.create(spec, settings);
+        World player = create(spec);
         var hash = new SnapshotHash();
         hash.update(player.latest());
         if (!hash.toString().equals(start)) {
@@ -199,9 +206,24 @@ public final class Replay {
                 hash.update(next);
                 observer.accept(next);
             }
-            play(line, player, hash);
+            try {
+                play(line, player, hash);
+            } catch (IllegalArgumentException e) {
+                throw line.error(String.valueOf(e.getMessage()));
+            }
         }
         return hash.value();
+    }
+
+    private World create(WorldSpec spec) {
+        try {
+            return World.create(spec, settings);
+        } catch (IllegalArgumentException | WorldFileException e) {
+            throw new RecordingException(
+                    "line 3 of the recording: world '" + spec.name() + "' cannot be created with its settings: "
+                            + e.getMessage(),
+                    e);
+        }
     }
 
     private void play(Line line, World player, SnapshotHash hash) {

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.Position2d;
 import io.troupe.sim.physics.Physics;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
@@ -37,6 +38,12 @@ final class SpecCheck {
             if (!(robot.massKg() > 0 && robot.massKg() < Double.POSITIVE_INFINITY)) {
                 throw new WorldFileException(
                         robot.where(), title + " has a mass of " + robot.massKg() + ", expected kilograms above 0");
+            }
+            if (!Position2d.canReport(robot.startOdometry())) {
+                throw new WorldFileException(
+                        robot.where(),
+                        title + " starts with the odometry " + robot.startOdometry() + ", expected finite numbers of at"
+                                + " most " + Position2d.FARTHEST);
             }
         }
         warnIfFar(spec);

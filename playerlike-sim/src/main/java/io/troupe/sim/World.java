@@ -3,6 +3,7 @@ package io.troupe.sim;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.sim.device.Odometry;
+import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
@@ -48,6 +49,7 @@ public final class World implements AutoCloseable {
     private Physics physics;
     private long physicsStartMicros; // physics counts its time from the last reset
     private long tick;
+    private boolean advancing;
     private volatile boolean closed;
     private volatile boolean wanted; // somebody looked at the latest snapshot
     private volatile Snapshot latest;
@@ -75,7 +77,7 @@ public final class World implements AutoCloseable {
         this.settings = settings;
         this.startPoses = startPoses;
         intervalMicros = spec.intervalMillis() * 1000L;
-        stepsPerInterval = Math.toIntExact(intervalMicros / settings.physicsStepMicros());
+        stepsPerInterval = Math.toIntExact(intervalMicros / Bodies.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
         scene = new Scene(spec);
         orders = new Orders(spec, settings);
@@ -221,9 +223,19 @@ public final class World implements AutoCloseable {
         command(robot, 0, 0);
     }
 
-    /** Makes odometry report this pose where the robot stands when the next {@link #advance} begins. */
+    /**
+     * Makes odometry report this pose where the robot stands when the next {@link #advance} begins.
+     *
+     * @param pose of finite numbers, at most {@link Position2d#FARTHEST}
+     */
     public void setOdometry(int robot, Pose pose) {
         orders.odometry(robot, pose);
+    }
+
+    /** Why {@link #setOdometry} would refuse, or null. */
+    @Nullable
+    String odometryRefusal(int robot, Pose pose) {
+        return orders.odometryRefusal(robot, pose);
     }
 
     /** Advances by one interval and publishes the snapshot at its end. */
@@ -240,6 +252,7 @@ public final class World implements AutoCloseable {
      * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the last one.
      *
      * @param intervals at least 1
+     * @throws IllegalStateException if the world is closed, or called by its own controller
      */
     public Snapshot advance(long intervals, Controller controller) {
         if (intervals < 1) {
@@ -249,6 +262,11 @@ public final class World implements AutoCloseable {
         if (closed) {
             throw new IllegalStateException("world '" + spec.name() + "' is closed");
         }
+        if (advancing) {
+            throw new IllegalStateException("world '" + spec.name()
+                    + "' is advancing already: a controller commands robots," + " and must not call advance()");
+        }
+        advancing = true;
         try {
             for (long i = 0; i < intervals; i++) {
                 if (wanted) {
@@ -264,6 +282,7 @@ public final class World implements AutoCloseable {
                 }
             }
         } finally {
+            advancing = false;
             publish();
         }
         return latest;

@@ -327,6 +327,45 @@ class SimulatedDevicesTest {
     }
 
     @Test
+    void resetSpeedReset_inOneTick_leavesTheRobotStanding() {
+        client.subscribe(POSITION2D, 0);
+        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
+        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
+        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
+        ticks(3);
+        assertThat(pose(0)).isEqualTo(Pose.ORIGIN);
+
+        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
+        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
+        ticks(2);
+        assertThat(pose(0).x()).as("a speed after the last reset").isCloseTo(0.1, within(1e-9));
+    }
+
+    @Test
+    void resetSpeedReset_afterTheAnswer_leavesTheRobotStandingToo() {
+        var talker = new WireClient(PORT, (self, frame) -> {
+            self.line.answered(frame.tick());
+            if (frame.tick() == 0) {
+                self.tell(SIMULATION, 0, new DeviceCommand.Reset());
+                self.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
+                self.tell(SIMULATION, 0, new DeviceCommand.Reset());
+            }
+        });
+        talker.subscribe(POSITION2D, 0);
+        ticks(4);
+        assertThat(pose(0)).isEqualTo(Pose.ORIGIN);
+    }
+
+    @Test
+    void odometryThatIsTooFarAway_isRefused_namingTheRobot() {
+        assertRefused(
+                client.ask(POSITION2D, 1, new DeviceRequest.SetOdometry(1.7e308, 0, 0)),
+                "odometry of robot 'two' was set to Pose[x=1.7E308");
+        assertRefused(
+                client.ask(POSITION2D, 1, new DeviceRequest.SetOdometry(Double.NaN, 0, 0)), "expected finite numbers");
+    }
+
+    @Test
     void pause_stopsTime_whileRequestsAreAnswered_andStepLetsOneTickPass() {
         client.subscribe(POSITION2D, 0);
         client.tell(SIMULATION, 0, new DeviceCommand.Pause());

@@ -12,7 +12,10 @@ import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.Shape;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class CollisionTest {
     private static final double MOST_GAP_M = Physics.SKIN_M + 1e-6; // the physics rounds
@@ -199,6 +202,42 @@ class CollisionTest {
         assertThat(end.robots().get(0).pose().x())
                 .isLessThan(end.robots().get(1).pose().x());
         assertThat(contacts).hasSize(1);
+    }
+
+    /** They push one another with all their might; at these speeds they used to press through walls. */
+    @ParameterizedTest
+    @ValueSource(doubles = {50, 100, 150, 199})
+    void fastRobots_crushedInARoom_stayInIt(double speedMps) {
+        for (long seed = 1; seed <= 5; seed++) {
+            World world = World.create(
+                    Specs.world(
+                            List.of(
+                                    robot("a", new Pose(-1, 0, 0)),
+                                    robot("b", new Pose(0, 0, 1)),
+                                    robot("c", new Pose(1, 0, 2)),
+                                    robot("d", new Pose(-1, 1, 3)),
+                                    robot("e", new Pose(0, 1, 4))),
+                            Specs.arena(3)),
+                    WorldSettings.DEFAULT.withLimits(speedMps, 1));
+            var random = new SplittableRandom(seed);
+            int touches = 0;
+            for (int tick = 0; tick < 60; tick++) {
+                for (int robot = 0; robot < 5; robot++) {
+                    if (random.nextInt(4) == 0) {
+                        world.command(robot, random.nextDouble(-speedMps, speedMps), random.nextDouble(-1, 1));
+                    }
+                }
+                Snapshot now = world.advance();
+                touches += now.contacts().size();
+                assertThat(now.robots())
+                        .as("seed %d, tick %d", seed, tick)
+                        .allSatisfy(robot -> assertThat(StrictMath.max(
+                                        StrictMath.abs(robot.pose().x()),
+                                        StrictMath.abs(robot.pose().y())))
+                                .isLessThan(1.5));
+            }
+            assertThat(touches).isGreaterThan(20);
+        }
     }
 
     @Test

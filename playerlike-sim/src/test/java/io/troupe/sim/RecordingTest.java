@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.WorldSpec;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
@@ -136,6 +137,62 @@ class RecordingTest {
                         "line 3 of the recording: settings '1 0.0 0.0 0 5.0 10.0 0': physicsStepMicros is 0, expected at least 1");
         assertThatThrownBy(() -> read(head.replace("10000", "1~0")))
                 .hasMessageStartingWith("line 3 of the recording: settings '1 0.0 0.0 1~0 5.0 10.0 0': ");
+    }
+
+    @Test
+    void settingsThatFitNoWorld_areNamedWithTheirLine() {
+        String text = record(new ArrayList<>(), Arena.seed(4));
+        String cannot = "line 3 of the recording: world 'test' cannot be created with its settings: ";
+
+        assertThatThrownBy(
+                        () -> read(text.replace(" 10000 5.0 ", " 10000 500.0 ")).play(Arena.spec(4), snapshot -> {}))
+                .isInstanceOf(RecordingException.class)
+                .hasMessageStartingWith(cannot + "a physics step of 10000 us is too long for 500.0 m/s");
+        assertThatThrownBy(() -> read(text.replace(" 10000 5.0 ", " 7 5.0 ")).play(Arena.spec(4), snapshot -> {}))
+                .isInstanceOf(RecordingException.class)
+                .hasMessageStartingWith(cannot + "test.world: the interval of world 'test' is 100000 us");
+    }
+
+    @Test
+    void lineThatTheWorldRefuses_isNamed() {
+        String text = record(new ArrayList<>(), Arena.seed(4));
+        int line = (int) text.substring(0, text.indexOf(" odometry ")).lines().count();
+
+        assertThatThrownBy(() -> read(text.replaceFirst("( odometry \\d) [^ ]+", "$1 1.7E308"))
+                        .play(Arena.spec(4), snapshot -> {}))
+                .isInstanceOf(RecordingException.class)
+                .hasMessageStartingWith("line " + line + " of the recording: odometry of robot 'r");
+    }
+
+    @Test
+    void lineThatIsTooLong_isNamedWithoutItsText() {
+        assertThatThrownBy(() -> read("troupe-recording 1\nworld " + "x".repeat(5_000_000)))
+                .isInstanceOf(RecordingException.class)
+                .hasMessage("line 2 of the recording has 5000006 characters, expected at most 2000");
+    }
+
+    @Test
+    void worldName_withLineBreaksOrVeryLong_isRecordedOnOneLine() throws Exception {
+        for (String name : List.of("a\rb", "a\r\nb", "a\nb\n", "x".repeat(100_000))) {
+            WorldSpec named = new WorldSpec(
+                    name,
+                    Arena.spec(1).file(),
+                    100,
+                    Arena.spec(1).robots(),
+                    Arena.spec(1).obstacles());
+            World world = World.create(named, Arena.seed(1));
+            var text = new StringBuilder();
+            Recording recording = world.record(text);
+            world.command(0, 0.1, 0);
+            world.advance(3);
+            recording.close();
+
+            Replay replay = read(text.toString());
+
+            assertThat(replay.play(named, snapshot -> {})).as(name).isEqualTo(recording.hash());
+            assertThat(replay.worldName())
+                    .isEqualTo(name.substring(0, Math.min(1000, name.length())).replaceAll("\\R", " "));
+        }
     }
 
     @Test

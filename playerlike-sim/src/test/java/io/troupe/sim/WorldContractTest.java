@@ -51,6 +51,57 @@ class WorldContractTest {
     }
 
     @Test
+    void odometry_soFarAwayThatSumsBecomeInfinite_isRefused_namingTheRobot() {
+        for (Pose far : List.of(new Pose(1.7e308, 0, 0), new Pose(0, -1.1e9, 0), new Pose(0, 0, 1e10))) {
+            assertThatThrownBy(() -> world.setOdometry(1, far))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage(
+                            "odometry of robot 'r2' was set to " + far + ", expected finite numbers of at most 1.0E9");
+        }
+        world.setOdometry(1, new Pose(1e9, -1e9, 1e9));
+        world.command(1, 1, 0.3);
+
+        Pose odometry = world.advance(20).robots().get(1).odometry().pose();
+
+        assertThat(odometry.x()).isCloseTo(1e9, within(2.1));
+        assertThat(odometry.y()).isCloseTo(-1e9, within(2.1));
+        assertThat(odometry.headingRad()).isBetween(-StrictMath.PI, StrictMath.PI);
+    }
+
+    @Test
+    void odometryAtTheStart_thatIsTooFarAway_isRefused() {
+        RobotSpec r = robot("r1", Pose.ORIGIN);
+        var far = new RobotSpec(
+                r.name(),
+                r.pose(),
+                r.shape(),
+                r.colour(),
+                r.lengthM(),
+                r.widthM(),
+                r.massKg(),
+                r.origin(),
+                new Pose(0, 1.7e308, 0),
+                r.sonar(),
+                r.blobfinder(),
+                r.rangers(),
+                true,
+                true,
+                r.where());
+        assertRefused(Specs.world(far), "test.world:7:1: robot 'r1' starts with the odometry", "at most 1.0E9");
+    }
+
+    @Test
+    void controllerThatAdvancesItsOwnWorld_isRefused_andTheWorldGoesOn() {
+        assertThatThrownBy(() -> world.advance(3, view -> world.advance()))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("world 'test' is advancing already: a controller commands robots, and must not call"
+                        + " advance()");
+        assertThat(world.latest().tick()).isZero();
+
+        assertThat(world.advance(3, view -> view.command(0, 0.1, 0)).tick()).isEqualTo(3);
+    }
+
+    @Test
     void command_toARobotThatIsNotThere_isRefused() {
         assertThatThrownBy(() -> world.command(2, 0, 0))
                 .isInstanceOf(IllegalArgumentException.class)

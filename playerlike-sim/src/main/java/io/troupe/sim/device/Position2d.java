@@ -12,6 +12,9 @@ import io.troupe.sim.scenario.Pose;
  * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> {@link #sense} allocates nothing.
  */
 public final class Position2d {
+    /** Metres or radians to which odometry can be set: sums with larger ones are coarser than a micrometre, and some are infinite. */
+    public static final double FARTHEST = 1e9;
+
     private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
 
     private final OdometryError error;
@@ -41,6 +44,13 @@ public final class Position2d {
         exact = error.equals(OdometryError.NONE);
         origin = originFor(truth, reported);
         set(truth, reported);
+    }
+
+    /** Whether odometry can be set to that: finite numbers, none beyond {@link #FARTHEST}. */
+    public static boolean canReport(Pose pose) {
+        return Math.abs(pose.x()) <= FARTHEST
+                && Math.abs(pose.y()) <= FARTHEST
+                && Math.abs(pose.headingRad()) <= FARTHEST;
     }
 
     /** Makes odometry report this pose while the robot stands where it stands. */

@@ -4,7 +4,9 @@ import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.Shape;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.common.MathUtils;
@@ -37,6 +39,12 @@ public final class Physics {
     /** No body may turn farther in one step. */
     public static final double MAX_TURN_RAD = Settings.maxRotation;
 
+    /**
+     * The polygons of an obstacle that are nearest to the same point of a grid share a body there: jbox2d computes the area and
+     * the centre of a polygon in single precision from the origin of its body, and robots pass through one that is far from it.
+     */
+    private static final double ANCHOR_SPACING_M = 32;
+
     private static final float FRICTION = 0.3f;
     private static final int VELOCITY_ITERATIONS = 8;
     private static final int POSITION_ITERATIONS = 3;
@@ -47,7 +55,6 @@ public final class Physics {
     private final TouchLedger touches;
     private final int robotCount;
     private final int stepMicros;
-    private final boolean continuous;
     private final boolean mayGlide;
     private int obstacleCount;
     private long timeMicros;
@@ -55,25 +62,23 @@ public final class Physics {
     /**
      * A world without bodies.
      *
-     * @param sweepM how far a point of a robot may travel in one step, if that is so far that it could pass a wall unnoticed:
-     *     touches are then looked for within the step as well; 0 if it is not
+     * @param stepMicros so short that no robot travels farther in it than half of its smallest extent; in longer ones it may pass walls
      */
-    public Physics(int robotCount, int stepMicros, double sweepM) {
-        this(robotCount, stepMicros, sweepM, true);
+    public Physics(int robotCount, int stepMicros) {
+        this(robotCount, stepMicros, true);
     }
 
     /** @param mayGlide whether robots that nothing is near may make their steps without jbox2d: that changes nothing but the time it takes */
-    Physics(int robotCount, int stepMicros, double sweepM, boolean mayGlide) {
+    Physics(int robotCount, int stepMicros, boolean mayGlide) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
-        continuous = sweepM > 0;
-        this.mayGlide = mayGlide && !continuous;
+        this.mayGlide = mayGlide;
         touches = new TouchLedger(robotCount);
-        tree = new RepairedTree(sweepM);
+        tree = new RepairedTree();
         world = new World(
                 new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
         world.setAllowSleep(false);
-        world.setContinuousPhysics(continuous);
+        world.setContinuousPhysics(false);
         world.setContactListener(touches);
     }
 
@@ -100,11 +105,28 @@ public final class Physics {
         if (!robots.isEmpty()) {
             throw new IllegalStateException("obstacles come before robots");
         }
-        Body body = createBody(BodyType.STATIC, Pose.ORIGIN, robotCount + obstacleCount++);
+        int id = robotCount + obstacleCount++;
+        Map<Pose, Body> bodies = new HashMap<>();
         for (List<Point> polygon : shape.polygons()) {
             // placed in double precision: jbox2d's own sine is only good to half a millimetre at ten metres
-            body.createFixture(fixture(polygon.stream().map(pose::place).toList()));
+            List<Point> placed = polygon.stream().map(pose::place).toList();
+            Pose anchor = anchor(placed);
+            Body body = bodies.computeIfAbsent(anchor, each -> createBody(BodyType.STATIC, each, id));
+            body.createFixture(fixture(placed.stream()
+                    .map(vertex -> new Point(vertex.x() - anchor.x(), vertex.y() - anchor.y()))
+                    .toList()));
         }
+    }
+
+    /** The point of a coarse grid that is nearest to the middle of a polygon; exact in single precision. */
+    private static Pose anchor(List<Point> polygon) {
+        var x = polygon.stream().mapToDouble(Point::x).summaryStatistics();
+        var y = polygon.stream().mapToDouble(Point::y).summaryStatistics();
+        return new Pose(nearestAnchor((x.getMin() + x.getMax()) / 2), nearestAnchor((y.getMin() + y.getMax()) / 2), 0);
+    }
+
+    private static double nearestAnchor(double at) {
+        return ANCHOR_SPACING_M * StrictMath.rint(at / ANCHOR_SPACING_M) + 0.0; // no negative zero
     }
 
     /** Adds the next robot; the origin of its shape is the centre it turns about. */
@@ -120,7 +142,6 @@ public final class Physics {
     public void addRobot(Pose pose, Shape shape, double massKg, boolean blocksBodies) {
         Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
         body.setSleepingAllowed(false);
-        body.setBullet(continuous);
         var proxies = new int[shape.polygons().size()];
         for (int i = 0; i < proxies.length; i++) {
             FixtureDef fixture = fixture(shape.polygons().get(i));

@@ -15,45 +15,30 @@ import org.jbox2d.common.Vec2;
  * <p>Each body's box is stored with a margin (the fat box), so that a small move needs no work. The tree of jbox2d 2.2.1.1 tests
  * the wrong way round whether the fat box still holds the new one: it re-inserts at every step and stays idle in the one case
  * where it must act, when the new box has outgrown the fat one on all sides.
- *
- * <p>jbox2d also creates contacts disabled: within the step in which their boxes first meet, bodies pass through each other. Boxes
- * are therefore stored larger by the reach, how far a body may travel in one step, when that matters.
  */
 final class RepairedTree implements BroadPhaseStrategy {
     private final DynamicTree tree = new DynamicTree();
-    private final AABB large = new AABB();
     private final AABB away = new AABB();
-    private final float reachM;
     private int newestProxy;
     private long moveCount;
     private long reinsertCount;
 
-    RepairedTree(double reachM) {
-        this.reachM = (float) reachM;
-    }
-
     @Override
     public boolean moveProxy(int proxy, AABB box, Vec2 displacement) {
         moveCount++;
-        enlarge(box);
-        if (holds(tree.getFatAABB(proxy), large)) {
+        if (holds(tree.getFatAABB(proxy), box)) {
             return false;
         }
         reinsertCount++;
-        if (tree.moveProxy(proxy, large, displacement)) {
+        if (tree.moveProxy(proxy, box, displacement)) {
             return true;
         }
         // The new box strictly contains the fat one: a detour makes the tree take notice.
-        float aside = 2 * (large.upperBound.x - large.lowerBound.x) + 1;
-        away.set(large);
+        float aside = 2 * (box.upperBound.x - box.lowerBound.x) + 1;
+        away.set(box);
         away.lowerBound.x += aside;
         away.upperBound.x += aside;
-        return tree.moveProxy(proxy, away, displacement) && tree.moveProxy(proxy, large, displacement);
-    }
-
-    private void enlarge(AABB box) {
-        large.lowerBound.set(box.lowerBound.x - reachM, box.lowerBound.y - reachM);
-        large.upperBound.set(box.upperBound.x + reachM, box.upperBound.y + reachM);
+        return tree.moveProxy(proxy, away, displacement) && tree.moveProxy(proxy, box, displacement);
     }
 
     /** Like {@code AABB.contains}, but the right way round. */
@@ -81,8 +66,7 @@ final class RepairedTree implements BroadPhaseStrategy {
 
     @Override
     public int createProxy(AABB box, Object userData) {
-        enlarge(box);
-        newestProxy = tree.createProxy(large, userData);
+        newestProxy = tree.createProxy(box, userData);
         return newestProxy;
     }
 

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param properties by {@link Property#key()}; overridden ones stand where they were given last
  * @param weight how many entities there are from here down
+ * @param values how many numbers and texts their properties hold
  * @param depth how many of them stand in one another
  */
 record Entity(
@@ -22,6 +23,7 @@ record Entity(
         Map<String, Property> properties,
         List<Entity> children,
         long weight,
+        long values,
         int depth) {
     Entity {
         properties = Collections.unmodifiableMap(new LinkedHashMap<>(properties));

@@ -9,7 +9,10 @@ import org.jspecify.annotations.Nullable;
 /** Collects what stands between an entity's parentheses, on top of the macro it is an instance of. */
 final class EntityBuilder {
     /** Macros inside macros grow exponentially; real worlds stay far below. */
-    private static final long MOST_ENTITIES = 100_000;
+    static final long MOST_ENTITIES = 100_000;
+
+    /** Those of a macro count in each use of it: all of them are checked and turned into shapes. */
+    static final long MOST_VALUES = 5_000_000;
 
     /** Macros that hold macros nest deeper than the text does. */
     private static final int DEEPEST_NESTING = 100;
@@ -20,6 +23,7 @@ final class EntityBuilder {
     private final Map<String, Property> own = new LinkedHashMap<>();
     private final List<Entity> children = new ArrayList<>();
     private long weight = 1;
+    private long childValues;
     private int depth = 1;
 
     EntityBuilder(String word, @Nullable Entity macro, SourcePosition where) {
@@ -47,6 +51,12 @@ final class EntityBuilder {
         if (weight > MOST_ENTITIES) {
             throw new WorldFileException(child.where(), "more than " + MOST_ENTITIES + " entities in one file");
         }
+        childValues += child.values();
+        if (childValues > MOST_VALUES) {
+            throw new WorldFileException(
+                    child.where(),
+                    "more than " + MOST_VALUES + " values in one file; those of a macro count in each use of it");
+        }
         depth = Math.max(depth, child.depth() + 1);
         if (depth > DEEPEST_NESTING) {
             throw new WorldFileException(child.where(), "entities are nested deeper than " + DEEPEST_NESTING);
@@ -57,6 +67,8 @@ final class EntityBuilder {
     Entity build() {
         var properties = new LinkedHashMap<>(inherited);
         properties.putAll(own);
-        return new Entity(type, where, properties, children, weight, depth);
+        long values =
+                properties.values().stream().mapToLong(Property::valueCount).sum() + childValues;
+        return new Entity(type, where, properties, children, weight, values, depth);
     }
 }

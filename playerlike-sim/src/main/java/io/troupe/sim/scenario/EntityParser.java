@@ -21,12 +21,21 @@ final class EntityParser {
     private static final int MOST_FILES = 1000;
     private static final int HIGHEST_INDEX = 1_000_000;
 
+    /** Each instance of a macro has a table of its own of what it takes from it; real worlds stay far below. */
+    private static final long MOST_INHERITED = 1_000_000;
+
+    /** All macros are checked, used or not, with those that stand in them. */
+    private static final long MOST_MACRO_ENTITIES = 1_000_000;
+
     private final Map<String, Entity> macros = new LinkedHashMap<>();
     private final Map<String, SourcePosition> macroNames = new LinkedHashMap<>();
     private final List<Path> open = new ArrayList<>();
     private final EntityBuilder root;
     private int filesRead;
     private long tokensRead;
+    private long inherited;
+    private long macroEntities;
+    private long macroValues;
 
     private EntityParser(String rootType, Path file) {
         root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1));
@@ -111,7 +120,31 @@ final class EntityParser {
             throw new WorldFileException(
                     name.where(), "macro \"" + name.text() + "\" is already defined at " + earlier);
         }
-        macros.put(name.text(), entity(base, cursor, 1));
+        Entity macro = entity(base, cursor, 1);
+        macroEntities += macro.weight();
+        macroValues += macro.values();
+        if (macroEntities > MOST_MACRO_ENTITIES || macroValues > EntityBuilder.MOST_VALUES) {
+            throw new WorldFileException(
+                    name.where(),
+                    "the macros up to this one hold more than " + MOST_MACRO_ENTITIES + " entities or "
+                            + EntityBuilder.MOST_VALUES + " values, with those of the macros in them");
+        }
+        macros.put(name.text(), macro);
+    }
+
+    /** The macro of that name, or null if it is none. */
+    private @Nullable Entity macro(Token word) {
+        Entity macro = macros.get(word.text());
+        if (macro != null) {
+            inherited += macro.properties().size() + macro.children().size();
+            if (inherited > MOST_INHERITED) {
+                throw new WorldFileException(
+                        word.where(),
+                        "instances of macros have taken over more than " + MOST_INHERITED
+                                + " properties and entities by here");
+            }
+        }
+        return macro;
     }
 
     private void statement(Token word, TokenCursor cursor, EntityBuilder into, int depth) {
@@ -127,7 +160,7 @@ final class EntityParser {
             throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
         }
         Token opening = cursor.next();
-        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where());
+        var entity = new EntityBuilder(word.text(), macro(word), word.where());
         while (!cursor.at(Kind.CLOSE)) {
             if (cursor.at(Kind.END)) {
                 throw new WorldFileException(

@@ -13,6 +13,11 @@ record Property(String name, int index, Value value, SourcePosition where) {
         return key(name, index);
     }
 
+    /** How many numbers or texts it holds; an empty tuple counts as one. */
+    int valueCount() {
+        return value instanceof Value.Tuple tuple ? Math.max(1, tuple.items().size()) : 1;
+    }
+
     static String key(String name, int index) {
         return index == NO_INDEX ? name : name + "[" + index + "]";
     }

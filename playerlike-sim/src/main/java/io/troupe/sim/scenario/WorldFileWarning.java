@@ -2,6 +2,10 @@ package io.troupe.sim.scenario;
 
 /** Something in a file that a lenient reader left out; prints as {@code file:line:column: problem}. */
 public record WorldFileWarning(SourcePosition where, String problem) {
+    public WorldFileWarning {
+        problem = WorldFileException.shortened(problem);
+    }
+
     @Override
     public String toString() {
         return where + ": " + problem;

@@ -36,8 +36,8 @@ class GlidingTest {
             sideM = scale * (4 + random.nextInt(20));
             double farM = random.nextInt(3) == 0 ? 300 : 0;
             middle = new Pose(farM, -farM / 2, 0);
-            gliding = new Physics(robots, STEP_MICROS, 0, true);
-            plain = new Physics(robots, STEP_MICROS, 0, false);
+            gliding = new Physics(robots, STEP_MICROS, true);
+            plain = new Physics(robots, STEP_MICROS, false);
             build();
         }
 

@@ -14,7 +14,7 @@ class PhysicsTest {
 
     /** Robots in a grid, driving circles. */
     private static Physics circling(int robots) {
-        var physics = new Physics(robots, STEP_MICROS, 0);
+        var physics = new Physics(robots, STEP_MICROS);
         for (int robot = 0; robot < robots; robot++) {
             physics.addRobot(new Pose(robot % 10 * 2 - 9, robot / 10 * 2, robot), TestWorlds.box(0.4, 0.3), 10);
             physics.drive(robot, 0.3, 0.5);
@@ -24,7 +24,7 @@ class PhysicsTest {
 
     @Test
     void robotsOnTheirOwn_hardlyConcernTheTree() {
-        var physics = new Physics(30, STEP_MICROS, 0);
+        var physics = new Physics(30, STEP_MICROS);
         for (int robot = 0; robot < 30; robot++) {
             physics.addRobot(new Pose(robot % 10 * 5 - 20, robot / 10 * 5, robot), TestWorlds.box(0.4, 0.3), 10);
             physics.drive(robot, 0.3, 0.5);
@@ -39,7 +39,7 @@ class PhysicsTest {
 
     @Test
     void repairedTree_reinsertsFewMoves() {
-        var physics = new Physics(2, STEP_MICROS, 0); // so near each other that jbox2d moves them at every step
+        var physics = new Physics(2, STEP_MICROS); // so near each other that jbox2d moves them at every step
         physics.addRobot(new Pose(0, 0.18, 0), TestWorlds.box(0.4, 0.3), 10);
         physics.addRobot(new Pose(0, -0.18, 0), TestWorlds.box(0.4, 0.3), 10);
         physics.drive(0, 0.3, 0);
@@ -57,7 +57,7 @@ class PhysicsTest {
 
     @Test
     void angles_areWrapped_soThatALongTurnStaysExact() {
-        var physics = new Physics(1, STEP_MICROS, 0);
+        var physics = new Physics(1, STEP_MICROS);
         physics.addRobot(Pose.ORIGIN, TestWorlds.box(0.4, 0.3), 10);
         double perStep = StrictMath.PI / 500;
         physics.drive(0, 0, perStep * 100);
@@ -69,7 +69,7 @@ class PhysicsTest {
 
     @Test
     void robotFarFromTheOrigin_drivesAsFarAsOneAtIt() {
-        var physics = new Physics(1, STEP_MICROS, 0);
+        var physics = new Physics(1, STEP_MICROS);
         physics.addRobot(new Pose(300, 0, 0), TestWorlds.box(0.4, 0.3), 10);
         physics.drive(0, 0.1, 0);
         for (int step = 0; step < 6_000; step++) {

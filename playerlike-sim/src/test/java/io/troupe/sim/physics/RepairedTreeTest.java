@@ -32,7 +32,7 @@ class RepairedTreeTest {
 
     @Test
     void smallMove_withinTheMargin_changesNothing() {
-        var tree = new RepairedTree(0);
+        var tree = new RepairedTree();
         int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
         AABB fat = new AABB(tree.getFatAABB(proxy));
 
@@ -44,7 +44,7 @@ class RepairedTreeTest {
 
     @Test
     void moveOutOfTheMargin_reinserts() {
-        var tree = new RepairedTree(0);
+        var tree = new RepairedTree();
         int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
 
         assertThat(tree.moveProxy(proxy, box(3, 0, 4, 1), STILL)).isTrue();
@@ -55,7 +55,7 @@ class RepairedTreeTest {
 
     @Test
     void boxThatOutgrowsItsMarginOnAllSides_isStillFoundAtItsRim() {
-        var tree = new RepairedTree(0);
+        var tree = new RepairedTree();
         int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
 
         assertThat(tree.moveProxy(proxy, box(-2, -2, 3, 3), STILL)).isTrue();
@@ -67,23 +67,10 @@ class RepairedTreeTest {
     }
 
     @Test
-    void reach_keepsBoxesKnownAStepAhead() {
-        var tree = new RepairedTree(1.5);
-        int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
-        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1.5f, -1.5f, 2.5f, 2.5f)))
-                .isTrue();
-
-        assertThat(tree.moveProxy(proxy, box(0.5f, 0, 1.5f, 1), STILL)).isTrue();
-
-        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-1, -1.5f, 3, 2.5f)))
-                .isTrue();
-    }
-
-    @Test
     void randomMoves_keepEveryBoxWithinItsFatBox() {
         long seed = 20260;
         var random = new Random(seed);
-        var tree = new RepairedTree(0);
+        var tree = new RepairedTree();
         int[] proxies = new int[40];
         for (int i = 0; i < proxies.length; i++) {
             proxies[i] = tree.createProxy(box(i, 0, i + 1, 1), i);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -173,21 +174,63 @@ class EntityParserTest {
     }
 
     @Test
+    void macros_withManyProperties_areRefused_whereTheirUsesBecomeTooMany() {
+        String macro = "define m model (" + properties(10_000) + " )\n";
+
+        assertThat(worlds.problem(macro + "m()\n".repeat(200)))
+                .isEqualTo(
+                        "t.world:102:1: instances of macros have taken over more than 1000000 properties and entities"
+                                + " by here");
+        assertThat(worlds.problem(macro + derived("m", 200)))
+                .isEqualTo("t.world:102:14: instances of macros have taken over more than 1000000 properties and"
+                        + " entities by here");
+    }
+
+    @Test
+    void macros_withManyEntities_areRefused_whereTheyBecomeTooMany() {
+        String macros = "define m model (" + " block ()".repeat(10_000) + " ) define n model ( m() )\n";
+
+        assertThat(worlds.problem(macros + derived("n", 200)))
+                .isEqualTo("t.world:99:8: the macros up to this one hold more than 1000000 entities or 5000000 values,"
+                        + " with those of the macros in them");
+    }
+
+    @Test
+    void macros_withManyValues_areRefused_whereTheirUsesBecomeTooMany() {
+        String macro = "define m model ( block (" + properties(10_000) + " ) )\n";
+        String tuple = "define m model ( block ( z [" + " 0".repeat(10_000) + " ] ) )\n";
+
+        for (String text : List.of(macro, tuple)) {
+            assertThat(worlds.problem(text + "m()\n".repeat(600)))
+                    .isEqualTo("t.world:502:1: more than 5000000 values in one file; those of a macro count in each use"
+                            + " of it");
+        }
+    }
+
+    private static String derived(String base, int count) {
+        var text = new StringBuilder();
+        for (int i = 0; i < count; i++) {
+            text.append("define m").append(i + 1000).append(' ').append(base).append(" ()\n");
+        }
+        return text.toString();
+    }
+
+    private static String properties(int count) {
+        var text = new StringBuilder();
+        for (int i = 0; i < count; i++) {
+            text.append(" point[").append(i).append("] 0");
+        }
+        return text.toString();
+    }
+
+    @Test
     void files_withTooManyWords_areRefused() {
-        worlds.write("many.inc", "# \n".repeat(2) + manyProperties());
+        worlds.write("many.inc", "# \n".repeat(2) + properties(250_000));
 
         assertThat(worlds.problem("\n" + "( ".repeat(2_100_000)))
                 .endsWith("more than 2000000 words, numbers and brackets in one file");
         assertThat(worlds.problem("include \"many.inc\" include \"many.inc\""))
                 .endsWith("with this file more than 2000000 words, numbers and brackets have been read");
-    }
-
-    private static String manyProperties() {
-        var text = new StringBuilder();
-        for (int i = 0; i < 250_000; i++) {
-            text.append("point[").append(i).append("] 0 ");
-        }
-        return text.toString();
     }
 
     @Test

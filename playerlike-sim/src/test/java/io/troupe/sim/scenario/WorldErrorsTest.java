@@ -3,6 +3,8 @@ package io.troupe.sim.scenario;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -160,5 +162,35 @@ class WorldErrorsTest {
 
         assertThat(worlds.problem("include \"parts.inc\" wall ()"))
                 .isEqualTo("parts.inc:5:3: unknown property \"colour\" of model; did you mean \"color\"?");
+    }
+
+    @Test
+    void wordsOfAnyLength_areNotQuotedWhole() {
+        String word = "x".repeat(5_000_000);
+        var longest = new ArrayList<Integer>();
+        for (String text : List.of(
+                "model ( " + word + " 1 )",
+                word + " ()",
+                "model ( color \"" + word + "\" )",
+                "model ( size " + word + " )",
+                "model ( mass 1" + word + " )",
+                "model ( bitmap \"" + word + "\" )",
+                "position ( name \"" + word + "\" ) position ( name \"" + word + "\" pose [ 3 0 0 0 ] )")) {
+            longest.add(worlds.problem(text).length());
+        }
+        assertThat(longest).allSatisfy(length -> assertThat(length).isBetween(1_000, 3_000));
+        assertThat(worlds.problem("model ( " + word + " 1 )"))
+                .startsWith("t.world:1:9: unknown property \"xxx")
+                .contains("x .. (4")
+                .contains(" characters are left out here) .. ")
+                .contains("; known: alwayson, ");
+    }
+
+    @Test
+    void warnings_areNotLongerEither() {
+        Path file = worlds.write("t.world", "model ( " + "x".repeat(100_000) + " 1 )");
+        var warnings = new ArrayList<String>();
+        ScenarioReader.read(file, warning -> warnings.add(warning.toString()));
+        assertThat(warnings).singleElement().satisfies(text -> assertThat(text).hasSizeBetween(1_000, 3_000));
     }
 }

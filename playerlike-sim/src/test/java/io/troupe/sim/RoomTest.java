@@ -1,0 +1,85 @@
+package io.troupe.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.sim.device.Outline;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+class RoomTest {
+    private static List<Pose> rows(int count) {
+        return IntStream.range(0, count)
+                .mapToObj(i -> new Pose(i % 100 - 50, i / 100 - 50, i))
+                .toList();
+    }
+
+    private static Room room(List<Pose> poses) {
+        List<RobotSpec> robots = IntStream.range(0, poses.size())
+                .mapToObj(i -> Specs.robot("r" + i, poses.get(i)))
+                .toList();
+        return new Room(Specs.world(robots));
+    }
+
+    /** Each question looks at the robots that are near, not at all of them. */
+    @Test
+    void teleportsOfAllRobots_lookAtAFewRobotsEach() {
+        List<Pose> poses = new ArrayList<>(rows(4_000));
+        var looks = new int[1];
+        IntFunction<Pose> counted = robot -> {
+            looks[0]++;
+            return poses.get(robot);
+        };
+        Room.Occupancy occupancy = room(poses).occupancy(counted);
+        for (int robot = 0; robot < 4_000; robot++) {
+            Pose to = new Pose(poses.get(robot).x() + 0.1, poses.get(robot).y(), 1);
+            assertThat(occupancy.refusal(robot, to)).as("robot %d", robot).isNull();
+            poses.set(robot, to);
+            occupancy.moved(robot);
+        }
+        assertThat(looks[0]).isBetween(4_000, 20 * 4_000);
+    }
+
+    @Test
+    void refusal_namesTheFirstRobotInTheWay_asAComparisonWithAllOfThemDoes() {
+        long seed = 7;
+        var random = new SplittableRandom(seed);
+        List<Pose> poses = new ArrayList<>(rows(60));
+        Room room = room(poses);
+        Room.Occupancy occupancy = room.occupancy(poses::get);
+        int refused = 0;
+        for (int i = 0; i < 2_000; i++) {
+            int robot = random.nextInt(60);
+            Pose to = new Pose(random.nextDouble(-51, 11), random.nextDouble(-51, -48), random.nextDouble(6));
+            String expected = firstInTheWay(poses, robot, to);
+            String answer = occupancy.refusal(robot, to);
+            if (expected == null) {
+                assertThat(answer).as("seed %d, question %d", seed, i).isNull();
+                poses.set(robot, to);
+                occupancy.moved(robot);
+            } else {
+                refused++;
+                assertThat(answer)
+                        .as("seed %d, question %d", seed, i)
+                        .endsWith("it would overlap robot '" + expected + "'");
+            }
+        }
+        assertThat(refused).isBetween(200, 1_800);
+    }
+
+    private static @Nullable String firstInTheWay(List<Pose> poses, int robot, Pose to) {
+        var outline = new Outline(Specs.robot("", to).shape(), to);
+        for (int other = 0; other < poses.size(); other++) {
+            if (other != robot && new Outline(Specs.robot("", to).shape(), poses.get(other)).overlaps(outline)) {
+                return "r" + other;
+            }
+        }
+        return null;
+    }
+}
