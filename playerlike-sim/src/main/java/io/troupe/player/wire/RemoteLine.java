@@ -3,11 +3,14 @@ package io.troupe.player.wire;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.lang.System.Logger.Level;
-import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
@@ -21,26 +24,31 @@ import org.jspecify.annotations.Nullable;
  * A client's line to a server behind a socket.
  *
  * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends when the line is closed.
+ * Every call returns within the client's limit, also if the server does not read what is sent to it, and ends when its thread is interrupted; the line stays as it is then.
  * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the reply is seen.
  */
 final class RemoteLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
+    /** Frames for a space that is busy; as many as a server keeps for a client. */
+    private static final int MOST_KEPT = 1024;
+
     private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
 
     private final String name;
-    private final Socket socket;
+    private final RemoteSocket socket;
     private final DataSink sink;
     private final @Nullable ActorSpace space;
     private final Thread reader;
     private final OpenRequests open = new OpenRequests();
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
-    private final Object outputLock = new Object();
+    private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by itself
+    private boolean keptTooMany; // only for the reader
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
     private final AtomicReference<@Nullable String> closed = new AtomicReference<>();
 
-    RemoteLine(String name, Socket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
+    RemoteLine(String name, RemoteSocket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
         this.name = name;
         this.socket = socket;
         this.sink = sink;
@@ -116,7 +124,7 @@ final class RemoteLine implements PlayerConnection {
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
         Content content = CommandMessages.encode(command);
-        send(device, MessageType.CMD, content);
+        send(device, MessageType.CMD, content, 0);
     }
 
     @Override
@@ -130,12 +138,12 @@ final class RemoteLine implements PlayerConnection {
         checkOpen();
         Content content = RequestMessages.encode(device.interfaceCode(), request);
         Duration limit = replyLimit;
-        var reply = open.add(device, content.subtype());
-        reply.orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
+        var sent = open.add(device, content.subtype());
+        sent.reply().orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
             if (message != null) {
                 receiver.accept(decode(message));
             } else {
-                open.drop(reply);
+                open.giveUp(sent);
                 receiver.accept(new DeviceReply.Nack(
                         failure instanceof TimeoutException
                                 ? "no reply within " + limit.toMillis() + " ms"
@@ -143,10 +151,10 @@ final class RemoteLine implements PlayerConnection {
             }
         });
         try {
-            send(device, MessageType.REQ, content);
-        } catch (LineClosedException told) {
-            // as all open requests are, this one too: by its reply
-            LOG.log(Level.DEBUG, "{0}: {1} was not sent", name, request);
+            send(device, MessageType.REQ, content, sent.sequence());
+        } catch (LineClosedException | RequestFailedException notSent) {
+            open.drop(sent);
+            sent.reply().completeExceptionally(notSent);
         }
     }
 
@@ -159,7 +167,7 @@ final class RemoteLine implements PlayerConnection {
     public void answered(long tick) {
         checkOpen();
         if (frames.wantsData(tick)) {
-            send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.NextData()));
+            send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.NextData()), 0);
         }
     }
 
@@ -172,16 +180,16 @@ final class RemoteLine implements PlayerConnection {
     public void delivery(Delivery mode) {
         checkOpen();
         Content content = PlayerMessages.encode(new PlayerRequest.DataMode(mode));
-        var reply = open.add(PLAYER, content.subtype());
+        var sent = open.add(PLAYER, content.subtype());
         // in the reader, so that the mode changes at its place in the stream
-        var changed = reply.thenApply(message -> {
+        var changed = sent.reply().thenApply(message -> {
             if (message.header().type() == MessageType.ACK) {
                 frames.mode(mode).forEach(this::deliver);
             }
             return message;
         });
-        send(PLAYER, MessageType.REQ, content);
-        if (await(changed, reply, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
+        send(PLAYER, content, sent);
+        if (await(changed, sent, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
             throw new RequestFailedException(name + " refused the mode of delivery " + mode);
         }
     }
@@ -219,21 +227,30 @@ final class RemoteLine implements PlayerConnection {
 
     private Message call(DeviceAddress device, Content content, String what) {
         checkOpen();
-        var reply = open.add(device, content.subtype());
-        send(device, MessageType.REQ, content);
-        return await(reply, reply, what);
+        var sent = open.add(device, content.subtype());
+        send(device, content, sent);
+        return await(sent.reply(), sent, what);
     }
 
-    private Message await(CompletableFuture<Message> awaited, CompletableFuture<Message> reply, String what) {
+    private void send(DeviceAddress device, Content content, OpenRequests.Request request) {
+        try {
+            send(device, MessageType.REQ, content, request.sequence());
+        } catch (RuntimeException e) {
+            open.drop(request);
+            throw e;
+        }
+    }
+
+    private Message await(CompletableFuture<Message> awaited, OpenRequests.Request sent, String what) {
         Duration limit = replyLimit;
         try {
             return awaited.get(limit.toNanos(), TimeUnit.NANOSECONDS);
         } catch (TimeoutException e) {
-            open.drop(reply);
+            open.giveUp(sent);
             throw new RequestFailedException(
                     name + " did not answer within " + limit.toMillis() + " ms: " + what + " was requested");
         } catch (InterruptedException e) {
-            open.drop(reply);
+            open.giveUp(sent);
             Thread.currentThread().interrupt();
             throw new RequestFailedException("interrupted while waiting for " + name + ": " + what + " was requested");
         } catch (ExecutionException e) {
@@ -251,14 +268,18 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    private void send(DeviceAddress device, MessageType type, Content content) {
-        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload())
-                .bytes();
+    private void send(DeviceAddress device, MessageType type, Content content, int sequence) {
+        byte[] payload = content.payload();
+        var header = new Header(device, type, content.subtype(), 0, sequence, payload.length);
         checkOpen();
+        Duration limit = replyLimit;
         try {
-            synchronized (outputLock) {
-                socket.getOutputStream().write(bytes);
-            }
+            socket.send(new Message(header, payload).bytes(), limit);
+        } catch (SocketTimeoutException e) {
+            throw new RequestFailedException(
+                    name + " has not taken a message within " + limit.toMillis() + " ms: " + e.getMessage());
+        } catch (InterruptedIOException e) {
+            throw new RequestFailedException("interrupted while sending to " + name);
         } catch (IOException e) {
             lose(gone(e.getMessage()));
             checkOpen();
@@ -296,7 +317,9 @@ final class RemoteLine implements PlayerConnection {
             return;
         }
         try {
-            space.execute(() -> sink.frame(frame));
+            if (keep(frame)) {
+                space.execute(() -> sink.frame(takeKept()));
+            }
             if (frames.mode() == Delivery.PULL) {
                 space.onIdle(() -> {
                     if (closed.get() == null) {
@@ -309,15 +332,45 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    void lose(String reason) {
-        if (shut(reason)) {
-            sink.lost(reason);
+    /** Keeps a frame for the space; false if the oldest one had to give way, whose turn is this one's then. */
+    private boolean keep(Frame frame) {
+        synchronized (forSpace) {
+            forSpace.add(frame);
+            if (forSpace.size() <= MOST_KEPT) {
+                return true;
+            }
+            forSpace.remove();
+        }
+        if (!keptTooMany) {
+            keptTooMany = true;
+            LOG.log(Level.WARNING, "{0}: actor space {1} is too slow, the oldest data are dropped", name, space);
+        }
+        return false;
+    }
+
+    private Frame takeKept() {
+        synchronized (forSpace) {
+            return forSpace.remove();
         }
     }
 
-    private boolean shut(String reason) {
+    /**
+     * The sink learns it before any call fails by it: a program that has met the failure of one call finds that all its data have come.
+     */
+    void lose(String reason) {
+        if (closed.get() != null) {
+            return;
+        }
+        try {
+            sink.lost(reason);
+        } finally {
+            shut(reason);
+        }
+    }
+
+    private void shut(String reason) {
         if (!closed.compareAndSet(null, reason)) {
-            return false;
+            return;
         }
         try {
             socket.close(); // ends a read and a write that wait
@@ -325,6 +378,5 @@ final class RemoteLine implements PlayerConnection {
             LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
         }
         open.failAll(new LineClosedException(reason));
-        return true;
     }
 }

@@ -3,7 +3,6 @@ package io.troupe.player.wire;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
-import java.net.Socket;
 
 /**
  * Reads what a server sends: frames go to the line, replies to whoever waits for them.
@@ -21,11 +20,11 @@ final class RemoteReader implements Runnable {
 
     private final RemoteLine line;
     private final String name;
-    private final Socket socket;
+    private final RemoteSocket socket;
     private final OpenRequests open;
     private final FrameAssembler frames;
 
-    RemoteReader(RemoteLine line, String name, Socket socket, OpenRequests open, FrameAssembler frames) {
+    RemoteReader(RemoteLine line, String name, RemoteSocket socket, OpenRequests open, FrameAssembler frames) {
         this.line = line;
         this.name = name;
         this.socket = socket;
@@ -36,7 +35,7 @@ final class RemoteReader implements Runnable {
     @Override
     public void run() {
         try {
-            var messages = new MessageReader(new BufferedInputStream(socket.getInputStream()), MOST_PAYLOAD_BYTES);
+            var messages = new MessageReader(new BufferedInputStream(socket.input()), MOST_PAYLOAD_BYTES);
             for (Message message = messages.read(); message != null; message = messages.read()) {
                 take(message);
             }
@@ -45,9 +44,9 @@ final class RemoteReader implements Runnable {
             line.lose(line.gone(e.getMessage()));
         } catch (WireException e) {
             line.lose(name + " sent what is not the Player protocol: " + e.getMessage());
-        } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
+        } catch (RuntimeException | Error e) {
             line.lose(name + ": a message could not be handled: " + e);
+            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
         }
     }
 
