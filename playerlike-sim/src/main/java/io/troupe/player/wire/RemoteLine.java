@@ -46,7 +46,10 @@ final class RemoteLine implements PlayerConnection {
     private boolean keptTooMany; // only for the reader
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
-    private final AtomicReference<@Nullable String> closed = new AtomicReference<>();
+    private final AtomicReference<@Nullable End> end = new AtomicReference<>();
+
+    /** @param lost whether the server has gone, and this line was not closed by its client */
+    private record End(String reason, boolean lost) {}
 
     RemoteLine(String name, RemoteSocket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
         this.name = name;
@@ -203,7 +206,7 @@ final class RemoteLine implements PlayerConnection {
 
     @Override
     public void close() {
-        shut("this line to " + name + " has been closed");
+        end(new End("this line to " + name + " has been closed", false));
         if (Thread.currentThread() != reader) {
             try {
                 reader.join();
@@ -254,6 +257,7 @@ final class RemoteLine implements PlayerConnection {
             Thread.currentThread().interrupt();
             throw new RequestFailedException("interrupted while waiting for " + name + ": " + what + " was requested");
         } catch (ExecutionException e) {
+            checkOpen();
             throw new LineClosedException(e.getCause().getMessage());
         }
     }
@@ -294,10 +298,17 @@ final class RemoteLine implements PlayerConnection {
                 .orElse(device);
     }
 
+    /**
+     * A call that fails by the loss of the server has told the sink first, as the thread that has met the loss may be just about to: a program finds no call that still works after one
+     * that said that the server has gone, whether it asks the line or the sink.
+     */
     private void checkOpen() {
-        String reason = closed.get();
-        if (reason != null) {
-            throw new LineClosedException(reason);
+        End ended = end.get();
+        if (ended != null) {
+            if (ended.lost()) {
+                sink.lost(ended.reason());
+            }
+            throw new LineClosedException(ended.reason());
         }
     }
 
@@ -322,7 +333,7 @@ final class RemoteLine implements PlayerConnection {
             }
             if (frames.mode() == Delivery.PULL) {
                 space.onIdle(() -> {
-                    if (closed.get() == null) {
+                    if (end.get() == null) {
                         answered(frame.tick());
                     }
                 });
@@ -354,29 +365,25 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    /**
-     * The sink learns it before any call fails by it: a program that has met the failure of one call finds that all its data have come.
-     */
     void lose(String reason) {
-        if (closed.get() != null) {
-            return;
-        }
-        try {
-            sink.lost(reason);
-        } finally {
-            shut(reason);
-        }
+        end(new End(reason, true));
     }
 
-    private void shut(String reason) {
-        if (!closed.compareAndSet(null, reason)) {
+    private void end(End how) {
+        if (!end.compareAndSet(null, how)) {
             return;
         }
         try {
-            socket.close(); // ends a read and a write that wait
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
+            if (how.lost()) {
+                sink.lost(how.reason());
+            }
+        } finally {
+            try {
+                socket.close(); // ends a read and a write that wait
+            } catch (IOException e) {
+                LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
+            }
+            open.failAll(new LineClosedException(how.reason()));
         }
-        open.failAll(new LineClosedException(reason));
     }
 }

@@ -131,31 +131,30 @@ class RemoteLimitsTest implements PlayerConstants {
                 payload);
     }
 
+    /** The reader is stopped where it has noticed the end and tells the sink. */
     @Test
-    void sink_learnsThatTheServerHasGone_beforeAnyCallFailsByIt() throws Exception {
+    void serverThatHasGone_isKnownToTheSinkAndToEveryCall_atTheSameTime() throws Exception {
         var server = new ScriptedSocket((message, self) -> false);
-        var told = new CountDownLatch(1);
-        var calls = new ConcurrentLinkedQueue<String>();
-        var connected = new CountDownLatch(1);
-        var lines = new ArrayList<PlayerConnection>();
+        var toldByReader = new CountDownLatch(1);
+        var goOn = new CountDownLatch(1);
+        var toldBy = new ConcurrentLinkedQueue<Thread>();
         var sink = new Sink() {
             @Override
             public void lost(String reason) {
-                awaitQuietly(connected);
-                try {
-                    calls.add(lines.getFirst().devices().size() + " devices");
-                } catch (LineClosedException tooEarly) {
-                    calls.add("closed");
+                toldBy.add(Thread.currentThread());
+                if (toldBy.size() == 1) {
+                    toldByReader.countDown();
+                    awaitQuietly(goOn);
                 }
-                told.countDown();
             }
         };
-        lines.add(new RemoteServer("localhost", server.port()).connect(sink, null));
-        connected.countDown();
+        var line = new RemoteServer("localhost", server.port()).connect(sink, null);
         server.close();
-        told.await();
-        assertThat(calls).containsExactly("3 devices");
-        lines.getFirst().close();
+        toldByReader.await();
+        assertThatThrownBy(line::devices).hasMessageContaining("has gone");
+        assertThat(toldBy).as("told before the call failed").hasSize(2).contains(Thread.currentThread());
+        goOn.countDown();
+        line.close();
     }
 
     @Test
