@@ -148,7 +148,8 @@ public final class Recording implements AutoCloseable {
                 out.append(line);
             }
         } catch (IOException e) {
-            throw new UncheckedIOException("the recording cannot be written at tick " + tick + ": " + e.getMessage(), e);
+            throw new UncheckedIOException(
+                    "the recording cannot be written at tick " + tick + ": " + e.getMessage(), e);
         } finally {
             line.setLength(0);
         }

@@ -32,12 +32,10 @@ import org.junit.jupiter.api.Timeout;
 class SimulationEndTest {
     private static final int PORT = 6793;
 
-    private final Simulation simulation = Simulation.open(
-            scenario(), WorldSettings.DEFAULT);
+    private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
 
     private static Scenario scenario() {
-        var plain = TestWorlds.scenario(
-                PORT, TestWorlds.world(List.of(robot("one", 0, 0, 0), robot("two", 0, 3, 0))));
+        var plain = TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot("one", 0, 0, 0), robot("two", 0, 3, 0))));
         var devices = new ArrayList<>(plain.devices());
         devices.add(new DeviceBinding(PORT, "simulation", 0, "", 0, TestWorlds.NOWHERE));
         return new Scenario(plain.world(), devices);
@@ -178,13 +176,14 @@ class SimulationEndTest {
         simulation.answerLimit(Duration.ofSeconds(10));
         var client = new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.SONAR, 0);
         wall.advance(Duration.ofSeconds(3));
-        simulation.whileWaiting(() -> { // in the middle of a tick
-            simulation.pause();
-            wall.advance(Duration.ofHours(1));
-            simulation.resume();
-            wall.advance(Duration.ofSeconds(9));
-            simulation.whileWaiting(() -> client.line.answered(0));
-        });
+        simulation.whileWaiting(
+                () -> { // in the middle of a tick
+                    simulation.pause();
+                    wall.advance(Duration.ofHours(1));
+                    simulation.resume();
+                    wall.advance(Duration.ofSeconds(9));
+                    simulation.whileWaiting(() -> client.line.answered(0));
+                });
         assertThat(simulation.tick().tick()).isEqualTo(1);
 
         simulation.whileWaiting(() -> wall.advance(Duration.ofSeconds(1)));

@@ -246,6 +246,7 @@ class HostileClientsTest {
             client.awaitEnd();
             try (var late = new RawClient(served.port())) {
                 late.awaitEnd();
+                assertThat(late.received()).as("no greeting").isEmpty();
             }
         }
     }

@@ -31,7 +31,9 @@ class OpenRequestsTest {
         Request third = open.add(SIMULATION, 1);
         assertThat(open.answer(reply(1, first.sequence()))).as("late").isFalse();
         assertThat(isAnswered(third)).isFalse();
-        assertThat(open.answer(reply(2, third.sequence()))).as("of another kind").isFalse();
+        assertThat(open.answer(reply(2, third.sequence())))
+                .as("of another kind")
+                .isFalse();
         assertThat(open.answer(reply(1, third.sequence()))).isTrue();
         assertThat(isAnswered(third)).isTrue();
     }

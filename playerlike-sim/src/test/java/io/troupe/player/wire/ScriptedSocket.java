@@ -28,6 +28,7 @@ final class ScriptedSocket implements AutoCloseable {
 
     /** All but commands. */
     final List<Message> received = new CopyOnWriteArrayList<>();
+
     private final BlockingQueue<Message> commands = new LinkedBlockingQueue<>();
     private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     private final byte[] greeting;

@@ -301,8 +301,7 @@ class ServerLimitsTest {
             }
 
             @Override
-            public PlayerConnection connect(
-                    DataSink sink, @Nullable ActorSpace space) {
+            public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
                 if (failures.incrementAndGet() == 1) {
                     throw new OutOfMemoryError("unable to create native thread");
                 }
