@@ -185,20 +185,19 @@ final class Incoming implements DataSink {
      * @return the type of the message
      */
     int read(boolean wholeFrame) {
-        long tick = 0;
+        long tick;
         boolean wait;
         synchronized (lock) {
             wait = !hasMessage() && (wholeFrame || unreadReply == 0);
-            if (wait) {
-                tick = shownTick;
-            }
+            tick = shownTick;
         }
         if (wait) {
             answer.accept(tick);
         }
         List<Deferred<@Nullable Void>> ready;
         synchronized (lock) {
-            while (!hasMessage()) {
+            // a whole frame may be empty, and the server waits for the answer to it
+            while (!hasMessage() && !(wholeFrame && shownTick > tick)) {
                 if (!wholeFrame && unreadReply != 0) {
                     int type = unreadReply;
                     unreadReply = 0;
@@ -207,9 +206,9 @@ final class Incoming implements DataSink {
                 throwIfLost();
                 await();
             }
-            do {
+            for (boolean more = hasMessage(); more; more = wholeFrame && hasMessage()) {
                 dispatchOldest();
-            } while (wholeFrame && hasMessage());
+            }
             unreadReply = 0;
             ready = read == 0 ? takeWaiting() : List.of();
         }

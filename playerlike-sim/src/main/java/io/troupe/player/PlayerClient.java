@@ -42,6 +42,7 @@ public class PlayerClient extends ServerInquiries {
     private final @Nullable ActorSpace space = ActorSpace.current();
     private final Incoming incoming = new Incoming(subscriptions::dispatch, this::answer, space != null);
     private final PlayerConnection connection;
+    private final Object threading = new Object();
     private volatile boolean threaded;
     private volatile boolean pull;
     private final AtomicBoolean commandLimitWasRefused = new AtomicBoolean();
@@ -82,27 +83,31 @@ public class PlayerClient extends ServerInquiries {
      * @param nanos of no effect
      */
     public void runThreaded(long millis, int nanos) {
-        if (threaded) {
-            LOG.log(Level.WARNING, "{0} is threaded already", getName());
-            return;
-        }
-        if (space == null && getState() != State.NEW) {
-            throw new PlayerException(
-                    getName() + " was threaded before: a thread starts once, make a new PlayerClient");
-        }
-        incoming.begin();
-        threaded = true;
-        if (space == null) {
-            start();
+        synchronized (threading) { // of several threads, one starts it
+            if (threaded) {
+                LOG.log(Level.WARNING, "{0} is threaded already", getName());
+                return;
+            }
+            if (space == null && getState() != State.NEW) {
+                throw new PlayerException(
+                        getName() + " was threaded before: a thread starts once, make a new PlayerClient");
+            }
+            incoming.begin();
+            threaded = true;
+            if (space == null) {
+                start();
+            }
         }
     }
 
     /** Ends what {@link #runThreaded} began, and waits until it has ended. */
     public void setNotThreaded() {
-        if (!threaded) {
-            return;
+        synchronized (threading) {
+            if (!threaded) {
+                return;
+            }
+            threaded = false;
         }
-        threaded = false;
         incoming.wakeAll();
         if (space == null && Thread.currentThread() != this) {
             try {
@@ -121,6 +126,9 @@ public class PlayerClient extends ServerInquiries {
         } catch (PlayerException serverHasGone) {
             // every call the program waits in says so too
             LOG.log(Level.DEBUG, "{0}: no more data: {1}", getName(), serverHasGone.getMessage());
+        } catch (RuntimeException | Error e) { // or the program would wait for data that nobody shows to it
+            incoming.lost("[PlayerClient] the thread of " + getName() + " has failed: " + e);
+            throw e;
         }
     }
 

@@ -49,7 +49,7 @@ public class SimulationInterface extends PlayerDevice {
         return pc.findsReply(pose);
     }
 
-    /** Stops the world's time, or lets it go on. */
+    /** Stops the world's time, or lets it go on. A world of ours goes on, too, when the client that has stopped it leaves. */
     public void pause() {
         send(new DeviceCommand.Pause());
     }

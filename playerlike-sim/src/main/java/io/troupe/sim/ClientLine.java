@@ -28,6 +28,8 @@ import org.jspecify.annotations.Nullable;
  * when that sees the answer.
  */
 final class ClientLine implements PlayerConnection {
+    private static final System.Logger LOG = System.getLogger(ClientLine.class.getName());
+
     private final Simulation simulation;
     private final PortServer server;
     private final DataSink sink;
@@ -72,18 +74,6 @@ final class ClientLine implements PlayerConnection {
         return false;
     }
 
-    /** Whether the next frame has anything for it: not if all its sensors are switched off. */
-    boolean expectsData() {
-        if (closed == null) {
-            for (Offer offer : inFrameOrder) {
-                if (simulation.publishes(offer)) {
-                    return true;
-                }
-            }
-        }
-        return false;
-    }
-
     boolean isFreeRunning() {
         return !isWaitedFor() && isSubscribed();
     }
@@ -98,7 +88,7 @@ final class ClientLine implements PlayerConnection {
     }
 
     boolean hasAnswered(long tick) {
-        return !isWaitedFor() || answeredTick >= tick || turnTick != tick && !expectsData();
+        return !isWaitedFor() || answeredTick >= tick || turnTick != tick && !isSubscribed();
     }
 
     void tickBegins(long tick) {
@@ -128,7 +118,7 @@ final class ClientLine implements PlayerConnection {
         }
         List<DataMessage> messages = new ArrayList<>(inFrameOrder.size());
         for (Offer offer : inFrameOrder) {
-            if (simulation.publishes(offer)) {
+            if (offer.publishes()) {
                 messages.add(DeviceMessages.data(offer, simulation.world().spec(), now));
             }
         }
@@ -149,7 +139,11 @@ final class ClientLine implements PlayerConnection {
     /** It is not waited for any more, even if it had left in its turn before. */
     void lose(String reason) {
         if (shut(reason, false)) {
-            sink.lost(reason);
+            try {
+                sink.lost(reason);
+            } catch (RuntimeException | Error e) { // the other clients have to learn it all the same
+                LOG.log(System.Logger.Level.WARNING, this + " failed when it was disconnected", e);
+            }
         }
     }
 
@@ -278,6 +272,7 @@ final class ClientLine implements PlayerConnection {
             List.copyOf(subscribed).forEach(this::drop);
             pending.takeAll().forEach(Runnable::run); // acknowledged before it left
             closed = reason;
+            simulation.endPauseOf(desk);
             simulation.remove(this);
             return true;
         });

@@ -87,7 +87,7 @@ final class DeviceDesk {
 
     private void simulate(Offer offer, DeviceCommand command) {
         switch (command) {
-            case DeviceCommand.Pause pause -> simulation.togglePause();
+            case DeviceCommand.Pause pause -> simulation.togglePause(this);
             case DeviceCommand.Reset reset -> later.add(offer, Kind.RESET, simulation::reset);
             case DeviceCommand.Save save ->
                 System.getLogger(DeviceDesk.class.getName())
@@ -176,9 +176,11 @@ final class DeviceDesk {
         return ACK;
     }
 
-    private DeviceReply sensorPower(Offer offer, boolean on) {
-        later.add(offer, Kind.POWER, () -> simulation.switchSensor(offer, on));
-        return ACK;
+    /**
+     * Stage refuses to switch a sensor off too. In lock step a client without data has nothing to answer, and one that others rely on would leave them without theirs.
+     */
+    private static DeviceReply sensorPower(Offer offer, boolean on) {
+        return on ? ACK : new DeviceReply.Nack(offer + " of a simulated robot cannot be switched off");
     }
 
     private DeviceReply ofLaser(Offer offer, RangerSpec laser, DeviceRequest request) {

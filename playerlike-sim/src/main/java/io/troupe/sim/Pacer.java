@@ -16,6 +16,9 @@ import java.util.function.LongConsumer;
 final class Pacer {
     static final long CATCH_UP_MICROS = 250_000;
     private static final System.Logger LOG = System.getLogger(Pacer.class.getName());
+    /** Some 73 years: how long an interval takes at most, whatever the pace, so that sums of times do not overflow. */
+    private static final long LONGEST_NANOS = 1L << 61;
+
     private static final long QUIET_NANOS = 1_000_000_000;
 
     private final Clock wall;
@@ -69,7 +72,7 @@ final class Pacer {
     }
 
     private long wallNanos(long simulatedMicros) {
-        return (long) (simulatedMicros * 1000 / factor);
+        return (long) Math.min(simulatedMicros * 1000 / factor, LONGEST_NANOS);
     }
 
     /** Says so at most once in a second. */

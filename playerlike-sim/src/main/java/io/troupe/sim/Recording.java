@@ -105,15 +105,22 @@ public final class Recording implements AutoCloseable {
             return;
         }
         begin("end").append(' ').append(hash);
-        write();
-        closed = true;
+        try {
+            write();
+        } finally {
+            closed = true;
+            closeOutput();
+        }
+    }
+
+    private void closeOutput() {
         if (out instanceof AutoCloseable closeable) {
             try {
                 closeable.close();
             } catch (IOException e) {
-                throw new UncheckedIOException("the recording could not be closed", e);
+                throw new UncheckedIOException("the recording could not be closed: " + e.getMessage(), e);
             } catch (Exception e) {
-                throw new IllegalStateException("the recording could not be closed", e);
+                throw new IllegalStateException("the recording could not be closed: " + e.getMessage(), e);
             }
         }
     }
@@ -146,7 +153,8 @@ public final class Recording implements AutoCloseable {
                 out.append(line);
             }
         } catch (IOException e) {
-            throw new UncheckedIOException("the recording cannot be written at tick " + tick, e);
+            throw new UncheckedIOException(
+                    "the recording cannot be written at tick " + tick + ": " + e.getMessage(), e);
         } finally {
             line.setLength(0);
         }

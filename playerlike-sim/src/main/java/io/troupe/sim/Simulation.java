@@ -7,13 +7,11 @@ import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.LineClosedException;
-import io.troupe.sim.PortServer.Offer;
 import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.Scenario;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -28,8 +26,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its clients.
  * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and command from any thread.
- * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their answers takes effect, in the order of robots, and the world
- * advances by one interval. Clients of one actor space get their frames in one turn of it and have answered when the space is idle, also one that closes itself in that turn; so a client
+ * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their answers takes effect, client by client in the order in which
+ * they connected, so that of two clients that drive one robot the one that came later counts, and the world advances by one interval. Clients of one actor space get their frames in one turn of it and have answered when the space is idle, also one that closes itself in that turn; so a client
  * that the turn connects anew takes part from the next tick on (ADR 0003). A thread that changes its client connects the new one before it closes the old: between the two the world would run on.
  * <p><b>Errors.</b> {@link UnansweredTickException} if a client does not answer in time.
  */
@@ -47,7 +45,8 @@ public final class Simulation implements AutoCloseable {
     private final int[] drivers;
     private Duration answerLimit = ANSWER_LIMIT;
     private @Nullable Runnable whileWaiting;
-    private final Set<Offer> switchedOff = new HashSet<>();
+    private Clock wall = Clock.system();
+    private @Nullable Object pausedBy;
     private int connected;
     private boolean lockStep = true;
     private boolean disconnectsSilent;
@@ -101,12 +100,18 @@ public final class Simulation implements AutoCloseable {
         whileWaiting = Objects.requireNonNull(action, "action");
     }
 
-    /** How long a tick may wait for its answers, by the machine's clock; 10 seconds unless set. */
+    /** How long a tick may wait for its answers, by the machine's clock, which does not count while time is paused; 10 seconds unless set. */
     public void answerLimit(Duration limit) {
         if (limit.isNegative() || limit.isZero()) {
             throw new IllegalArgumentException("answer limit is " + limit + ", expected more than nothing");
         }
         answerLimit = limit;
+    }
+
+    /** Measures the answer limit. */
+    void wallClock(Clock clock) {
+        wall = clock;
+        time.wallClock(clock);
     }
 
     /**
@@ -155,7 +160,7 @@ public final class Simulation implements AutoCloseable {
                 throw new IllegalStateException(CLOSED);
             }
             lines.forEach(line -> line.tickBegins(now.tick()));
-            return lines.stream().filter(ClientLine::expectsData).toList();
+            return lines.stream().filter(ClientLine::isSubscribed).toList();
         });
         publish(now, audience);
         awaitAnswers(now.tick(), audience);
@@ -178,7 +183,7 @@ public final class Simulation implements AutoCloseable {
 
     /**
      * Stops simulated time after the tick that is being played; {@link #tick} then waits. Requests are still answered; what they change takes effect when
-     * time goes on.
+     * time goes on. A pause that a client has asked for ends when that client leaves, this one only by {@link #resume} or a client's asking again.
      */
     public void pause() {
         setPaused(true);
@@ -194,15 +199,28 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void setPaused(boolean wanted) {
-        Recording recording = world.recording();
-        if (time.pause(wanted) && recording != null) {
-            recording.paused(wanted);
-        }
+        under(() -> {
+            pausedBy = null;
+            Recording recording = world.recording();
+            if (time.pause(wanted) && recording != null) {
+                recording.paused(wanted);
+            }
+            return wanted;
+        });
+    }
+
+    /** Under the lock. A pause ends with the client that asked for it, or nobody might be left who can end it. */
+    void togglePause(Object client) {
+        boolean wanted = !time.isPaused();
+        setPaused(wanted);
+        pausedBy = wanted ? client : null;
     }
 
     /** Under the lock. */
-    void togglePause() {
-        setPaused(!time.isPaused());
+    void endPauseOf(Object client) {
+        if (pausedBy == client) {
+            setPaused(false);
+        }
     }
 
     /**
@@ -223,13 +241,9 @@ public final class Simulation implements AutoCloseable {
         world.teleport(robot, pose);
     }
 
-    /** Everything back to its start at the end of this tick, as by {@link World#reset}; sensors are switched on. */
+    /** Everything back to its start at the end of this tick, as by {@link World#reset}. */
     public void reset() {
-        under(() -> {
-            world.reset();
-            switchedOff.clear();
-            return true;
-        });
+        world.reset();
     }
 
     /**
@@ -255,12 +269,13 @@ public final class Simulation implements AutoCloseable {
             return List.copyOf(lines);
         });
         ports.forEach(PlayerPorts.Registration::close);
-        left.forEach(line -> line.lose(reason));
-        Recording recording = world.recording();
-        if (recording != null) {
-            recording.close();
+        try (world) { // whatever the recording throws
+            left.forEach(line -> line.lose(reason));
+            Recording recording = world.recording();
+            if (recording != null) {
+                recording.close();
+            }
         }
-        world.close();
     }
 
     private void publish(Snapshot now, List<ClientLine> audience) {
@@ -308,8 +323,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void awaitAnswers(long tick, List<ClientLine> audience) {
-        Clock wall = Clock.system();
-        long deadline = wall.nanos() + answerLimit.toNanos();
+        long deadline = time.runningNanos() + answerLimit.toNanos();
         int answered =
                 0; // of the first ones it is known, so that many clients are not asked again whenever one answers
         while (true) {
@@ -321,7 +335,7 @@ public final class Simulation implements AutoCloseable {
                 while (answered < audience.size() && audience.get(answered).hasAnswered(tick)) {
                     answered++;
                 }
-                long leftMillis = (deadline - wall.nanos()) / 1_000_000;
+                long leftMillis = (deadline - time.runningNanos()) / 1_000_000;
                 if (answered < audience.size() && leftMillis > 0) {
                     await(whileWaiting == null ? leftMillis : 1);
                     continue;
@@ -402,19 +416,6 @@ public final class Simulation implements AutoCloseable {
     /** Sleeps for a pacer, at most so long. */
     void sleep(long nanos) {
         time.sleep(nanos);
-    }
-
-    /** Whether a device has anything to say. */
-    boolean publishes(Offer offer) {
-        return offer.publishes() && (switchedOff.isEmpty() || !switchedOff.contains(offer));
-    }
-
-    void switchSensor(Offer offer, boolean on) {
-        if (on) {
-            switchedOff.remove(offer);
-        } else {
-            switchedOff.add(offer);
-        }
     }
 
     boolean isClosed() {

@@ -3,6 +3,8 @@ package io.troupe.sim;
 import io.troupe.actor.time.Clock;
 import java.lang.System.Logger.Level;
 import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionStage;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -14,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> Time stands still until the given number of clients have subscribed and wait for their first data (by {@code runThreaded},
  * {@code readAll}, {@code isDataReady} or {@code nextData}): so all of them start at the same moment in every run. It stands still again while there is no
  * client. The pace is that of the answers; while a client never answers it is that of real time, unless another {@link Pace} is asked for.
- * <p><b>Errors.</b> Whatever a tick or the observer throws ends the run, disconnects the clients with the same message, and is thrown by {@link #close}.
+ * <p><b>Errors.</b> Whatever a tick or the observer throws, an {@link Error} too, ends the run, disconnects the clients with the same message, closes the simulation, fails {@link #ended},
+ * and is thrown by {@link #close}; so does an interrupt of the runner's thread.
  */
 public final class SimulationRunner implements AutoCloseable {
     private final Simulation simulation;
@@ -25,6 +28,7 @@ public final class SimulationRunner implements AutoCloseable {
     private volatile Pace pace;
     private volatile boolean stopping;
     private volatile @Nullable RuntimeException failure;
+    private final CompletableFuture<@Nullable Void> ended = new CompletableFuture<>();
 
     private SimulationRunner(Simulation simulation, int clients, Consumer<Snapshot> observer, Pace pace) {
         this.simulation = simulation;
@@ -67,15 +71,42 @@ public final class SimulationRunner implements AutoCloseable {
                 observer.accept(simulation.tick(pacer, pace));
                 open = simulation.awaitClients(1);
             }
-        } catch (InterruptedException stopped) {
-            // by close(), the only one who knows this thread
+        } catch (InterruptedException interrupted) {
+            if (!stopping) { // not by close()
+                fail(new IllegalStateException("the thread that ticks the simulation was interrupted", interrupted));
+            }
         } catch (RuntimeException thrown) {
             if (!stopping && !simulation.isClosed()) {
-                failure = thrown;
-                System.getLogger(SimulationRunner.class.getName()).log(Level.ERROR, "the simulation has ended", thrown);
-                simulation.close("the simulation has ended: " + thrown.getMessage());
+                fail(thrown);
+            }
+        } catch (Error thrown) {
+            fail(new IllegalStateException(thrown.toString(), thrown));
+        } finally {
+            RuntimeException reason = failure;
+            if (reason == null) {
+                ended.complete(null);
+            } else {
+                ended.completeExceptionally(reason);
             }
         }
+    }
+
+    /** The clients first: the machine may be short of what the rest needs. */
+    private void fail(RuntimeException reason) {
+        failure = reason;
+        try {
+            simulation.close("the simulation has ended: " + reason.getMessage());
+        } catch (RuntimeException | Error alsoThrown) { // a recording that cannot be written, for example
+            if (alsoThrown != reason) {
+                reason.addSuppressed(alsoThrown);
+            }
+        }
+        System.getLogger(SimulationRunner.class.getName()).log(Level.ERROR, "the simulation has ended", reason);
+    }
+
+    /** Completes when it ticks no more: as a failure by what ended the run, else when it was stopped or the simulation closed. */
+    public CompletionStage<@Nullable Void> ended() {
+        return ended.minimalCompletionStage();
     }
 
     /** Changes the pace, from the next tick on. */

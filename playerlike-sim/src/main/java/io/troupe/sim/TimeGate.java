@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.actor.time.Clock;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
@@ -10,7 +11,10 @@ import org.jspecify.annotations.Nullable;
  */
 final class TimeGate {
     private final Object lock;
+    private Clock wall = Clock.system();
     private boolean paused;
+    private long pausedSinceNanos;
+    private long pausedNanos; // of the pauses that are over
     private boolean stoodStill;
     private int stepsWanted;
     private boolean open = true;
@@ -26,10 +30,28 @@ final class TimeGate {
         }
     }
 
+    void wallClock(Clock clock) {
+        synchronized (lock) {
+            wall = clock;
+        }
+    }
+
+    /** A clock that stands still while time is paused; what it says has a meaning only as a difference. */
+    long runningNanos() {
+        synchronized (lock) {
+            return (paused ? pausedSinceNanos : wall.nanos()) - pausedNanos;
+        }
+    }
+
     /** Whether that changed anything. */
     boolean pause(boolean wanted) {
         synchronized (lock) {
             boolean changes = paused != wanted;
+            if (changes && wanted) {
+                pausedSinceNanos = wall.nanos();
+            } else if (changes) {
+                pausedNanos += wall.nanos() - pausedSinceNanos;
+            }
             paused = wanted;
             stepsWanted = 0;
             lock.notifyAll();

@@ -202,6 +202,9 @@ class LeavingClientTest {
             simulation.disconnectSilentClients(true);
             simulation.answerLimit(Duration.ofMillis(20));
             ticks(2);
+            assertThat(never.getCount()).as("the turn has not ended").isEqualTo(1);
+            assertThat(simulation.latest().tick()).isEqualTo(2);
+            assertThat(simulation.hasSubscribers()).isFalse();
             never.countDown();
         }
     }
@@ -225,8 +228,12 @@ class LeavingClientTest {
                 awaitQuietly(busy);
                 clients.getFirst().close();
             });
+            simulation.answerLimit(Duration.ofMinutes(10));
             ticks(2);
             other.join();
+            assertThat(never.getCount()).as("the turn has not ended").isEqualTo(1);
+            assertThat(simulation.latest().tick()).isEqualTo(2);
+            assertThat(simulation.hasSubscribers()).isFalse();
             never.countDown();
         }
     }

@@ -268,17 +268,13 @@ class SimulatedDevicesTest {
     }
 
     @Test
-    void sonarSwitchedOff_saysNothing_andNobodyWaitsForItsClient() {
+    void sensor_cannotBeSwitchedOff_soThatItsClientHasSomethingToAnswer() {
         client.subscribe(SONAR, 0);
-        ticks(1);
-        assertThat(client.ask(SONAR, 0, new DeviceRequest.Power(false))).isEqualTo(new DeviceReply.Ack());
-        ticks(1);
-        assertThat(client.frames).as("it counts at the end of a tick").hasSize(2);
+        assertThat(client.ask(SONAR, 0, new DeviceRequest.Power(false)))
+                .isEqualTo(new DeviceReply.Nack("sonar:0 of a simulated robot cannot be switched off"));
+        assertThat(client.ask(SONAR, 0, new DeviceRequest.Power(true))).isEqualTo(new DeviceReply.Ack());
         ticks(3);
-        assertThat(client.frames).hasSize(2);
-        client.ask(SONAR, 0, new DeviceRequest.Power(true));
-        ticks(2);
-        assertThat(client.frames.size()).isGreaterThan(2);
+        assertThat(client.frames).as("a frame for each tick").hasSize(3);
     }
 
     // ---- simulation

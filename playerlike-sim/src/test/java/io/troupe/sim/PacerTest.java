@@ -102,4 +102,18 @@ class PacerTest {
         assertThat(new Pace.Unlimited().factor(true)).isEqualTo(NEVER);
         assertThatThrownBy(() -> new Pace.RealTime(0)).hasMessage("pace is 0.0 times real time, expected more than 0");
     }
+
+    @Test
+    void pace_nextToNothing_waitsVeryLong_andIsNeverLate() {
+        var left = new ArrayList<Long>();
+        var slow = new Pacer(wall, nanos -> {
+            left.add(nanos);
+            wall.advance(Duration.ofNanos(nanos));
+        });
+        slow.await(0, 100_000, 1e-15);
+        assertThat(left).as("nanoseconds").containsExactly(1L << 61);
+        slow.await(100_000, 200_000, Double.MIN_VALUE);
+        assertThat(left).as("nanoseconds").hasSize(2);
+        assertThat(slow.droppedMicros()).isZero();
+    }
 }

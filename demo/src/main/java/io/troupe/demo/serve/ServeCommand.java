@@ -74,6 +74,13 @@ public final class ServeCommand implements Callable<Integer> {
             description = "time begins when so many clients have subscribed and wait for data")
     private int clients = 1;
 
+    @Option(
+            names = "--max-clients",
+            paramLabel = "N",
+            description =
+                    "how many clients may be connected at a time, on each port; more are disconnected at once. 0 = half of what the limit on open files leaves, at most 1000")
+    private int maxClients;
+
     @Option(names = "--seconds", paramLabel = "N", description = "end after so much simulated time; 0 = never")
     private double seconds;
 
@@ -91,8 +98,13 @@ public final class ServeCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--clients is " + clients + ", expected a number of at least 1");
         }
+        if (maxClients < 0) {
+            throw new ParameterException(
+                    spec.commandLine(), "--max-clients is " + maxClients + ", expected a number of at least 0");
+        }
         InetAddress address = address();
-        var serving = Serving.open(worlds.scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep());
+        var serving = Serving.open(
+                worlds.scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep(), maxClients);
         var ended = new CountDownLatch(1);
         var hook = new Thread(() -> finish(serving, ended), "finish");
         Runtime.getRuntime().addShutdownHook(hook);

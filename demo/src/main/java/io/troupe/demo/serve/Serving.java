@@ -10,6 +10,7 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Scenario;
+import java.io.FilterWriter;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
@@ -49,16 +50,33 @@ final class Serving implements AutoCloseable {
      * @param port of the devices that the scenario offers on Player's usual one
      */
     static Serving open(Scenario given, WorldSettings settings, InetAddress bind, int port, boolean lockStep) {
+        return open(given, settings, bind, port, lockStep, 0);
+    }
+
+    /**
+     * The same.
+     *
+     * @param maxClients on each port; 0 = as many as the machine bears
+     */
+    static Serving open(
+            Scenario given, WorldSettings settings, InetAddress bind, int port, boolean lockStep, int maxClients) {
         Scenario scenario = withPort(given, port == 0 ? ServeCommand.PLAYER_PORT : port);
         var serving = new Serving(scenario, Simulation.open(scenario, settings), bind);
         serving.simulation.lockStep(lockStep);
         serving.simulation.disconnectSilentClients(true);
         try {
+            long ports = scenario.devices().stream()
+                    .mapToInt(DeviceBinding::port)
+                    .distinct()
+                    .count();
+            var machine = TcpServer.Settings.ofMachine(Math.max(1, Math.toIntExact(ports)));
+            var limits = maxClients == 0 ? machine : machine.withMaxClients(maxClients);
             for (var binding : scenario.devices()) {
                 boolean any = port == 0 && binding.port() == ServeCommand.PLAYER_PORT;
                 serving.servers.computeIfAbsent(
                         binding.port(),
-                        number -> TcpServer.open(PlayerPorts.find(number).orElseThrow(), any ? 0 : number, bind));
+                        number ->
+                                TcpServer.open(PlayerPorts.find(number).orElseThrow(), any ? 0 : number, bind, limits));
             }
         } catch (RuntimeException e) {
             serving.close();
@@ -86,7 +104,39 @@ final class Serving implements AutoCloseable {
     }
 
     void record(Path file) throws IOException {
-        simulation.record(Files.newBufferedWriter(file));
+        simulation.record(new NamedWriter(file));
+    }
+
+    /** A file whose errors say its name. */
+    private static final class NamedWriter extends FilterWriter {
+        private final Path file;
+
+        NamedWriter(Path file) throws IOException {
+            super(Files.newBufferedWriter(file));
+            this.file = file;
+        }
+
+        @Override
+        public void write(String text, int offset, int length) throws IOException {
+            try {
+                super.write(text, offset, length);
+            } catch (IOException e) {
+                throw named(e);
+            }
+        }
+
+        @Override
+        public void close() throws IOException {
+            try {
+                super.close();
+            } catch (IOException e) {
+                throw named(e);
+            }
+        }
+
+        private IOException named(IOException e) {
+            return new IOException(file + ": " + e.getMessage(), e);
+        }
     }
 
     /** What is offered where; one line for each port. */
@@ -112,10 +162,12 @@ final class Serving implements AutoCloseable {
      * Lets time pass while there are clients, until it is stopped or so much time has passed.
      *
      * @param clients how many there must be before it begins
+     * @throws RuntimeException what has ended the simulation before
      */
     void run(Pace pace, int clients, long endMicros, TerminalLine line) throws InterruptedException {
         try (var runner =
                 SimulationRunner.start(simulation, clients, snapshot -> report(snapshot, endMicros, line), pace)) {
+            runner.ended().whenComplete((end, failure) -> stop()); // by a failure, of which closing the runner tells
             stopped.await();
             line.close();
             if (runner.droppedMicros() > 0) {
@@ -147,7 +199,8 @@ final class Serving implements AutoCloseable {
 
     @Override
     public void close() {
-        servers.values().forEach(TcpServer::close);
-        simulation.close();
+        try (simulation) {
+            servers.values().forEach(TcpServer::close);
+        }
     }
 }

@@ -1,9 +1,12 @@
 package io.troupe.demo.serve;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.player.PlayerClient;
+import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.sim.Pace;
 import io.troupe.sim.Replay;
@@ -13,6 +16,7 @@ import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -174,7 +178,51 @@ class ServeCommandTest {
     }
 
     @Test
+    void recordingThatCannotBeWritten_endsTheServer_andNamesTheFile() throws Exception {
+        Path full = Path.of("/dev/full");
+        assumeThat(full).exists();
+        Scenario scenario = ScenarioReader.read(WORLDS.resolve("track.cfg"));
+        var serving = Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true);
+        serving.record(full);
+        Thread driver = Thread.ofPlatform().daemon().start(() -> {
+            var robot = client(serving);
+            robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
+            var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+            try {
+                for (int cycle = 0; ; cycle++) {
+                    robot.readAll();
+                    wheels.setSpeed(0.01 * (cycle % 7), 0);
+                }
+            } catch (PlayerException serverHasGone) {
+                // as it must be
+            }
+        });
+        try (serving) {
+            assertThatThrownBy(() -> serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden()))
+                    .isInstanceOf(UncheckedIOException.class)
+                    .hasMessageContaining("/dev/full: ");
+        }
+        driver.join();
+    }
+
+    @Test
+    void maxClients_moreAreDisconnected() throws Exception {
+        Scenario scenario = ScenarioReader.read(WORLDS.resolve("track.cfg"));
+        try (var serving =
+                Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true, 1)) {
+            var first = client(serving);
+            assertThatThrownBy(() -> client(serving))
+                    .isInstanceOf(PlayerException.class)
+                    .hasMessageContaining("it closed the connection instead of greeting");
+            first.requestDeviceList();
+            first.close();
+        }
+    }
+
+    @Test
     void wrongNumbers_areRefusedInOneLine() {
+        assertThat(serve("--max-clients", "-1")).isEqualTo(2);
+        assertThat(out.toString()).contains("--max-clients is -1, expected a number of at least 0");
         assertThat(serve("--speed", "0")).isEqualTo(2);
         assertThat(out.toString()).contains("--speed is 0.0, expected a number above 0");
         assertThat(serve("--crowd", "0")).isEqualTo(2);

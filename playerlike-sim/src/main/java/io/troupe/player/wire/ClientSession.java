@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * One client behind a socket.
  *
- * <p><b>Threads.</b> Two virtual threads of its own, one reads and one writes; {@link #close} from any thread.
+ * <p><b>Threads.</b> Two platform threads of its own, one reads and one writes; {@link #close} from any thread. They are not virtual because virtual threads are not preempted: as
+ * many clients as there are carriers, which send without a pause, would stop all others.
  * <p><b>Errors.</b> Whatever goes wrong ends this session and no other, and is logged with the client's address.
  */
 final class ClientSession implements DataSink {
@@ -31,16 +32,19 @@ final class ClientSession implements DataSink {
     private final String peer;
     private final Outbox outbox = new Outbox();
     private final Consumer<ClientSession> ended;
-    private final TcpServer.WriteClock clock;
+    private final TcpServer.Shared shared;
+    private final long connectedAtNanos;
     private final AtomicBoolean closed = new AtomicBoolean();
     private final AtomicLong writingSince = new AtomicLong(IDLE);
+    private volatile boolean spoken;
     private volatile @Nullable PlayerConnection line;
     private volatile @Nullable Conversation conversation;
 
-    ClientSession(Socket socket, TcpServer.WriteClock clock, Consumer<ClientSession> ended) {
+    ClientSession(Socket socket, TcpServer.Shared shared, Consumer<ClientSession> ended) {
         this.socket = socket;
         this.peer = "Player client " + socket.getRemoteSocketAddress();
-        this.clock = clock;
+        this.shared = shared;
+        this.connectedAtNanos = shared.clock().nanos();
         this.ended = ended;
     }
 
@@ -57,8 +61,12 @@ final class ClientSession implements DataSink {
         }
         conversation = new Conversation(peer, connection, outbox, host, socket.getLocalPort());
         LOG.log(Level.DEBUG, () -> peer + " has connected");
-        Thread.ofVirtual().name("player-read-" + peer).start(() -> run(this::read));
-        Thread.ofVirtual().name("player-write-" + peer).start(() -> run(this::write));
+        thread("player-write-", this::write);
+        thread("player-read-", this::read);
+    }
+
+    private void thread(String prefix, Job job) {
+        Thread.ofPlatform().daemon().name(prefix + peer).start(() -> run(job));
     }
 
     /** Returns the reason for which it has ended. */
@@ -74,11 +82,11 @@ final class ClientSession implements DataSink {
             end("the client has left: " + e.getMessage());
         } catch (IOException | WireException | LineClosedException | InterruptedException e) {
             close(String.valueOf(e.getMessage()));
-        } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, peer + " led to an error of the server", e);
+        } catch (RuntimeException | Error e) {
             close(e.toString());
+            LOG.log(Level.WARNING, peer + " led to an error of the server", e);
         } finally {
-            close("its thread has ended"); // by an error that the JVM reports
+            close("its thread has ended"); // by an error of what should have reported one
         }
     }
 
@@ -90,7 +98,13 @@ final class ClientSession implements DataSink {
             if (message == null) {
                 return "the client has closed the connection";
             }
-            with.hear(message);
+            spoken = true;
+            shared.handling().acquire();
+            try {
+                with.hear(message);
+            } finally {
+                shared.handling().release();
+            }
             if (message.header().type() == MessageType.CMD) {
                 acknowledgeNow();
             }
@@ -115,17 +129,21 @@ final class ClientSession implements DataSink {
             if (batch == null) {
                 return "closed";
             }
-            writingSince.set(clock.nanos());
+            writingSince.set(shared.clock().nanos());
             out.write(batch);
             writingSince.set(IDLE);
         }
     }
 
-    /** Ends the session if a write has not got through for longer than the limit. */
-    void checkWrite(long nowNanos) {
+    /** Ends the session if a write has not got through for longer than the limit, or the client has never sent a message. */
+    void checkLimits(long nowNanos) {
+        TcpServer.Settings settings = shared.settings();
         long since = writingSince.get();
-        if (since != IDLE && nowNanos - since > clock.limit().toNanos()) {
-            close("a write has not got through within " + clock.limit());
+        if (since != IDLE && nowNanos - since > settings.writeLimit().toNanos()) {
+            close("a write has not got through within " + settings.writeLimit());
+        }
+        if (!spoken && nowNanos - connectedAtNanos > settings.silenceLimit().toNanos()) {
+            close("it has not sent a message within " + settings.silenceLimit());
         }
     }
 
@@ -139,6 +157,9 @@ final class ClientSession implements DataSink {
             with.frame(frame);
         } catch (LineClosedException e) {
             close(String.valueOf(e.getMessage()));
+        } catch (RuntimeException | Error e) { // on the thread of the world, which must not end by it
+            close("its data could not be sent: " + e);
+            LOG.log(Level.WARNING, peer + ": its data could not be sent", e);
         }
     }
 

@@ -52,9 +52,7 @@ final class Conversation {
         List<DataMessage> messages = frame.messages().stream()
                 .map(each -> new DataMessage(outside(each.from()), each.timeSeconds(), each.data()))
                 .toList();
-        if (outbox.frame(frame.tick(), frame.timeSeconds(), messages)) {
-            line.answered(frame.tick());
-        }
+        outbox.frame(frame.tick(), frame.timeSeconds(), messages);
     }
 
     private DeviceAddress outside(DeviceAddress address) {

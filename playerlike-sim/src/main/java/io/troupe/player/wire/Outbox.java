@@ -6,8 +6,11 @@ import java.util.Deque;
 import java.util.HashSet;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Queue;
 import java.util.Set;
-import java.util.concurrent.locks.Condition;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -15,13 +18,17 @@ import org.jspecify.annotations.Nullable;
 /**
  * What a server has to tell one client: data, which wait in pull mode until they are asked for, and replies.
  *
- * <p><b>Threads.</b> Any thread; only {@link #take} and {@link #awaitRoom} wait.
+ * <p><b>Threads.</b> Any thread; only {@link #take} and {@link #awaitRoom} wait. {@link #frame} and {@link #close} never wait for the lock, which the threads of
+ * the connection hold and queue for: a frame is put down beside it and taken in by the thread that holds the lock now or gets it next.
  * <p><b>Order.</b> As it was put in, except that the reply to a request for data precedes the data.
  * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages wait, and whoever reads the client's requests waits while {@value #MAX_REPLY_BYTES} bytes of replies do.
  */
 final class Outbox {
     static final int MAX_DATA = 1024;
     static final int MAX_REPLY_BYTES = 64 * 1024;
+    /** Frames that were not taken in because a thread held the lock all the time. */
+    private static final int MAX_ARRIVED = 1024;
+
     private static final int MAX_BATCH_BYTES = 64 * 1024;
 
     /** @param data null for everything that no rule speaks of */
@@ -29,8 +36,21 @@ final class Outbox {
 
     private record Kind(DeviceAddress from, int subtype) {}
 
+    private record Arrival(long tick, double timeSeconds, List<DataMessage> messages) {}
+
+    private final Queue<Arrival> arrived = new ConcurrentLinkedQueue<>();
+    private final AtomicInteger arrivedCount = new AtomicInteger();
+    private final AtomicInteger dropped = new AtomicInteger();
+    /** For the thread that writes: there may be something to send. Releasing never waits, as a condition of the lock would. */
+    private final Semaphore news = new Semaphore(0);
+    /** For the thread that reads: replies may have been taken. */
+    private final Semaphore room = new Semaphore(0);
+
+    private volatile boolean closed;
+    private volatile int replyBytes; // written under the lock
+
+    // guarded by the lock
     private final ReentrantLock lock = new ReentrantLock();
-    private final Condition changed = lock.newCondition();
     private final Deque<Entry> sending = new ArrayDeque<>();
     private final Deque<Entry> held = new ArrayDeque<>();
     private final ReplaceRules rules = new ReplaceRules();
@@ -38,10 +58,7 @@ final class Outbox {
     private Delivery mode = Delivery.PUSH;
     private boolean asked;
     private boolean corked;
-    private boolean closed;
     private int dataWaiting;
-    private int replyBytes;
-    private int dropped;
     private long newestTick = PlayerConnection.NO_TICK;
     private long sentTick = PlayerConnection.NO_TICK;
     private double timeSeconds;
@@ -49,24 +66,58 @@ final class Outbox {
     // ---- what the devices say
 
     /**
-     * Puts a frame's messages in; returns whether it is answered at once, because the client waits and its rules leave nothing of the frame.
+     * Puts a frame's messages in, without waiting. A client in pull mode that has asked for data gets the end of a frame even if its rules leave nothing of it: like
+     * every other frame, it is answered by asking again.
      *
      * @param messages of devices at the addresses that the client knows
      */
-    boolean frame(long tick, double frameTimeSeconds, List<DataMessage> messages) {
-        return under(() -> {
-            newestTick = tick;
-            timeSeconds = frameTimeSeconds;
-            messages.stream().filter(each -> subscribed.contains(each.from())).forEach(this::add);
-            if (mode == Delivery.PUSH || held.isEmpty()) {
-                release();
-                return asked && mode == Delivery.PULL;
+    void frame(long tick, double frameTimeSeconds, List<DataMessage> messages) {
+        if (arrivedCount.incrementAndGet() > MAX_ARRIVED) {
+            arrivedCount.decrementAndGet();
+            dropped.addAndGet(messages.size());
+        } else {
+            arrived.add(new Arrival(tick, frameTimeSeconds, messages));
+        }
+        tryTakeIn(); // so that rules hold and the number of data is bounded while the writing thread is stuck
+        wake(news);
+    }
+
+    private void tryTakeIn() {
+        if (lock.tryLock()) {
+            try {
+                takeIn();
+            } finally {
+                lock.unlock();
             }
-            if (asked) {
-                endFrame();
+        }
+    }
+
+    private void takeIn() {
+        if (closed) {
+            arrived.clear();
+            sending.clear();
+            held.clear();
+            return;
+        }
+        for (Arrival each = arrived.poll(); each != null; each = arrived.poll()) {
+            arrivedCount.decrementAndGet();
+            takeIn(each);
+        }
+    }
+
+    private void takeIn(Arrival frame) {
+        newestTick = frame.tick();
+        timeSeconds = frame.timeSeconds();
+        for (var message : frame.messages()) {
+            if (subscribed.contains(message.from())) {
+                add(message);
             }
-            return false;
-        });
+        }
+        if (mode == Delivery.PULL && asked) {
+            endFrame();
+        } else if (mode == Delivery.PUSH || held.isEmpty()) {
+            release();
+        }
     }
 
     private void add(DataMessage message) {
@@ -80,7 +131,7 @@ final class Outbox {
             removeNewest(kind);
         }
         if (dataWaiting == MAX_DATA) {
-            dropped++;
+            dropped.incrementAndGet();
             return;
         }
         dataWaiting++;
@@ -103,16 +154,18 @@ final class Outbox {
     }
 
     private void release() {
-        sending.addAll(held);
-        held.clear();
+        if (!held.isEmpty()) {
+            sending.addAll(held);
+            held.clear();
+            wake(news);
+        }
         sentTick = newestTick;
     }
 
     private void endFrame() {
         release();
         asked = false;
-        Content end = PlayerMessages.synch(dropped);
-        dropped = 0;
+        Content end = PlayerMessages.synch(dropped.getAndSet(0));
         var nobody = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
         put(Message.of(nobody, MessageType.SYNCH, end.subtype(), 0, end.payload()));
     }
@@ -173,6 +226,7 @@ final class Outbox {
 
     void uncork() {
         under(() -> corked = false);
+        wake(news);
     }
 
     /** Lets the data of a device in; the client hears of it first. */
@@ -205,9 +259,13 @@ final class Outbox {
     }
 
     private void put(Message message) {
-        byte[] bytes = message.bytes();
+        put(message.bytes());
+    }
+
+    private void put(byte[] bytes) {
         replyBytes += bytes.length;
         sending.add(new Entry(bytes, null));
+        wake(news);
     }
 
     // ---- for the threads of a connection
@@ -215,72 +273,81 @@ final class Outbox {
     /** Raw bytes, before all messages. */
     void greet(byte[] banner) {
         under(() -> {
-            replyBytes += banner.length;
-            return sending.add(new Entry(banner, null));
+            put(banner);
+            return true;
         });
     }
 
     /** Waits until the client has taken most of its replies; false if the outbox is closed. */
     boolean awaitRoom() throws InterruptedException {
-        lock.lockInterruptibly();
-        try {
-            while (!closed && replyBytes > MAX_REPLY_BYTES) {
-                changed.await();
-            }
-            return !closed;
-        } finally {
-            lock.unlock();
+        while (!closed && replyBytes > MAX_REPLY_BYTES) {
+            await(room);
         }
+        return !closed;
     }
 
     /** Waits for something to send and takes some of it; null if the outbox is closed. */
     byte @Nullable [] take() throws InterruptedException {
-        lock.lockInterruptibly();
+        while (!closed) {
+            byte[] batch = under(this::batch);
+            if (batch != null) {
+                wake(room);
+                return batch;
+            }
+            await(news);
+        }
+        return null;
+    }
+
+    private byte @Nullable [] batch() {
+        if (corked || sending.isEmpty()) {
+            return null;
+        }
+        var batch = new ByteArrayOutputStream();
+        while (!sending.isEmpty() && batch.size() < MAX_BATCH_BYTES) {
+            Entry entry = sending.remove();
+            batch.writeBytes(entry.bytes());
+            if (entry.data() != null) {
+                dataWaiting--;
+            } else {
+                replyBytes -= entry.bytes().length;
+            }
+        }
+        return batch.toByteArray();
+    }
+
+    /** Data that were lost since the client was last told. */
+    int dropped() {
+        return dropped.get();
+    }
+
+    /** Ends all waiting; does not wait itself. */
+    void close() {
+        closed = true;
+        tryTakeIn();
+        wake(news);
+        wake(room);
+    }
+
+    private <T extends @Nullable Object> T under(Supplier<T> action) {
+        lock.lock();
         try {
-            while (!closed && (corked || sending.isEmpty())) {
-                changed.await();
-            }
-            if (closed) {
-                return null;
-            }
-            var batch = new ByteArrayOutputStream();
-            while (!sending.isEmpty() && batch.size() < MAX_BATCH_BYTES) {
-                Entry entry = sending.remove();
-                batch.writeBytes(entry.bytes());
-                if (entry.data() != null) {
-                    dataWaiting--;
-                } else {
-                    replyBytes -= entry.bytes().length;
-                }
-            }
-            changed.signalAll();
-            return batch.toByteArray();
+            takeIn();
+            return action.get();
         } finally {
             lock.unlock();
         }
     }
 
-    /** Data that were lost since the client was last told. */
-    int dropped() {
-        return under(() -> dropped);
+    /** What led to the permits is looked at by the caller after this. */
+    private static void await(Semaphore permits) throws InterruptedException {
+        permits.acquire();
+        permits.drainPermits();
     }
 
-    void close() {
-        under(() -> {
-            sending.clear();
-            held.clear();
-            return closed = true;
-        });
-    }
-
-    private <T> T under(Supplier<T> action) {
-        lock.lock();
-        try {
-            T result = action.get();
-            changed.signalAll();
-            return result;
-        } finally {
-            lock.unlock();
+    private static void wake(Semaphore permits) {
+        if (permits.availablePermits() == 0) {
+            permits.release();
         }
     }
 }

@@ -3,11 +3,14 @@ package io.troupe.player.wire;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.lang.System.Logger.Level;
-import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
@@ -21,30 +24,37 @@ import org.jspecify.annotations.Nullable;
  * A client's line to a server behind a socket.
  *
  * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends when the line is closed.
+ * Every call returns within the client's limit, also if the server does not read what is sent to it, and ends when its thread is interrupted; the line stays as it is then.
  * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the reply is seen.
  */
 final class RemoteLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
-    /** How often a read that waits looks whether the server is silent. */
+    /** How often a read that waits looks whether the server is silent, at least; only if there is a silence limit. */
     private static final int READ_TIMEOUT_MILLIS = 500;
+    /** Frames for a space that is busy; as many as a server keeps for a client. */
+    private static final int MOST_KEPT = 1024;
 
     private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
 
     private final String name;
-    private final Socket socket;
+    private final RemoteSocket socket;
     private final DataSink sink;
     private final @Nullable ActorSpace space;
     private final Thread reader;
     private final OpenRequests open = new OpenRequests();
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
-    private final Object outputLock = new Object();
+    private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by itself
+    private boolean keptTooMany; // only for the reader
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
     private volatile Duration silenceLimit = Duration.ZERO; // none
-    private final AtomicReference<@Nullable String> closed = new AtomicReference<>();
+    private final AtomicReference<@Nullable End> end = new AtomicReference<>();
 
-    RemoteLine(String name, Socket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
+    /** @param lost whether the server has gone, and this line was not closed by its client */
+    private record End(String reason, boolean lost) {}
+
+    RemoteLine(String name, RemoteSocket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
         this.name = name;
         this.socket = socket;
         this.sink = sink;
@@ -58,11 +68,6 @@ final class RemoteLine implements PlayerConnection {
 
     /** Starts reading, and asks what there is. */
     void begin() {
-        try {
-            socket.setSoTimeout(READ_TIMEOUT_MILLIS);
-        } catch (IOException e) {
-            throw new LineClosedException(gone(e.getMessage()));
-        }
         reader.start();
         try {
             if (ask(new PlayerRequest.DeviceList(), "the device list") instanceof PlayerReply.DeviceList list) {
@@ -125,7 +130,7 @@ final class RemoteLine implements PlayerConnection {
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
         Content content = CommandMessages.encode(command);
-        send(device, MessageType.CMD, content);
+        send(device, MessageType.CMD, content, 0);
     }
 
     @Override
@@ -139,12 +144,12 @@ final class RemoteLine implements PlayerConnection {
         checkOpen();
         Content content = RequestMessages.encode(device.interfaceCode(), request);
         Duration limit = replyLimit;
-        var reply = open.add(device, content.subtype());
-        reply.orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
+        var sent = open.add(device, content.subtype());
+        sent.reply().orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
             if (message != null) {
                 receiver.accept(decode(message));
             } else {
-                open.drop(reply);
+                open.giveUp(sent);
                 receiver.accept(new DeviceReply.Nack(
                         failure instanceof TimeoutException
                                 ? "no reply within " + limit.toMillis() + " ms"
@@ -152,10 +157,10 @@ final class RemoteLine implements PlayerConnection {
             }
         });
         try {
-            send(device, MessageType.REQ, content);
-        } catch (LineClosedException told) {
-            // as all open requests are, this one too: by its reply
-            LOG.log(Level.DEBUG, "{0}: {1} was not sent", name, request);
+            send(device, MessageType.REQ, content, sent.sequence());
+        } catch (LineClosedException | RequestFailedException notSent) {
+            open.drop(sent);
+            sent.reply().completeExceptionally(notSent);
         }
     }
 
@@ -168,19 +173,14 @@ final class RemoteLine implements PlayerConnection {
     public void silenceLimit(Duration limit) {
         checkOpen();
         silenceLimit = limit;
-        try {
-            socket.setSoTimeout(Math.toIntExact(Math.min(limit.toMillis() / 2, READ_TIMEOUT_MILLIS)));
-        } catch (IOException e) {
-            lose(gone(e.getMessage()));
-            checkOpen();
-        }
+        socket.timeOutReads(Duration.ofMillis(Math.min(limit.toMillis() / 2, READ_TIMEOUT_MILLIS)));
     }
 
     @Override
     public void answered(long tick) {
         checkOpen();
         if (frames.wantsData(tick)) {
-            send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.NextData()));
+            send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.NextData()), 0);
         }
     }
 
@@ -193,16 +193,16 @@ final class RemoteLine implements PlayerConnection {
     public void delivery(Delivery mode) {
         checkOpen();
         Content content = PlayerMessages.encode(new PlayerRequest.DataMode(mode));
-        var reply = open.add(PLAYER, content.subtype());
+        var sent = open.add(PLAYER, content.subtype());
         // in the reader, so that the mode changes at its place in the stream
-        var changed = reply.thenApply(message -> {
+        var changed = sent.reply().thenApply(message -> {
             if (message.header().type() == MessageType.ACK) {
                 frames.mode(mode).forEach(this::deliver);
             }
             return message;
         });
-        send(PLAYER, MessageType.REQ, content);
-        if (await(changed, reply, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
+        send(PLAYER, content, sent);
+        if (await(changed, sent, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
             throw new RequestFailedException(name + " refused the mode of delivery " + mode);
         }
     }
@@ -216,7 +216,7 @@ final class RemoteLine implements PlayerConnection {
 
     @Override
     public void close() {
-        shut("this line to " + name + " has been closed");
+        end(new End("this line to " + name + " has been closed", false));
         if (Thread.currentThread() != reader) {
             try {
                 reader.join();
@@ -240,24 +240,34 @@ final class RemoteLine implements PlayerConnection {
 
     private Message call(DeviceAddress device, Content content, String what) {
         checkOpen();
-        var reply = open.add(device, content.subtype());
-        send(device, MessageType.REQ, content);
-        return await(reply, reply, what);
+        var sent = open.add(device, content.subtype());
+        send(device, content, sent);
+        return await(sent.reply(), sent, what);
     }
 
-    private Message await(CompletableFuture<Message> awaited, CompletableFuture<Message> reply, String what) {
+    private void send(DeviceAddress device, Content content, OpenRequests.Request request) {
+        try {
+            send(device, MessageType.REQ, content, request.sequence());
+        } catch (RuntimeException e) {
+            open.drop(request);
+            throw e;
+        }
+    }
+
+    private Message await(CompletableFuture<Message> awaited, OpenRequests.Request sent, String what) {
         Duration limit = replyLimit;
         try {
             return awaited.get(limit.toNanos(), TimeUnit.NANOSECONDS);
         } catch (TimeoutException e) {
-            open.drop(reply);
+            open.giveUp(sent);
             throw new RequestFailedException(
                     name + " did not answer within " + limit.toMillis() + " ms: " + what + " was requested");
         } catch (InterruptedException e) {
-            open.drop(reply);
+            open.giveUp(sent);
             Thread.currentThread().interrupt();
             throw new RequestFailedException("interrupted while waiting for " + name + ": " + what + " was requested");
         } catch (ExecutionException e) {
+            checkOpen();
             throw new LineClosedException(e.getCause().getMessage());
         }
     }
@@ -272,14 +282,18 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    private void send(DeviceAddress device, MessageType type, Content content) {
-        byte[] bytes = Message.of(device, type, content.subtype(), 0, content.payload())
-                .bytes();
+    private void send(DeviceAddress device, MessageType type, Content content, int sequence) {
+        byte[] payload = content.payload();
+        var header = new Header(device, type, content.subtype(), 0, sequence, payload.length);
         checkOpen();
+        Duration limit = replyLimit;
         try {
-            synchronized (outputLock) {
-                socket.getOutputStream().write(bytes);
-            }
+            socket.send(new Message(header, payload).bytes(), limit);
+        } catch (SocketTimeoutException e) {
+            throw new RequestFailedException(
+                    name + " has not taken a message within " + limit.toMillis() + " ms: " + e.getMessage());
+        } catch (InterruptedIOException e) {
+            throw new RequestFailedException("interrupted while sending to " + name);
         } catch (IOException e) {
             lose(gone(e.getMessage()));
             checkOpen();
@@ -294,10 +308,17 @@ final class RemoteLine implements PlayerConnection {
                 .orElse(device);
     }
 
+    /**
+     * A call that fails by the loss of the server has told the sink first, as the thread that has met the loss may be just about to: a program finds no call that still works after one
+     * that said that the server has gone, whether it asks the line or the sink.
+     */
     private void checkOpen() {
-        String reason = closed.get();
-        if (reason != null) {
-            throw new LineClosedException(reason);
+        End ended = end.get();
+        if (ended != null) {
+            if (ended.lost()) {
+                sink.lost(ended.reason());
+            }
+            throw new LineClosedException(ended.reason());
         }
     }
 
@@ -317,10 +338,12 @@ final class RemoteLine implements PlayerConnection {
             return;
         }
         try {
-            space.execute(() -> sink.frame(frame));
+            if (keep(frame)) {
+                space.execute(() -> sink.frame(takeKept()));
+            }
             if (frames.mode() == Delivery.PULL) {
                 space.onIdle(() -> {
-                    if (closed.get() == null) {
+                    if (end.get() == null) {
                         answered(frame.tick());
                     }
                 });
@@ -337,10 +360,11 @@ final class RemoteLine implements PlayerConnection {
     /** Asks for something that every server answers at once; on a thread of its own, as sending may have to wait. */
     void askForSign() {
         Thread.ofVirtual().name("player-ask-" + name).start(() -> {
+            Content question = PlayerMessages.encode(new PlayerRequest.DeviceList());
             try {
-                send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.DeviceList()));
-            } catch (LineClosedException closedMeanwhile) {
-                LOG.log(Level.DEBUG, "{0} was not asked for a sign of life", name);
+                send(PLAYER, question, open.add(PLAYER, question.subtype()));
+            } catch (RuntimeException notSent) {
+                LOG.log(Level.DEBUG, "{0} was not asked for a sign of life: {1}", name, notSent.getMessage());
             }
         });
     }
@@ -351,22 +375,47 @@ final class RemoteLine implements PlayerConnection {
                 + silenceLimit.toMillis() + " ms, and no answer to a request");
     }
 
-    void lose(String reason) {
-        if (shut(reason)) {
-            sink.lost(reason);
+    /** Keeps a frame for the space; false if the oldest one had to give way, whose turn is this one's then. */
+    private boolean keep(Frame frame) {
+        synchronized (forSpace) {
+            forSpace.add(frame);
+            if (forSpace.size() <= MOST_KEPT) {
+                return true;
+            }
+            forSpace.remove();
+        }
+        if (!keptTooMany) {
+            keptTooMany = true;
+            LOG.log(Level.WARNING, "{0}: actor space {1} is too slow, the oldest data are dropped", name, space);
+        }
+        return false;
+    }
+
+    private Frame takeKept() {
+        synchronized (forSpace) {
+            return forSpace.remove();
         }
     }
 
-    private boolean shut(String reason) {
-        if (!closed.compareAndSet(null, reason)) {
-            return false;
+    void lose(String reason) {
+        end(new End(reason, true));
+    }
+
+    private void end(End how) {
+        if (!end.compareAndSet(null, how)) {
+            return;
         }
         try {
-            socket.close(); // ends a read and a write that wait
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
+            if (how.lost()) {
+                sink.lost(how.reason());
+            }
+        } finally {
+            try {
+                socket.close(); // ends a read and a write that wait
+            } catch (IOException e) {
+                LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
+            }
+            open.failAll(new LineClosedException(how.reason()));
         }
-        open.failAll(new LineClosedException(reason));
-        return true;
     }
 }

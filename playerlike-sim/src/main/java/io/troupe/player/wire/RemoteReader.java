@@ -4,7 +4,6 @@ import io.troupe.actor.time.Clock;
 import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
-import java.net.Socket;
 
 /**
  * Reads what a server sends: frames go to the line, replies to whoever waits for them.
@@ -22,11 +21,11 @@ final class RemoteReader implements Runnable {
 
     private final RemoteLine line;
     private final String name;
-    private final Socket socket;
+    private final RemoteSocket socket;
     private final OpenRequests open;
     private final FrameAssembler frames;
 
-    RemoteReader(RemoteLine line, String name, Socket socket, OpenRequests open, FrameAssembler frames) {
+    RemoteReader(RemoteLine line, String name, RemoteSocket socket, OpenRequests open, FrameAssembler frames) {
         this.line = line;
         this.name = name;
         this.socket = socket;
@@ -38,7 +37,7 @@ final class RemoteReader implements Runnable {
     public void run() {
         try {
             var input = new PatientInput(
-                    socket.getInputStream(), Clock.system(), line::silenceLimit, line::askForSign, line::silent);
+                    socket.input(), Clock.system(), line::silenceLimit, line::askForSign, line::silent);
             var messages = new MessageReader(new BufferedInputStream(input), MOST_PAYLOAD_BYTES);
             for (Message message = messages.read(); message != null; message = messages.read()) {
                 take(message);
@@ -48,9 +47,9 @@ final class RemoteReader implements Runnable {
             line.lose(line.gone(e.getMessage()));
         } catch (WireException e) {
             line.lose(name + " sent what is not the Player protocol: " + e.getMessage());
-        } catch (RuntimeException e) {
-            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
+        } catch (RuntimeException | Error e) {
             line.lose(name + ": a message could not be handled: " + e);
+            LOG.log(Level.ERROR, name + ": a message could not be handled", e);
         }
     }
 

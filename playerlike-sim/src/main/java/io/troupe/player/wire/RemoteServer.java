@@ -2,10 +2,10 @@ package io.troupe.player.wire;
 
 import io.troupe.actor.ActorSpace;
 import java.io.IOException;
+import java.io.InputStream;
 import java.net.ConnectException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.net.UnknownHostException;
 import java.nio.charset.StandardCharsets;
@@ -49,22 +49,25 @@ public final class RemoteServer implements PlayerServer {
 
     @Override
     public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
-        var socket = new Socket();
+        RemoteSocket socket;
+        try {
+            socket = new RemoteSocket();
+        } catch (IOException e) {
+            throw new LineClosedException(reason(e));
+        }
         try {
             // not InetSocketAddress alone, which would not say that a name is unknown
-            socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), Math.toIntExact(limit.toMillis()));
-            socket.setTcpNoDelay(true);
-            socket.setKeepAlive(true);
-            socket.setSoTimeout(Math.toIntExact(limit.toMillis()));
-            banner = readBanner(socket);
-            socket.setSoTimeout(0);
+            socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), limit);
+            socket.limitReading(limit);
+            banner = readBanner(socket.input());
+            socket.readWithoutLimit();
             var line = new RemoteLine(this.toString(), socket, sink, space, limit);
             line.begin();
             return line;
         } catch (IOException e) {
             discard(socket);
             throw new LineClosedException(reason(e));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             discard(socket);
             throw e;
         }
@@ -80,18 +83,18 @@ public final class RemoteServer implements PlayerServer {
         };
     }
 
-    private String readBanner(Socket socket) throws IOException {
-        var in = socket.getInputStream();
+    /** What is not the greeting of a Player server is quoted as far as it has come. */
+    private String readBanner(InputStream in) throws IOException {
         var greeting = new byte[BANNER_BYTES];
-        for (int at = 0; at < BANNER_BYTES; at++) {
-            int octet = in.read();
-            if (octet < 0) {
+        for (int length = 0; length < BANNER_BYTES; ) {
+            int count = in.read(greeting, length, BANNER_BYTES - length);
+            if (count < 0) {
                 throw new IOException("it closed the connection instead of greeting as a Player server");
             }
-            greeting[at] = (byte) octet;
-            if (at < BANNER_START.length() && octet != BANNER_START.charAt(at)) {
-                int more = in.readNBytes(greeting, at + 1, Math.min(in.available(), BANNER_BYTES - at - 1));
-                throw new IOException("it greeted with \"" + printable(greeting, at + 1 + more) + "\", expected \""
+            length += count;
+            String start = new String(greeting, 0, length, StandardCharsets.ISO_8859_1);
+            if (!start.startsWith(BANNER_START) && !BANNER_START.startsWith(start)) {
+                throw new IOException("it greeted with \"" + printable(greeting, length) + "\", expected \""
                         + BANNER_START + "..\": it is no Player server");
             }
         }
@@ -104,7 +107,7 @@ public final class RemoteServer implements PlayerServer {
                 .replaceAll("[^ -~]", "?");
     }
 
-    private static void discard(Socket socket) {
+    private static void discard(RemoteSocket socket) {
         try {
             socket.close();
         } catch (IOException ignored) {

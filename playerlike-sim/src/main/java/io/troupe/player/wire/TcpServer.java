@@ -1,10 +1,12 @@
 package io.troupe.player.wire;
 
+import com.sun.management.UnixOperatingSystemMXBean;
 import io.troupe.actor.time.Clock;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.lang.management.ManagementFactory;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
@@ -16,22 +18,25 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Offers the devices of one in-process port to Player clients behind sockets.
  *
  * <p><b>Role.</b> One TCP port is one robot's or world's set of devices. Closing it disconnects its clients and leaves the devices open.
- * <p><b>Threads.</b> Any thread. Virtual threads of its own: one accepts, two serve each client; none of the devices' threads ever waits for a client.
+ * <p><b>Threads.</b> Any thread. Daemon platform threads of its own: one accepts, one watches the limits, two serve each client. None of the devices' threads ever waits for a
+ * client, and however many clients send without a pause, at most half of the processors (at least one) handle their messages at a time, one message of each in turn.
  * <p><b>Order.</b> Replies come in the order of the requests. A pull client answers a tick by asking for data after it has got that tick's frame
  * (lock step); a push client never answers.
- * <p><b>Cost.</b> Per client at most 1024 messages of data and some 200 kB; what does not fit is dropped, counted, and told to pull clients.
- * <p><b>Errors.</b> A client that sends garbage, vanishes, or does not read for 30 seconds loses its own connection only; it is logged.
+ * <p><b>Cost.</b> Per client two threads, at most 1024 messages of data (those of lasers are large) and some 130 kB of replies; what does not fit is dropped, counted, and told to
+ * pull clients. There is a limit on clients, {@link Settings#maxClients}; more of them are disconnected at once, which is logged at most once in a second.
+ * <p><b>Errors.</b> A client that sends garbage, vanishes, never says anything, or does not read for 30 seconds loses its own connection only; it is logged. The server goes on
+ * accepting whatever accepting throws, also when the machine is short of file descriptors, threads or memory.
  * <p><b>Source.</b> Player 3 protocol over TCP. It knows no authentication: whoever reaches the port drives the robots.
  */
 public final class TcpServer implements AutoCloseable {
-    static final Duration WRITE_LIMIT = Duration.ofSeconds(30);
-
     /** 127.0.0.1 as Player's servers on x86 write it; clients compare it and do nothing else with it. */
     static final int LOOPBACK_HOST = 0x0100007f;
 
@@ -39,26 +44,115 @@ public final class TcpServer implements AutoCloseable {
     private static final int BANNER_BYTES = 32;
     private static final int BACKLOG = 256;
     private static final Duration CLOSING_LIMIT = Duration.ofSeconds(5);
+    private static final long QUIET_NANOS = 1_000_000_000;
+    private static final long SHORTEST_PAUSE_MILLIS = 10;
+    private static final long LONGEST_PAUSE_MILLIS = 1_000;
 
-    /** By what time, and for how long, a write may be stuck. */
-    record WriteClock(Clock clock, Duration limit) {
-        long nanos() {
-            return clock.nanos();
+    /**
+     * What a server allows its clients.
+     *
+     * @param maxClients how many may be connected at a time; more are disconnected at once
+     * @param writeLimit how long a client may leave what was sent to it unread
+     * @param silenceLimit how long a client may be connected before its first message has arrived
+     */
+    public record Settings(int maxClients, Duration writeLimit, Duration silenceLimit) {
+        private static final int MOST_CLIENTS = 1_000;
+        private static final Duration WRITE_LIMIT = Duration.ofSeconds(30);
+        private static final Duration SILENCE_LIMIT = Duration.ofSeconds(60);
+
+        public Settings {
+            if (maxClients < 1) {
+                throw new IllegalArgumentException("maxClients is " + maxClients + ", expected at least 1");
+            }
+            checkLimit("writeLimit", writeLimit);
+            checkLimit("silenceLimit", silenceLimit);
+        }
+
+        private static void checkLimit(String name, Duration limit) {
+            if (limit.isNegative() || limit.isZero()) {
+                throw new IllegalArgumentException(name + " is " + limit + ", expected more than nothing");
+            }
+        }
+
+        /**
+         * As many clients as this machine bears: one for every second file descriptor that the process has left (a client takes one), at most 1,000; 30 seconds for a write,
+         * 60 for the first message.
+         *
+         * @param servers how many servers share the file descriptors
+         */
+        public static Settings ofMachine(int servers) {
+            return new Settings(maxClients(freeDescriptors(), servers), WRITE_LIMIT, SILENCE_LIMIT);
+        }
+
+        static int maxClients(long freeDescriptors, int servers) {
+            return Math.clamp(freeDescriptors / 2 / servers, 1, MOST_CLIENTS);
+        }
+
+        private static long freeDescriptors() {
+            return ManagementFactory.getOperatingSystemMXBean() instanceof UnixOperatingSystemMXBean unix
+                    ? unix.getMaxFileDescriptorCount() - unix.getOpenFileDescriptorCount()
+                    : Long.MAX_VALUE;
+        }
+
+        /** The same for another number of clients. */
+        public Settings withMaxClients(int clients) {
+            return new Settings(clients, writeLimit, silenceLimit);
+        }
+    }
+
+    /**
+     * What the sessions of a server have in common.
+     *
+     * @param handling has a permit for each message that may be handled at a time; fair, so that no client waits longer than for one message of each other
+     */
+    record Shared(Settings settings, Clock clock, Semaphore handling) {
+        Shared(Settings settings, Clock clock) {
+            this(settings, clock, new Semaphore(Math.max(1, Runtime.getRuntime().availableProcessors() / 2), true));
+        }
+    }
+
+    /** Lines that may be many: logged at most once in a second, with the number of those left out. Belongs to one thread. */
+    private static final class SparseLog {
+        private final Clock clock;
+        private boolean logged;
+        private long loggedAtNanos;
+        private int leftOut;
+
+        SparseLog(Clock clock) {
+            this.clock = clock;
+        }
+
+        void warn(String text, @Nullable Throwable thrown) {
+            long now = clock.nanos();
+            if (logged && now - loggedAtNanos < QUIET_NANOS) {
+                leftOut++;
+                return;
+            }
+            int before = leftOut;
+            logged = true;
+            loggedAtNanos = now;
+            leftOut = 0;
+            LOG.log(Level.WARNING, before == 0 ? text : text + " (and " + before + " times before)", thrown);
         }
     }
 
     private final PlayerServer devices;
     private final ServerSocket socket;
-    private final WriteClock clock;
+    private final Shared shared;
+    private final SparseLog refusals;
+    private final SparseLog failures;
     private final Set<ClientSession> sessions = ConcurrentHashMap.newKeySet();
     private final CountDownLatch closing = new CountDownLatch(1);
     private final Thread acceptor;
 
-    private TcpServer(PlayerServer devices, ServerSocket socket, WriteClock clock) {
+    private TcpServer(PlayerServer devices, ServerSocket socket, Shared shared) {
         this.devices = devices;
         this.socket = socket;
-        this.clock = clock;
-        this.acceptor = Thread.ofVirtual().name("player-accept-" + port()).unstarted(this::accept);
+        this.shared = shared;
+        this.refusals = new SparseLog(shared.clock());
+        this.failures = new SparseLog(shared.clock());
+        this.acceptor =
+                Thread.ofPlatform().daemon().name("player-accept-" + port()).unstarted(this::accept);
     }
 
     /**
@@ -78,10 +172,20 @@ public final class TcpServer implements AutoCloseable {
      * @throws UncheckedIOException if the port cannot be had
      */
     public static TcpServer open(PlayerServer devices, int port, InetAddress bind) {
-        return open(devices, port, bind, new WriteClock(Clock.system(), WRITE_LIMIT));
+        return open(devices, port, bind, Settings.ofMachine(1));
     }
 
-    static TcpServer open(PlayerServer devices, int port, InetAddress bind, WriteClock clock) {
+    /**
+     * The same with other limits.
+     *
+     * @param port 0 for any that is free
+     * @throws UncheckedIOException if the port cannot be had
+     */
+    public static TcpServer open(PlayerServer devices, int port, InetAddress bind, Settings settings) {
+        return open(devices, port, bind, new Shared(settings, Clock.system()));
+    }
+
+    static TcpServer open(PlayerServer devices, int port, InetAddress bind, Shared shared) {
         Objects.requireNonNull(devices, "devices");
         if (port < 0 || port > 65_535) {
             throw new IllegalArgumentException("port is " + port + ", expected 0 to 65535");
@@ -100,9 +204,14 @@ public final class TcpServer implements AutoCloseable {
                             + " connects drives the robots",
                     socket.getLocalSocketAddress());
         }
-        var server = new TcpServer(devices, socket, clock);
+        return serve(devices, socket, shared);
+    }
+
+    /** Serves the clients that a socket accepts, which is closed with the server. */
+    static TcpServer serve(PlayerServer devices, ServerSocket socket, Shared shared) {
+        var server = new TcpServer(devices, socket, shared);
         server.acceptor.start();
-        Thread.ofVirtual().name("player-watch-" + server.port()).start(server::watch);
+        Thread.ofPlatform().daemon().name("player-watch-" + server.port()).start(server::watch);
         return server;
     }
 
@@ -125,47 +234,91 @@ public final class TcpServer implements AutoCloseable {
     }
 
     private void accept() {
+        long pauseMillis = SHORTEST_PAUSE_MILLIS;
         while (closing.getCount() > 0) {
             try {
-                serve(socket.accept());
-            } catch (IOException e) {
+                admit(socket.accept());
+                pauseMillis = SHORTEST_PAUSE_MILLIS;
+            } catch (IOException | RuntimeException | Error e) { // an Error too: the next client may have more luck
                 if (closing.getCount() > 0) {
-                    LOG.log(Level.WARNING, "Player port " + port() + " could not take a client", e);
-                    pause(); // too many open files, most likely
+                    report(e);
+                    pause(pauseMillis); // too many open files, most likely
+                    pauseMillis = Math.min(2 * pauseMillis, LONGEST_PAUSE_MILLIS);
                 }
             }
         }
     }
 
-    private void serve(Socket client) {
-        var session = new ClientSession(client, clock, sessions::remove);
+    private void admit(Socket client) {
+        try {
+            if (sessions.size() < shared.settings().maxClients()) {
+                serve(client);
+            } else {
+                refusals.warn(
+                        "Player port " + port() + " refuses " + client.getRemoteSocketAddress() + ": "
+                                + shared.settings().maxClients() + " clients are connected, which is the limit",
+                        null);
+                client.close();
+            }
+        } catch (IOException | RuntimeException | Error e) {
+            discard(client);
+            report(e);
+        }
+    }
+
+    private void serve(Socket client) throws IOException {
+        var session = new ClientSession(client, shared, sessions::remove);
         sessions.add(session);
         try {
             session.start(devices, LOOPBACK_HOST);
-        } catch (IOException | RuntimeException e) {
+        } catch (IOException | RuntimeException | Error e) {
             session.close("it could not be served: " + e.getMessage());
+            if (e instanceof Error) {
+                throw e;
+            }
         }
         if (closing.getCount() == 0) {
             session.end("the server is closed");
         }
     }
 
-    private void watch() {
-        while (!pause()) {
-            checkWrites();
+    /** Whatever the machine is short of, logging may need it too, and accepting goes on without. */
+    private void report(Throwable thrown) {
+        try {
+            failures.warn("Player port " + port() + " could not take a client", thrown);
+        } catch (RuntimeException | Error notLogged) {
+            // the next failure is at most a second away
         }
     }
 
-    /** Disconnects clients that do not read. */
-    void checkWrites() {
-        long now = clock.nanos();
-        sessions.forEach(session -> session.checkWrite(now));
+    private static void discard(Socket client) {
+        try {
+            client.close();
+        } catch (IOException ignored) {
+            // it is of no use any more, whatever this says
+        }
     }
 
-    /** Waits a second; true if the server is closed. */
-    private boolean pause() {
+    private void watch() {
+        while (!pause(LONGEST_PAUSE_MILLIS)) {
+            try {
+                checkLimits();
+            } catch (RuntimeException | Error e) {
+                report(e);
+            }
+        }
+    }
+
+    /** Disconnects clients that do not read, or never say anything. */
+    void checkLimits() {
+        long now = shared.clock().nanos();
+        sessions.forEach(session -> session.checkLimits(now));
+    }
+
+    /** Waits; true if the server is closed. */
+    private boolean pause(long millis) {
         try {
-            return closing.await(1, TimeUnit.SECONDS);
+            return closing.await(millis, TimeUnit.MILLISECONDS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return true;

@@ -26,6 +26,8 @@ import org.junit.jupiter.api.Timeout;
 @Timeout(120)
 class HostileClientsTest {
     private static final int EACH = 10;
+    private static final TcpServer.Settings WRITES_ONLY =
+            new TcpServer.Settings(10, Duration.ofSeconds(30), Duration.ofDays(100_000));
 
     /** What the server logs; an error of its own is a WARNING. */
     private static final class Log extends Handler {
@@ -129,7 +131,7 @@ class HostileClientsTest {
     @Test
     void clientThatAsksAndNeverReads_isDisconnectedAfterTheLimit_andOthersGoOn() {
         var clock = new ManualClock();
-        try (var served = Served.open(0, new TcpServer.WriteClock(clock, Duration.ofSeconds(30)));
+        try (var served = Served.open(0, new TcpServer.Shared(WRITES_ONLY, clock));
                 var greedy = RawClient.greeted(served.port())) {
             byte[] requests = ten(RawClient.message(MessageType.REQ, 5, 0, Content.empty(1)));
             Thread flood = Thread.ofVirtual().start(() -> {
@@ -141,11 +143,11 @@ class HostileClientsTest {
                     // as it must be
                 }
             });
-            served.server.checkWrites();
+            served.server.checkLimits();
             assertThat(served.server.clients()).as("before the limit").isEqualTo(1);
             while (served.server.clients() > 0) {
                 clock.advance(Duration.ofSeconds(31));
-                served.server.checkWrites();
+                served.server.checkLimits();
                 Thread.onSpinWait();
             }
             assertThat(log.records)
@@ -244,6 +246,7 @@ class HostileClientsTest {
             client.awaitEnd();
             try (var late = new RawClient(served.port())) {
                 late.awaitEnd();
+                assertThat(late.received()).as("no greeting").isEmpty();
             }
         }
     }

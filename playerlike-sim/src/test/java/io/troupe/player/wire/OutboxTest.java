@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -30,8 +31,8 @@ class OutboxTest {
         return new DataMessage(SONAR, 0, new DeviceData.SonarRanges(List.of()));
     }
 
-    private boolean frame(long tick, DataMessage... messages) {
-        return outbox.frame(tick, tick / 10.0, List.of(messages));
+    private void frame(long tick, DataMessage... messages) {
+        outbox.frame(tick, tick / 10.0, List.of(messages));
     }
 
     private Outbox pull() {
@@ -98,7 +99,7 @@ class OutboxTest {
         assertThat(sent()).containsExactly("ACK 4", "position 0", "sonar", "position 1", "SYNCH 1 0");
         assertThat(outbox.ask(reply(4))).isEqualTo(1);
         assertThat(sent()).containsExactly("ACK 4");
-        assertThat(frame(2, position(2))).isFalse();
+        frame(2, position(2));
         frame(3, position(3));
         assertThat(sent()).containsExactly("position 2", "SYNCH 1 0");
         assertThat(outbox.ask(reply(4))).isEqualTo(2);
@@ -169,13 +170,47 @@ class OutboxTest {
     }
 
     @Test
-    void pull_frameOfWhichNothingIsLeft_isAnsweredIfTheClientWaits() {
+    void pull_frameOfWhichNothingIsLeft_endsAllTheSame_ifTheClientHasAsked() {
         pull();
         outbox.add(new ReplaceRule(-1, -1, -1, -1, ReplaceRule.IGNORE));
-        assertThat(frame(0, position(0))).isFalse();
-        assertThat(outbox.ask(reply(4))).isZero();
-        assertThat(frame(1, position(1))).isTrue();
-        assertThat(sent()).containsExactly("ACK 4");
+        frame(0, position(0));
+        assertThat(outbox.ask(reply(4))).as("it waits for what follows tick 0").isZero();
+        frame(1, position(1));
+        frame(2, position(2));
+        assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
+        assertThat(outbox.ask(reply(4))).isEqualTo(2);
+    }
+
+    @Test
+    void frame_doesNotWait_whileAnotherThreadIsBusyWithTheOutbox() throws InterruptedException {
+        outbox.subscribed(POSITION, reply(3));
+        var busy = new CountDownLatch(1);
+        var goOn = new CountDownLatch(1);
+        var slow = new AbstractList<DataMessage>() {
+            @Override
+            public DataMessage get(int index) {
+                busy.countDown();
+                try {
+                    goOn.await();
+                } catch (InterruptedException e) {
+                    throw new AssertionError(e);
+                }
+                return position(0);
+            }
+
+            @Override
+            public int size() {
+                return 1;
+            }
+        };
+        Thread other = Thread.ofPlatform().daemon().start(() -> outbox.frame(0, 0, slow));
+        busy.await();
+        frame(1, position(1));
+        frame(2, position(2));
+        assertThat(goOn.getCount()).as("the other thread still has the lock").isEqualTo(1);
+        goOn.countDown();
+        other.join();
+        assertThat(sent()).containsExactly("ACK 3", "position 0", "position 1", "position 2");
     }
 
     @Test

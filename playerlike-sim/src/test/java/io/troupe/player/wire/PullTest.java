@@ -2,7 +2,6 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.time.Clock;
 import io.troupe.sim.SimulationRunner;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -43,7 +42,7 @@ class PullTest {
             port = served.port();
             first = run(served);
         }
-        try (var served = Served.open(port, new TcpServer.WriteClock(Clock.system(), TcpServer.WRITE_LIMIT))) {
+        try (var served = Served.open(port)) {
             byte[] second = run(served);
             assertThat(Hex.text(second)).isEqualTo(Hex.text(first));
         }
@@ -70,20 +69,26 @@ class PullTest {
     }
 
     @Test
-    void rulesThatLeaveNothing_doNotStopTheWorld() {
+    void rulesThatLeaveNothing_leaveTheEndOfEachFrame_whichHasToBeAnswered() {
         try (var served = Served.open();
+                var runner = SimulationRunner.start(served.simulation, 1, snapshot -> {});
                 var client = RawClient.greeted(served.port())) {
             client.ask(new PlayerRequest.DataMode(Delivery.PULL));
             client.ask(new PlayerRequest.AddRule(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)));
             client.subscribe(Interfaces.POSITION2D);
-            client.ask(new PlayerRequest.NextData());
-            served.tick(20);
-            assertThat(served.simulation.timeMicros()).isEqualTo(2_000_000);
+            for (int frame = 0; frame < 20; frame++) {
+                client.ask(new PlayerRequest.NextData());
+                client.next(MessageType.SYNCH, 1, 1);
+                // every reply has the time of the newest frame: the world waits for its answer
+                assertThat(client.ask(new PlayerRequest.DeviceList()).header().timeSeconds())
+                        .isEqualTo(frame / 10.0);
+            }
             client.ask(new PlayerRequest.AddRule(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.ACCEPT)));
-            served.tickApart();
-            Message data = client.next(MessageType.DATA, 4, 1);
-            assertThat(data.header().timeSeconds()).isEqualTo(2.0);
+            client.ask(new PlayerRequest.NextData());
+            assertThat(client.next(MessageType.DATA, 4, 1).header().timeSeconds())
+                    .isEqualTo(2.0);
             client.next(MessageType.SYNCH, 1, 1);
+            assertThat(runner.isRunning()).isTrue();
         }
     }
 }

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** A ranger:0 for one client, which says and answers what it has been told to. */
-final class ScriptedRanger implements PlayerServer, PlayerConnection {
+class ScriptedRanger implements PlayerServer, PlayerConnection {
     static final DeviceAddress ADDRESS = new DeviceAddress(0, 1, 62, 0);
 
     /** What the client has answered, from the first. */
@@ -24,7 +24,7 @@ final class ScriptedRanger implements PlayerServer, PlayerConnection {
         this.replies = replies;
     }
 
-    void publish(double timeSeconds, DeviceData data) {
+    void publish(double timeSeconds, @Nullable DeviceData data) {
         sink.frame(new Frame(tick++, timeSeconds, List.of(new DataMessage(ADDRESS, timeSeconds, data))));
     }
 

@@ -26,7 +26,9 @@ final class ScriptedSocket implements AutoCloseable {
         boolean answers(Message message, ScriptedSocket server) throws IOException;
     }
 
+    /** All but commands. */
     final List<Message> received = new CopyOnWriteArrayList<>();
+
     private final BlockingQueue<Message> commands = new LinkedBlockingQueue<>();
     private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     private final byte[] greeting;
@@ -60,10 +62,12 @@ final class ScriptedSocket implements AutoCloseable {
             socket.getOutputStream().write(greeting);
             var messages = new MessageReader(socket.getInputStream(), 1 << 20);
             for (Message message = messages.read(); message != null; message = messages.read()) {
-                received.add(message);
                 if (message.header().type() == MessageType.CMD) {
                     commands.add(message);
-                } else if (!script.answers(message, this)) {
+                    continue;
+                }
+                received.add(message);
+                if (!script.answers(message, this)) {
                     answer(message);
                 }
             }
@@ -127,6 +131,12 @@ final class ScriptedSocket implements AutoCloseable {
 
     Message nextCommand() throws InterruptedException {
         return requireNonNull(commands.poll(30, TimeUnit.SECONDS), "no command came");
+    }
+
+    /** The next command that has come already, or null. */
+    @Nullable
+    Message pollCommand() {
+        return commands.poll();
     }
 
     /** The server goes away. */

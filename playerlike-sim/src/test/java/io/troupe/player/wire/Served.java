@@ -33,15 +33,19 @@ final class Served implements AutoCloseable {
     }
 
     static Served open() {
-        return open(0, new TcpServer.WriteClock(Clock.system(), TcpServer.WRITE_LIMIT));
+        return open(0);
+    }
+
+    static Served open(int port) {
+        return open(port, new TcpServer.Shared(TcpServer.Settings.ofMachine(1), Clock.system()));
     }
 
     /** @param port 0 for any */
-    static Served open(int port, TcpServer.WriteClock clock) {
+    static Served open(int port, TcpServer.Shared shared) {
         var simulation =
                 Simulation.open(TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot()))), WorldSettings.DEFAULT);
         var devices = PlayerPorts.find(PORT).orElseThrow();
-        return new Served(simulation, TcpServer.open(devices, port, InetAddress.getLoopbackAddress(), clock));
+        return new Served(simulation, TcpServer.open(devices, port, InetAddress.getLoopbackAddress(), shared));
     }
 
     /** Where the captured robot stood, with sixteen sonars as it had; nothing around. */

@@ -1,0 +1,154 @@
+package io.troupe.player.wire;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InterruptedIOException;
+import java.net.InetSocketAddress;
+import java.net.SocketTimeoutException;
+import java.net.StandardSocketOptions;
+import java.nio.ByteBuffer;
+import java.nio.channels.ClosedChannelException;
+import java.nio.channels.ClosedSelectorException;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
+import java.time.Duration;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.ReentrantLock;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A client's socket, on which nothing waits for ever: neither connecting, nor the greeting, nor sending to a server that does not read.
+ *
+ * <p><b>Threads.</b> One thread reads; any thread sends and closes.
+ * <p><b>Errors.</b> A send that does not get through throws, {@link SocketTimeoutException} after its limit and {@link InterruptedIOException} when its thread is interrupted, and leaves
+ * the socket usable: what a message that was sent in part lacks goes out before the next one.
+ */
+final class RemoteSocket implements AutoCloseable {
+    private final SocketChannel channel = SocketChannel.open();
+    private final Selector readable = Selector.open();
+    private final ReentrantLock sending = new ReentrantLock();
+    private @Nullable ByteBuffer unsent; // the rest of a message; guarded by sending
+    private volatile boolean limited;
+    private volatile long readDeadlineNanos;
+    private volatile long readTimeoutNanos; // 0 = none
+
+    RemoteSocket() throws IOException {}
+
+    void connect(InetSocketAddress server, Duration limit) throws IOException {
+        channel.socket().connect(server, Math.toIntExact(limit.toMillis()));
+        channel.setOption(StandardSocketOptions.TCP_NODELAY, true);
+        channel.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
+        channel.configureBlocking(false);
+        channel.register(readable, SelectionKey.OP_READ);
+    }
+
+    /** From now on all reading together may take so long. */
+    void limitReading(Duration limit) {
+        readDeadlineNanos = System.nanoTime() + limit.toNanos();
+        limited = true;
+    }
+
+    void readWithoutLimit() {
+        limited = false;
+    }
+
+    /** From now on a read, one that waits already too, throws {@link SocketTimeoutException} when nothing comes for so long; the socket can be read on. */
+    void timeOutReads(Duration timeout) {
+        readTimeoutNanos = timeout.toNanos();
+        readable.wakeup();
+    }
+
+    InputStream input() {
+        return new InputStream() {
+            @Override
+            public int read() throws IOException {
+                var octet = new byte[1];
+                return read(octet, 0, 1) < 0 ? -1 : octet[0] & 0xFF;
+            }
+
+            @Override
+            public int read(byte[] bytes, int offset, int length) throws IOException {
+                return length == 0 ? 0 : receive(ByteBuffer.wrap(bytes, offset, length));
+            }
+        };
+    }
+
+    private int receive(ByteBuffer into) throws IOException {
+        long beganNanos = System.nanoTime();
+        try {
+            for (int count = channel.read(into); ; count = channel.read(into)) {
+                if (count != 0) {
+                    return count;
+                }
+                long timeoutNanos = readTimeoutNanos;
+                await(readable, limited || timeoutNanos > 0, limited ? readDeadlineNanos : beganNanos + timeoutNanos);
+            }
+        } catch (ClosedSelectorException closed) {
+            throw new ClosedChannelException();
+        }
+    }
+
+    /** Sends a message, after the rest of the one before. */
+    void send(byte[] message, Duration limit) throws IOException {
+        long deadline = System.nanoTime() + limit.toNanos();
+        try {
+            if (!sending.tryLock() && !sending.tryLock(limit.toNanos(), TimeUnit.NANOSECONDS)) {
+                throw new SocketTimeoutException("another thread is still sending");
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new InterruptedIOException("interrupted");
+        }
+        try {
+            if (unsent != null) {
+                write(unsent, deadline);
+                unsent = null;
+            }
+            var bytes = ByteBuffer.wrap(message);
+            try {
+                write(bytes, deadline);
+            } finally {
+                if (bytes.hasRemaining() && bytes.position() > 0) {
+                    unsent = bytes;
+                }
+            }
+        } finally {
+            sending.unlock();
+        }
+    }
+
+    private void write(ByteBuffer bytes, long deadlineNanos) throws IOException {
+        channel.write(bytes);
+        if (!bytes.hasRemaining()) {
+            return; // as nearly always
+        }
+        try (var writable = Selector.open()) {
+            channel.register(writable, SelectionKey.OP_WRITE);
+            while (bytes.hasRemaining()) {
+                await(writable, true, deadlineNanos);
+                channel.write(bytes);
+            }
+        }
+    }
+
+    private static void await(Selector ready, boolean hasDeadline, long deadlineNanos) throws IOException {
+        long leftNanos = deadlineNanos - System.nanoTime();
+        if (hasDeadline && leftNanos <= 0) {
+            throw new SocketTimeoutException("the limit is over");
+        }
+        ready.select(hasDeadline ? leftNanos / 1_000_000 + 1 : 0);
+        ready.selectedKeys().clear();
+        if (Thread.currentThread().isInterrupted()) {
+            throw new InterruptedIOException("interrupted");
+        }
+    }
+
+    /** Ends reading and sending that wait. */
+    @Override
+    public void close() throws IOException {
+        try (channel) {
+            readable.close();
+        }
+    }
+}

@@ -1,0 +1,196 @@
+package io.troupe.player.wire;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.sim.Pace;
+import io.troupe.sim.SimulationRunner;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.junit.jupiter.api.Test;
+
+/**
+ * A server under clients that send without a pause, ask without reading, send garbage, connect and leave, beside a good one in lock step, which has to get every frame in its order.
+ *
+ * <p>Short in every build: until the good client has had its frames and every other kind of client has got somewhere. {@code -Dsoak.minutes=10} makes it as long as that, and then says how
+ * many frames there were, the longest time between two, and the heap in use.
+ */
+class ServerSoakTest {
+    private static final int FRAMES = 50;
+    private static final long EACH = 20;
+
+    /** What a kind of client does again and again; returns how much that was. */
+    private interface Behaviour {
+        long once(int port, Random random, AtomicBoolean stop) throws IOException;
+    }
+
+    private record Kind(String name, Behaviour behaviour, AtomicLong done) {
+        Kind(String name, Behaviour behaviour) {
+            this(name, behaviour, new AtomicLong());
+        }
+    }
+
+    private final AtomicBoolean stop = new AtomicBoolean();
+    private final ConcurrentLinkedQueue<Throwable> failures = new ConcurrentLinkedQueue<>();
+
+    @Test
+    void goodClient_getsEveryFrame_whateverTheOthersDo() throws Exception {
+        double minutes = Double.parseDouble(System.getProperty("soak.minutes", "0"));
+        var logger = Logger.getLogger("io.troupe.player.wire");
+        Level before = logger.getLevel();
+        logger.setLevel(Level.SEVERE); // what hostile clients lead to is logged line by line
+        try {
+            soak(Duration.ofMillis((long) (minutes * 60_000)));
+        } finally {
+            logger.setLevel(before);
+        }
+    }
+
+    private void soak(Duration atLeast) throws Exception {
+        int storms = atLeast.isZero() ? 1 : Runtime.getRuntime().availableProcessors() + 1;
+        var kinds = List.of(
+                new Kind("unknown commands", storm(RawClient.message(MessageType.CMD, 4, 0, Content.empty(99)))),
+                new Kind("commands", storm(RawClient.message(MessageType.CMD, 4, 0, velocity()))),
+                new Kind("requests, replies unread", storm(RawClient.message(MessageType.REQ, 5, 0, Content.empty(1)))),
+                new Kind("requests, replies read", ServerSoakTest::ask),
+                new Kind("garbage", ServerSoakTest::garbage),
+                new Kind("connections", ServerSoakTest::connect),
+                new Kind("subscribers that do not read", ServerSoakTest::subscribe));
+        var threads = new ArrayList<Thread>();
+        try (var served = Served.open();
+                var good = RawClient.greeted(served.port());
+                var runner = SimulationRunner.start(served.simulation, 1, snapshot -> {}, new Pace.Unlimited())) {
+            good.ask(new PlayerRequest.DataMode(Delivery.PULL));
+            good.subscribe(Interfaces.SONAR); // nobody else drives by it
+            for (var kind : kinds) {
+                for (int i = 0; i < storms; i++) {
+                    long seed = i;
+                    threads.add(
+                            Thread.ofPlatform().daemon().start(() -> behave(kind, served.port(), new Random(seed))));
+                }
+            }
+            long end = System.nanoTime() + atLeast.toNanos();
+            long longestNanos = 0;
+            long frames = 0;
+            long last = System.nanoTime();
+            while (frames < FRAMES
+                    || kinds.stream().anyMatch(kind -> kind.done().get() < EACH)
+                    || last - end < 0) {
+                good.ask(new PlayerRequest.NextData());
+                assertThat(good.next(MessageType.DATA, 5, 1).header().timeSeconds())
+                        .as("the frame after %d others", frames)
+                        .isEqualTo(frames * 100_000 / 1e6);
+                good.next(MessageType.SYNCH, 1, 1);
+                long now = System.nanoTime();
+                longestNanos = Math.max(longestNanos, now - last);
+                last = now;
+                frames++;
+            }
+            assertThat(runner.isRunning()).isTrue();
+            if (!atLeast.isZero()) {
+                report(frames, longestNanos, kinds);
+            }
+        } finally {
+            stop.set(true);
+        }
+        for (var thread : threads) {
+            thread.join();
+        }
+        assertThat(failures).isEmpty();
+    }
+
+    private static void report(long frames, long longestNanos, List<Kind> kinds) {
+        var runtime = Runtime.getRuntime();
+        Logger.getLogger(ServerSoakTest.class.getName())
+                .info(() -> frames + " frames, at most " + longestNanos / 1_000_000 + " ms between two, "
+                        + (runtime.totalMemory() - runtime.freeMemory()) / (1 << 20) + " MiB of heap in use; "
+                        + String.join(
+                                ", ",
+                                kinds.stream()
+                                        .map(kind -> kind.name() + ": " + kind.done())
+                                        .toList()));
+    }
+
+    private void behave(Kind kind, int port, Random random) {
+        try {
+            while (!stop.get()) {
+                try {
+                    kind.done().addAndGet(kind.behaviour().once(port, random, stop));
+                } catch (IOException | UncheckedIOException | AssertionError ended) {
+                    kind.done().incrementAndGet(); // by the server, as a hostile client has to expect
+                }
+            }
+        } catch (RuntimeException e) {
+            failures.add(e);
+        }
+    }
+
+    private static Content velocity() {
+        return CommandMessages.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
+    }
+
+    /** Sends one message on and on; once in a while by a new client. */
+    private static Behaviour storm(byte[] message) {
+        var many = new byte[100 * message.length];
+        for (int i = 0; i < 100; i++) {
+            System.arraycopy(message, 0, many, i * message.length, message.length);
+        }
+        boolean unread = message[19] == MessageType.REQ.code();
+        return (port, random, stop) -> {
+            try (var client = new RawClient(port)) {
+                OutputStream out = client.socket.getOutputStream();
+                if (unread) { // what fits without waiting for ever
+                    out.write(many, 0, 10 * message.length);
+                    return 10;
+                }
+                for (int i = 0; i < 1_000 && !stop.get(); i++) {
+                    out.write(many);
+                }
+                return 100_000;
+            }
+        };
+    }
+
+    private static long ask(int port, Random random, AtomicBoolean stop) {
+        try (var client = RawClient.greeted(port)) {
+            for (int i = 0; i < 100 && !stop.get(); i++) {
+                client.ask(new PlayerRequest.DeviceList());
+            }
+            return 100;
+        }
+    }
+
+    private static long garbage(int port, Random random, AtomicBoolean stop) {
+        try (var client = new RawClient(port)) {
+            var bytes = new byte[random.nextInt(400)];
+            random.nextBytes(bytes);
+            client.send(bytes);
+            return 1;
+        }
+    }
+
+    private static long connect(int port, Random random, AtomicBoolean stop) throws IOException {
+        try (var client = new RawClient(port)) {
+            if (random.nextBoolean()) {
+                client.socket.setSoLinger(true, 0);
+            }
+            return 1;
+        }
+    }
+
+    private static long subscribe(int port, Random random, AtomicBoolean stop) {
+        try (var client = RawClient.greeted(port)) {
+            client.subscribe(Interfaces.BLOBFINDER);
+            return 10;
+        }
+    }
+}
