@@ -78,6 +78,16 @@ class HabitsTest {
                 .check(Classes.MAIN);
     }
 
+    /** What waits for an exit in the common pool can block there while a surviving child of the process holds its pipe. */
+    @Test
+    void endsOfProcesses_areAwaitedByThreadsOnly() {
+        var awaitsInThePool = DescribedPredicate.<JavaAccess<?>>describe(
+                "waits for a process in the common pool",
+                access -> access.getTarget().getName().equals("onExit")
+                        && access.getTargetOwner().getName().startsWith("java.lang.Process"));
+        noClasses().should(accessTargetWhere(awaitsInThePool)).check(Classes.MAIN);
+    }
+
     @Test
     void staticFields_areFinal() {
         fields().that().areStatic().should().beFinal().check(Classes.MAIN);

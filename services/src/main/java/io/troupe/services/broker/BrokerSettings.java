@@ -12,9 +12,9 @@ import java.util.Objects;
  * @param startLimit how long a start may take
  * @param stopLimit how long a stop may take
  * @param hearLimit how long the broker waits, before it stops a provider that was replaced or withdrawn, for its users to hear of it
- * @param restartPause after this, a provider that has failed is started again if a connection waits for it; it doubles with every failure until a good
- *     answer for its health; zero = it is only tried again when somebody calls {@link Broker#require} or {@link Broker#connect}
- * @param longestRestartPause where the doubling ends
+ * @param restartPause after this, a provider that has failed is started again if a connection waits for it; it doubles with every failure until it
+ *     has run for {@code longestRestartPause}; zero = it is only tried again when somebody calls {@link Broker#require} or {@link Broker#connect}
+ * @param longestRestartPause where the doubling ends; a provider that has run for so long is restarted after {@code restartPause} again
  * @param observer hears what happens
  */
 public record BrokerSettings(

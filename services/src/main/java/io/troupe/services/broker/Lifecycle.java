@@ -94,6 +94,10 @@ final class Lifecycle {
             return null;
         });
         checkLater(it);
+        if (it.restartPause
+                != null) { // one good check is not enough, else what fails again and again is restarted as often
+            it.restartPauseEnd = limits.after(settings.longestRestartPause(), () -> it.restartPause = null);
+        }
         done.resolve(null);
         onStarted.accept(it);
     }
@@ -151,7 +155,6 @@ final class Lifecycle {
     private void checked(Registration it, @Nullable Throwable error) {
         if (error == null) {
             it.missedChecks = 0;
-            it.restartPause = null;
             if (it.health == Health.SUSPECT) {
                 it.health = Health.WELL;
                 events.tell(new BrokerEvent.Recovered(it.toRecord()));

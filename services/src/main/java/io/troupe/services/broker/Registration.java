@@ -40,7 +40,10 @@ final class Registration {
     Timer nextRestart;
 
     @Nullable
-    Duration restartPause; // the last one; null = none yet
+    Duration restartPause; // the last one; null = none yet, or it has run for long since
+
+    @Nullable
+    Timer restartPauseEnd;
 
     Registration(String service, List<String> capabilities, Address address, Provider provider) {
         this.service = service;
@@ -81,6 +84,10 @@ final class Registration {
         if (nextRestart != null) {
             nextRestart.cancel();
             nextRestart = null;
+        }
+        if (restartPauseEnd != null) {
+            restartPauseEnd.cancel();
+            restartPauseEnd = null;
         }
     }
 

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> Implemented once for each kind of component, in terms of that component's own protocol and data. One object serves one life of the component: each
  * invocation gets a new one.
  * <p><b>Threads.</b> Called on the actor space of the interface, and must not hold it. {@link Signals} may be called from any thread.
- * <p><b>Errors.</b> An exception from {@link #invoke} or {@link #data}, a rejected promise, and {@link Signals#failed} all mean that the component has failed; its
+ * <p><b>Errors.</b> An exception or error from {@link #invoke} or {@link #data}, a rejected promise, and {@link Signals#failed} all mean that the component has failed; its
  * interface then terminates it and says so to whoever asks.
  * <p><b>Source.</b> Paper, section 2.2.2.1.
  *

@@ -38,9 +38,9 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         this.space = space;
         this.bus = bus;
         this.component = component;
-        this.observer = observer;
-        this.conversion = new DataConversion<>(bus.address(), component, observer);
-        this.lives = new Lives<>(space, bus.address(), component.communication(), observer, new DataPath());
+        this.observer = new SafeObserver(observer);
+        this.conversion = new DataConversion<>(bus.address(), component, this.observer);
+        this.lives = new Lives<>(space, bus.address(), component.communication(), this.observer, new DataPath());
     }
 
     /**
@@ -72,7 +72,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
-        String problem = wrong == null ? "" : String.valueOf(wrong.getMessage());
+        String problem = wrong == null ? "" : Lives.words(wrong);
         return new Control.HealthReport(address().name(), lives.state().name(), problem);
     }
 
@@ -135,16 +135,49 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         return answer;
     }
 
-    /** Leaves the bus; a component that runs is terminated. */
+    /** Leaves the bus for good; a component that runs is terminated, and calls of {@link #start} are rejected from now on. */
     @Override
     public void close() {
-        lives.terminate().handle((ended, error) -> {
+        lives.close().handle((ended, error) -> {
             if (error != null) {
                 observer.problem(address(), "could not be terminated", error);
             }
             bus.close();
             return null;
         });
+    }
+
+    /** An observer that throws is reported to the log, and changes nothing. */
+    private record SafeObserver(ComponentObserver observer) implements ComponentObserver {
+        private static final System.Logger LOG = System.getLogger(ComponentObserver.class.getName());
+
+        @Override
+        public void changed(Address component, Lifecycle state) {
+            call(() -> observer.changed(component, state));
+        }
+
+        @Override
+        public void dropped(Address component, ApplicationData<?> lost, long total) {
+            call(() -> observer.dropped(component, lost, total));
+        }
+
+        @Override
+        public void problem(Address component, String what, Throwable why) {
+            call(() -> observer.problem(component, what, why));
+        }
+
+        @Override
+        public void told(Address component, String what) {
+            call(() -> observer.told(component, what));
+        }
+
+        private static void call(Runnable callback) {
+            try {
+                callback.run();
+            } catch (RuntimeException | Error failure) {
+                LOG.log(System.Logger.Level.ERROR, "the observer of a component failed", failure);
+            }
+        }
     }
 
     /** The way of the data: bus, DCU, CCU, and back. */

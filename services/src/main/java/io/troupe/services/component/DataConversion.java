@@ -12,7 +12,7 @@ import java.util.function.Consumer;
  * bus brings while the component is being invoked waits for it.
  * <p><b>Threads.</b> Any thread puts in; one at a time takes out.
  * <p><b>Order.</b> First in, first out, in each direction.
- * <p><b>Errors.</b> What is lost, because a buffer is full or a conversion fails, is counted and told to the observer; the rest goes on.
+ * <p><b>Errors.</b> What is lost, because a buffer is full, a conversion fails or the bus refuses it, is counted and told to the observer; the rest goes on.
  * <p><b>Source.</b> Paper, section 2.2.2.2.
  */
 public final class DataConversion<I, O> {
@@ -21,7 +21,7 @@ public final class DataConversion<I, O> {
      *
      * @param dropped because a buffer was full
      * @param superseded because a newer one of the same topic came, where only the newest counts
-     * @param refused because they could not be converted
+     * @param refused because they could not be converted or published
      */
     public record Losses(long dropped, long superseded, long refused) {}
 
@@ -45,8 +45,8 @@ public final class DataConversion<I, O> {
         List<ApplicationData<?>> converted;
         try {
             converted = List.copyOf(conversion.toApplication(output));
-        } catch (RuntimeException refusal) {
-            refuse(output, refusal);
+        } catch (RuntimeException | Error refusal) {
+            refuse("convert " + output, refusal);
             return;
         }
         converted.forEach(data -> put(toApplication, data));
@@ -57,8 +57,15 @@ public final class DataConversion<I, O> {
         put(toComponent, data);
     }
 
+    /** Publishes what waits, one by one; what cannot be published is lost alone. */
     void drainToApplication(Consumer<ApplicationData<?>> publisher) {
-        toApplication.take().forEach(publisher);
+        for (var data : toApplication.take()) {
+            try {
+                publisher.accept(data);
+            } catch (RuntimeException | Error refusal) {
+                refuse("publish " + data, refusal);
+            }
+        }
     }
 
     /** Converts what waits, one by one, and hands it to the component; what the component throws is the caller's business, and ends it. */
@@ -67,8 +74,8 @@ public final class DataConversion<I, O> {
             I input;
             try {
                 input = conversion.toComponent(data);
-            } catch (RuntimeException refusal) {
-                refuse(data, refusal);
+            } catch (RuntimeException | Error refusal) {
+                refuse("convert " + data, refusal);
                 continue;
             }
             component.accept(input);
@@ -95,8 +102,8 @@ public final class DataConversion<I, O> {
         }
     }
 
-    private void refuse(Object data, RuntimeException why) {
+    private void refuse(String what, Throwable why) {
         refused.incrementAndGet();
-        observer.problem(owner, "could not convert " + data, why);
+        observer.problem(owner, "could not " + what, why);
     }
 }

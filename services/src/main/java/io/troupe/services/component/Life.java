@@ -1,10 +1,11 @@
 package io.troupe.services.component;
 
 import io.troupe.actor.promise.Promise;
+import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** The component from one invocation to its end: its CCU, whose exceptions become rejections here. */
+/** The component from one invocation to its end: its CCU, whose exceptions and errors become rejections here. */
 final class Life<I, O> {
     private final ComponentCommunication<I, O> communication;
     private volatile boolean over;
@@ -38,10 +39,10 @@ final class Life<I, O> {
         over = true;
     }
 
-    private static Promise<@Nullable Void> attempt(Supplier<Promise<@Nullable Void>> action) {
+    private static Promise<@Nullable Void> attempt(Supplier<? extends @Nullable Promise<@Nullable Void>> action) {
         try {
-            return action.get();
-        } catch (RuntimeException thrown) {
+            return Objects.requireNonNull(action.get(), "it answered null, expected a promise");
+        } catch (RuntimeException | Error thrown) {
             return Promise.failed(thrown);
         }
     }

@@ -40,6 +40,17 @@ final class Lives<I, O> {
     /** Settled when the newest invocation or termination is over. */
     private Deferred<@Nullable Void> change = new Deferred<>();
 
+    /** The invocation that waits until no earlier life is being terminated. */
+    private @Nullable Deferred<@Nullable Void> next;
+
+    /** How many lives that failed, or ran too late, are being terminated. */
+    private int terminations;
+
+    /** Fulfilled when there is none of these any more. */
+    private Deferred<@Nullable Void> terminated = new Deferred<>();
+
+    private boolean closed;
+
     Lives(
             ActorSpace space,
             Address owner,
@@ -60,12 +71,30 @@ final class Lives<I, O> {
     // ---- control
 
     Promise<@Nullable Void> invoke() {
+        if (closed) {
+            return Promise.failed(new ProviderException(owner + " has left the bus, expected an open interface"));
+        }
         return switch (state) {
             case RUNNING -> Promise.done();
             case INVOKING -> change;
-            case TERMINATING -> change.handle((ended, error) -> null).thenCompose(over -> invoke());
-            case NOT_INVOKED, TERMINATED, FAILED -> begin();
+            case TERMINATING -> waitForTheLifeBefore();
+            case NOT_INVOKED, TERMINATED, FAILED -> terminations == 0 ? begin() : waitForTheLifeBefore();
         };
+    }
+
+    private Promise<@Nullable Void> waitForTheLifeBefore() {
+        if (next == null) {
+            next = new Deferred<>();
+        }
+        return next;
+    }
+
+    private void beginNext() {
+        var waiting = next;
+        if (waiting != null && terminations == 0) {
+            next = null;
+            waiting.resolveFrom(begin());
+        }
     }
 
     private Promise<@Nullable Void> begin() {
@@ -78,7 +107,7 @@ final class Lives<I, O> {
             life = mine;
             become(Lifecycle.INVOKING);
             turns.begins();
-        } catch (RuntimeException refusal) {
+        } catch (RuntimeException | Error refusal) { // a component's code
             fail(refusal);
             return started;
         }
@@ -107,13 +136,24 @@ final class Lives<I, O> {
         }
     }
 
+    /** Terminates what runs, for good: there is no life after it. */
+    Promise<@Nullable Void> close() {
+        closed = true;
+        return terminate();
+    }
+
     Promise<@Nullable Void> terminate() {
+        if (next != null) {
+            var given = next;
+            next = null;
+            given.reject(new ProviderException(owner + " was terminated while it waited to be invoked"));
+        }
         Life<I, O> ending = life;
         if (ending == null) {
             if (state == Lifecycle.FAILED) {
                 become(Lifecycle.TERMINATED);
             }
-            return Promise.done();
+            return terminations == 0 ? Promise.done() : terminated;
         }
         if (state == Lifecycle.TERMINATING) {
             return change;
@@ -128,9 +168,10 @@ final class Lives<I, O> {
             if (error != null) {
                 fail(error);
             } else {
-                close(Lifecycle.TERMINATED);
+                end(Lifecycle.TERMINATED);
                 stopped.resolve(null);
             }
+            beginNext();
             return null;
         });
         return stopped;
@@ -157,8 +198,13 @@ final class Lives<I, O> {
                 owner + " " + state.words() + (failure == null ? "" : ": " + words(failure)), failure);
     }
 
-    private static String words(Throwable error) {
-        return error.getMessage() == null ? error.toString() : error.getMessage();
+    /** What an error says, or what it is if it says nothing. */
+    static String words(Throwable error) {
+        String message = error.getMessage();
+        if (message == null) {
+            return error.toString();
+        }
+        return message.isBlank() ? error.getClass().getName() : message;
     }
 
     // ---- data
@@ -170,7 +216,7 @@ final class Lives<I, O> {
         }
         try {
             life.data(input);
-        } catch (RuntimeException thrown) {
+        } catch (RuntimeException | Error thrown) {
             fail(thrown);
         }
     }
@@ -181,7 +227,7 @@ final class Lives<I, O> {
         boolean terminating = state == Lifecycle.TERMINATING;
         Life<I, O> past = life;
         failure = why;
-        close(Lifecycle.FAILED);
+        end(Lifecycle.FAILED);
         if (!change.reject(notRunning())) {
             observer.problem(owner, "has failed", why);
         }
@@ -190,7 +236,7 @@ final class Lives<I, O> {
         }
     }
 
-    private void close(Lifecycle last) {
+    private void end(Lifecycle last) {
         become(last);
         turns.ends();
         if (life != null) {
@@ -207,8 +253,17 @@ final class Lives<I, O> {
     }
 
     private void bury(Life<I, O> past) {
-        past.terminate().exceptionally(error -> {
-            observer.problem(owner, "could not be terminated after it had failed", error);
+        if (terminations++ == 0) {
+            terminated = new Deferred<>();
+        }
+        past.terminate().handle((ended, error) -> {
+            if (error != null) {
+                observer.problem(owner, "could not be terminated after it had failed", error);
+            }
+            if (--terminations == 0) {
+                terminated.resolve(null);
+                beginNext();
+            }
             return null;
         });
     }

@@ -129,10 +129,31 @@ class HealthTest {
             assertThat(heard).containsExactly("use a", "lost");
             bench.seconds(1);
             assertThat(heard).containsExactly("use a", "lost", "use a");
-            bench.seconds(1); // well: the pauses begin anew
+            bench.seconds(4); // the pauses begin anew
             a.die("again");
             bench.seconds(1);
             assertThat(heard).containsExactly("use a", "lost", "use a", "lost", "use a");
+        }
+    }
+
+    @Test
+    void providerThatFailsSoonAfterEachGoodCheck_isStartedAgainAfterPausesThatGrow() {
+        try (var bench =
+                new BrokerBench(BrokerSettings.DEFAULT.withRestart(Duration.ofSeconds(1), Duration.ofSeconds(4)))) {
+            var a = bench.offer("player", "a");
+            var heard = bench.connect("robot 1", "player");
+            for (int pauseSeconds : new int[] {1, 2, 4, 4}) {
+                bench.seconds(1); // a good check
+                a.die("power");
+                bench.test.crank();
+                heard.clear();
+                bench.seconds(pauseSeconds - 1);
+                assertThat(heard)
+                        .as("after %d s of %d s", pauseSeconds - 1, pauseSeconds)
+                        .isEmpty();
+                bench.seconds(1);
+                assertThat(heard).as("after %d s", pauseSeconds).containsExactly("use a");
+            }
         }
     }
 

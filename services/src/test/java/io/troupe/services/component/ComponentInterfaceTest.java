@@ -12,10 +12,12 @@ import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.bus.Operation;
 import io.troupe.services.bus.RemoteFailure;
+import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Buffering.WhenFull;
 import io.troupe.services.component.ScriptedComponent.Number;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -292,6 +294,184 @@ class ComponentInterfaceTest {
         assertThat(heard).containsExactly(1);
     }
 
+    @Test
+    void nextLife_beginsWhenTheFailedOneHasBeenTerminated() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = running();
+        test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
+        var first = face.start();
+        var second = face.start();
+        test.crank();
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        test.run(() -> slow.resolve(null));
+        assertThat(first.isDone() && second.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
+        test.get(face.check().thenApply(well -> true));
+    }
+
+    @Test
+    void stopOfAFailedComponent_waitsForItsTermination_andGivesUpTheStartThatWaits() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = running();
+        test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
+        var started = face.start();
+        var stopped = face.stop();
+        assertThat(test.error(started)).hasMessage("here/counter was terminated while it waited to be invoked");
+        assertThat(stopped.isDone()).isFalse();
+        test.run(() -> slow.reject(new IllegalStateException("stuck")));
+        assertThat(stopped.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(notes.take()).contains("counter could not be terminated after it had failed: stuck");
+    }
+
+    @Test
+    void lastWordsThatCannotBePublished_areReported_andTheStopIsSettled() {
+        script.conversion = new ScriptedComponent.Texts() {
+            @Override
+            public List<ApplicationData<?>> toApplication(String output) {
+                return output.equals("bad")
+                        ? List.of(new ApplicationData<>(
+                                new Topic<>("other", Unfit.class), new Unfit(Collections.singletonList(null))))
+                        : super.toApplication(output);
+            }
+        };
+        script.terminate = () -> {
+            script.signals().data("1");
+            script.signals().data("bad");
+            script.signals().data("2");
+            return Promise.done();
+        };
+        var face = running();
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(heard).containsExactly(1, 2);
+        assertThat(notes.take()).anyMatch(note -> note.startsWith("counter could not publish other"));
+        assertThat(face.conversion().losses().refused()).isEqualTo(1);
+    }
+
+    /** With a null among its texts it cannot cross a bus. */
+    record Unfit(List<String> texts) {}
+
+    @Test
+    void errorOfTheInvocation_isAFailure() {
+        script.invoke = () -> {
+            throw new ExceptionInInitializerError("no such library");
+        };
+        var face = open(script.component());
+        assertThat(test.error(face.start())).hasMessage("here/counter has failed: no such library");
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+    }
+
+    @Test
+    void errorOnTheWayToTheInvocation_isAFailure() {
+        var whole = script.component();
+        var face = open(new Component<String, String>(
+                whole.service(),
+                whole.capabilities(),
+                whole.hears(),
+                whole.publishes(),
+                () -> {
+                    throw new NoClassDefFoundError("a/driver");
+                },
+                whole.conversion(),
+                whole.input(),
+                whole.output()));
+        assertThat(test.error(face.start())).hasMessage("here/counter has failed: a/driver");
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+    }
+
+    @Test
+    void invocationThatAnswersNull_isAFailure() {
+        script.invoke = () -> null;
+        var face = open(script.component());
+        assertThat(test.error(face.start())).hasMessageEndingWith("it answered null, expected a promise");
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+    }
+
+    @Test
+    void errorOnData_isAFailure() {
+        var face = running();
+        publish(666, 1);
+        assertThat(test.error(face.check())).hasMessage("here/counter has failed: too deep");
+        assertThat(script.calls).containsExactly("invoke", "666", "terminate");
+    }
+
+    @Test
+    void errorOfAConversion_costsThatValueOnly() {
+        script.conversion = new ScriptedComponent.Texts() {
+            @Override
+            public String toComponent(ApplicationData<?> input) {
+                var text = super.toComponent(input);
+                assertNot(text, "7");
+                return text;
+            }
+
+            @Override
+            public List<ApplicationData<?>> toApplication(String output) {
+                assertNot(output, "8");
+                return super.toApplication(output);
+            }
+
+            private void assertNot(String text, String bad) {
+                if (text.equals(bad)) {
+                    throw new AssertionError(text);
+                }
+            }
+        };
+        var face = running();
+        publish(7, 1);
+        test.run(() -> List.of("8", "2").forEach(each -> script.signals().data(each)));
+        assertThat(script.calls).containsExactly("invoke", "1");
+        assertThat(heard).containsExactly(2);
+        assertThat(face.conversion().losses().refused()).isEqualTo(2);
+    }
+
+    @Test
+    void observerThatThrows_changesNothing() {
+        var throwing = new ComponentObserver() {
+            @Override
+            public void changed(Address component, Lifecycle state) {
+                throw new AssertionError("changed");
+            }
+
+            @Override
+            public void dropped(Address component, ApplicationData<?> lost, long total) {
+                throw new IllegalStateException("dropped");
+            }
+
+            @Override
+            public void problem(Address component, String what, Throwable why) {
+                throw new IllegalStateException("problem");
+            }
+
+            @Override
+            public void told(Address component, String what) {
+                throw new IllegalStateException("told");
+            }
+        };
+        var opened = new ArrayList<ComponentInterface<String, String>>();
+        test.run(() -> opened.add(ComponentInterface.open(bus, "counter", script.component(), throwing)));
+        var face = opened.getFirst();
+        test.get(face.start().thenApply(runs -> true));
+        publish(-1, 1);
+        test.run(() -> script.signals().tell("something"));
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(script.calls).containsExactly("invoke", "1", "terminate");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void failureWithoutAMessage_isNotWell() {
+        var face = running();
+        script.health = () -> Promise.failed(new IllegalStateException(""));
+        assertThat(test.error(new RemoteProvider(user, face.address(), LIMIT).check()))
+                .isInstanceOf(ProviderException.class)
+                .hasMessage("java.lang.IllegalStateException");
+    }
+
     // ---- calls that meet
 
     @Test
@@ -320,6 +500,34 @@ class ComponentInterfaceTest {
         test.run(() -> slow.resolve(null));
         assertThat(stopped.isDone() && started.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
+    }
+
+    @Test
+    void stopDuringAStop_givesUpTheStartThatWaits() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = running();
+        face.stop();
+        var started = face.start();
+        var stopped = face.stop();
+        assertThat(test.error(started)).hasMessage("here/counter was terminated while it waited to be invoked");
+        test.run(() -> slow.resolve(null));
+        assertThat(stopped.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+    }
+
+    @Test
+    void closedInterface_startsNothing_howeverItIsAsked() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = running();
+        test.run(face::close);
+        var overTheBus = ask(Control.INVOKE, new Control.Invoke("user"));
+        assertThat(test.error(face.start())).hasMessage("here/counter has left the bus, expected an open interface");
+        assertThat(test.error(overTheBus)).hasMessageContaining("here/counter has left the bus");
+        test.run(() -> slow.resolve(null));
+        assertThat(script.calls).containsExactly("invoke", "terminate");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
     }
 
     @Test

@@ -21,6 +21,7 @@ final class ScriptedComponent {
     Supplier<Promise<@Nullable Void>> invoke = Promise::done;
     Supplier<Promise<@Nullable Void>> terminate = Promise::done;
     Supplier<Promise<@Nullable Void>> health = Promise::done;
+    Conversion<String, String> conversion = new Texts();
 
     Component<String, String> component() {
         return new Component<>(
@@ -29,7 +30,7 @@ final class ScriptedComponent {
                 List.of(IN),
                 List.of(OUT),
                 Communication::new,
-                new Texts(),
+                conversion,
                 Buffering.STREAM,
                 Buffering.STREAM);
     }
@@ -68,10 +69,13 @@ final class ScriptedComponent {
             if (input.equals("13")) {
                 throw new IllegalStateException("13 is bad luck");
             }
+            if (input.equals("666")) {
+                throw new StackOverflowError("too deep");
+            }
         }
     }
 
-    private static final class Texts implements Conversion<String, String> {
+    static class Texts implements Conversion<String, String> {
         @Override
         public List<ApplicationData<?>> toApplication(String output) {
             return List.of(new ApplicationData<>(OUT, new Number(Integer.parseInt(output))));

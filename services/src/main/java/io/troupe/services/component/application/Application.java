@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * of another its wires do so in one turn of the space.
  * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application: everything that was started is stopped, and then
  * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}. So do two needs that would feed one
- * topic, with an {@link ApplicationException}.
+ * topic, with an {@link ApplicationException}. {@link #replace} and {@link #add} are rejected with one when it is being stopped, or has been.
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
 public final class Application {
@@ -159,6 +159,9 @@ public final class Application {
      * @param by a component of the plan that is not in use
      */
     public Promise<@Nullable Void> replace(String old, String by) {
+        if (ending) {
+            return Promise.failed(over("replaces nothing"));
+        }
         var before = face(old);
         var next = face(by);
         return broker.registered()
@@ -189,10 +192,17 @@ public final class Application {
      * @throws IllegalArgumentException if there is a component of that name
      */
     public Promise<ServiceRecord> add(String name, Component<?, ?> component) {
+        if (ending) {
+            return Promise.failed(over("takes no component " + name));
+        }
         var face = ComponentInterface.open(bus, name, component, settings.components());
         interfaces.put(name, face);
         wiring.know(name, component);
         return broker.register(component.service(), component.capabilities(), face.address(), face);
+    }
+
+    private ApplicationException over(String what) {
+        return new ApplicationException(plan.name() + " has been stopped, and " + what);
     }
 
     /** The interface of a component. */

@@ -50,7 +50,7 @@ final class BehaviourCommunication implements ComponentCommunication<BehaviourIn
         Optional<Velocity> wanted;
         try {
             wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose));
-        } catch (RuntimeException thrown) {
+        } catch (RuntimeException | Error thrown) {
             signals.data(Velocity.STOP); // nobody is left who would
             throw thrown;
         }

@@ -3,85 +3,150 @@ package io.troupe.services.component.kinds;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.broker.ProviderException;
 import io.troupe.services.component.ComponentCommunication;
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
+import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The CCU of a process of the operating system.
  *
- * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what it is told; the actor space never waits for the process.
+ * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what is sent to it, one waits for its end, and one ends it. The actor space
+ * never waits for the process, and neither does the common pool: {@link Process#onExit} would, and blocks it while a process that has outlived its parent holds the pipe.
  */
 final class ExternalProcess implements ComponentCommunication<String, String> {
+    /** A longer line is cut here. */
+    static final int LONGEST_LINE_CHARACTERS = 65_536;
+
+    /** Killed processes end at once, unless the system cannot end them. */
+    private static final Duration KILL_LIMIT = Duration.ofSeconds(10);
+
+    /** Starts the program. */
+    interface Starter {
+        ProcessTree start(ProcessComponent.Settings settings) throws IOException;
+    }
+
     private final ProcessComponent.Settings settings;
+    private final Starter starter;
+    private final Duration killLimit;
     private final Tail errors = new Tail();
     private final BlockingQueue<String> input = new LinkedBlockingQueue<>(1024);
     private final CompletableFuture<@Nullable Void> firstLine = new CompletableFuture<>();
-    private @Nullable Process process;
+
+    /** Completed when the process has ended, and those that it had started as well. */
+    private final CompletableFuture<@Nullable Void> over = new CompletableFuture<>();
+
+    private final Thread atShutdown;
+    private volatile @Nullable ProcessTree tree;
     private volatile boolean ending;
+    private @Nullable CompletableFuture<@Nullable Void> end; // guarded by this
 
     ExternalProcess(ProcessComponent.Settings settings) {
+        this(settings, ProcessTree::start, KILL_LIMIT);
+    }
+
+    ExternalProcess(ProcessComponent.Settings settings, Starter starter, Duration killLimit) {
         this.settings = settings;
+        this.starter = starter;
+        this.killLimit = killLimit;
+        this.atShutdown =
+                new Thread(this::endAtShutdown, "end of " + settings.command().getFirst());
     }
 
     @Override
     public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
-        Process begun;
+        Runtime.getRuntime().addShutdownHook(atShutdown); // Ctrl-C in a terminal does not reach other sessions
+        ProcessTree begun;
         try {
-            begun = new ProcessBuilder(settings.command())
-                    .directory(settings.directory().toFile())
-                    .start();
+            begun = starter.start(settings);
         } catch (IOException e) {
+            forgetShutdown();
             return Promise.failed(new ProviderException(
                     words() + " cannot be started: "
                             + String.valueOf(e.getMessage()).strip(),
                     e));
         }
-        process = begun;
-        signals.tell("process " + begun.pid() + ": " + words());
-        Thread readErrors = thread("stderr", () -> read(begun.getErrorStream(), errors::add));
+        tree = begun;
+        Process process = begun.root();
+        signals.tell("process " + process.pid() + ": " + words());
+        Thread readErrors = thread("stderr", () -> read(process.getErrorStream(), "error", signals, errors::add));
         Thread readOutput = thread(
                 "stdout",
-                () -> read(begun.getInputStream(), line -> {
+                () -> read(process.getInputStream(), "output", signals, line -> {
                     firstLine.complete(null);
                     signals.data(line);
                 }));
-        thread("stdin", () -> write(begun, signals));
-        begun.onExit().thenRunAsync(() -> ended(begun, signals, readErrors, readOutput), task -> thread("exit", task));
+        thread("stdin", () -> write(process, signals));
+        thread("exit", () -> awaitExit(begun, signals, readErrors, readOutput));
         return Promise.from(firstLine
-                .orTimeout(settings.startLimit().toMillis(), TimeUnit.MILLISECONDS)
-                .exceptionally(error -> {
-                    throw error instanceof ProviderException said
-                            ? said
-                            : new ProviderException(words() + " has written no line in " + settings.startLimit()
-                                    + ", expected one when it is ready" + said());
-                }));
+                .orTimeout(TimeUnit.MILLISECONDS.convert(settings.startLimit()), TimeUnit.MILLISECONDS)
+                .exceptionallyCompose(
+                        error -> error instanceof TimeoutException ? giveUp() : CompletableFuture.failedFuture(error)));
     }
 
-    private void ended(Process past, Signals<?> signals, Thread... readers) {
+    /** Fails when the process has been ended: what is started instead must not run beside it. */
+    private CompletableFuture<@Nullable Void> giveUp() {
+        ending = true;
+        return end().handle((ended, left) -> {
+            var why = new ProviderException(words() + " has written no line in " + settings.startLimit()
+                    + ", expected one when it is ready" + said());
+            if (left != null) {
+                why.addSuppressed(left);
+            }
+            throw why;
+        });
+    }
+
+    private void awaitExit(ProcessTree ofProgram, Signals<?> signals, Thread... readers) {
+        int status;
+        try {
+            status = ofProgram.root().waitFor();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return;
+        }
+        var orphans = ofProgram.alive();
+        if (!orphans.isEmpty() && !ending) {
+            signals.tell(words() + " has ended with status " + status
+                    + ", before processes that it had started; these are ended too: " + named(orphans));
+        }
+        end().handle((ended, left) -> null).join(); // what it left is reported by whoever terminates the component
         for (Thread reader : readers) {
-            try {
-                reader.join(settings.stopLimit()); // its last words; a child of the process may keep the pipe open
-            } catch (InterruptedException e) {
-                Thread.currentThread().interrupt();
+            join(reader); // for its last lines
+            if (reader.isAlive()) {
+                signals.tell(words() + " has ended, but a process outside its session keeps its " + reader.getName()
+                        + " open");
             }
         }
-        var why = new ProviderException(words() + " ended with status " + past.exitValue() + said());
+        forgetShutdown();
+        var why = new ProviderException(words() + " ended with status " + status + said());
         firstLine.completeExceptionally(why);
         tellUnwritten(signals);
+        over.complete(null);
         if (!ending) {
             signals.failed(why);
+        }
+    }
+
+    private void join(Thread reader) {
+        try {
+            reader.join(settings.stopLimit());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 
@@ -101,13 +166,51 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                 .start(work);
     }
 
-    private void read(InputStream stream, Consumer<String> lines) {
-        try (var reader = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
-            for (String line = reader.readLine(); line != null; line = reader.readLine()) {
-                lines.accept(line);
-            }
+    private void read(InputStream stream, String what, Signals<?> signals, Consumer<String> lines) {
+        try (var reader = new InputStreamReader(stream, StandardCharsets.UTF_8)) {
+            readLines(
+                    reader,
+                    lines,
+                    () -> signals.tell(words() + " wrote a line of more than " + LONGEST_LINE_CHARACTERS
+                            + " characters to its standard " + what + "; the rest of the line is lost"));
         } catch (IOException broken) {
             errors.add("(" + broken.getMessage() + ")");
+        }
+    }
+
+    /** As {@link java.io.BufferedReader#readLine} divides text, but a line that does not end takes no more memory than a long one. */
+    private static void readLines(Reader from, Consumer<String> lines, Runnable cut) throws IOException {
+        var line = new StringBuilder();
+        boolean skipping = false;
+        boolean afterReturn = false;
+        char[] chunk = new char[8192];
+        for (int count = from.read(chunk); count >= 0; count = from.read(chunk)) {
+            for (int i = 0; i < count; i++) {
+                char c = chunk[i];
+                boolean endsPair = c == '\n' && afterReturn;
+                afterReturn = c == '\r';
+                if (endsPair) {
+                    continue;
+                }
+                if (c == '\n' || c == '\r') {
+                    if (!skipping) {
+                        lines.accept(line.toString());
+                    }
+                    line.setLength(0);
+                    skipping = false;
+                } else if (!skipping && line.length() == LONGEST_LINE_CHARACTERS) {
+                    skipping = true;
+                    boolean splitsCharacter = Character.isLowSurrogate(c);
+                    lines.accept(line.substring(0, line.length() - (splitsCharacter ? 1 : 0)));
+                    line.setLength(0);
+                    cut.run();
+                } else if (!skipping) {
+                    line.append(c);
+                }
+            }
+        }
+        if (!line.isEmpty()) {
+            lines.accept(line.toString());
         }
     }
 
@@ -144,36 +247,70 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
+    /**
+     * Ends the process and those that it has started. Rejected with what is left if some are alive {@link #KILL_LIMIT} after they were killed; the next call tries again.
+     */
     @Override
     public Promise<@Nullable Void> terminate() {
         ending = true;
-        Process past = process;
-        if (past == null || !past.isAlive()) {
-            return Promise.done();
-        }
-        List<ProcessHandle> family =
-                new ArrayList<>(past.descendants().toList()); // those of a script that starts programs
-        family.add(past.toHandle());
-        family.forEach(ProcessHandle::destroy);
-        return Promise.from(ends(family)
-                .orTimeout(settings.stopLimit().toMillis(), TimeUnit.MILLISECONDS)
-                .exceptionallyCompose(deaf -> {
-                    family.forEach(ProcessHandle::destroyForcibly);
-                    return ends(family);
-                }));
+        return tree == null ? Promise.done() : Promise.from(end());
     }
 
-    private static CompletableFuture<@Nullable Void> ends(List<ProcessHandle> family) {
-        return CompletableFuture.allOf(
-                        family.stream().map(ProcessHandle::onExit).toArray(CompletableFuture<?>[]::new))
-                .thenApply(gone -> null);
+    private void endAtShutdown() {
+        ending = true;
+        if (tree != null) {
+            end().handle((ended, left) -> null).join();
+        }
+    }
+
+    private void forgetShutdown() {
+        try {
+            Runtime.getRuntime().removeShutdownHook(atShutdown);
+        } catch (IllegalStateException shuttingDown) {
+            // it runs already
+        }
+    }
+
+    private synchronized CompletableFuture<@Nullable Void> end() {
+        ProcessTree past = Objects.requireNonNull(tree);
+        if (end == null || end.isCompletedExceptionally()) {
+            var now = new CompletableFuture<@Nullable Void>();
+            end = now;
+            thread("end", () -> end(past, now));
+        }
+        return end;
+    }
+
+    private void end(ProcessTree past, CompletableFuture<@Nullable Void> ended) {
+        try {
+            var left = past.end(settings.stopLimit(), killLimit);
+            if (left.isEmpty()) {
+                ended.complete(null);
+            } else {
+                ended.completeExceptionally(new ProviderException(words() + " was killed, and " + killLimit
+                        + " later some of its processes are still alive: " + named(left)));
+            }
+        } catch (RuntimeException | Error failure) {
+            ended.completeExceptionally(failure);
+        }
+    }
+
+    private static String named(List<ProcessHandle> processes) {
+        return processes.stream()
+                .map(each -> each.pid()
+                        + each.info().command().map(name -> " (" + name + ")").orElse(""))
+                .collect(Collectors.joining(", "));
     }
 
     @Override
     public Promise<@Nullable Void> health() {
-        Process asked = process;
-        return asked != null && asked.isAlive()
-                ? Promise.done()
-                : Promise.failed(new ProviderException(words() + " does not run" + said()));
+        ProcessTree asked = tree;
+        if (asked != null && asked.root().isAlive()) {
+            return Promise.done();
+        }
+        // not before the processes that it had started have ended: a broker starts another in its place
+        return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : over).thenApply(ended -> {
+            throw new ProviderException(words() + " does not run" + said());
+        }));
     }
 }

@@ -14,9 +14,12 @@ import java.util.List;
  *
  * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its standard output, and is ended, with the processes that it has started, as the system does that. Data
  * signals are lines of text: under the name {@code c} it hears {@code c/in} on its standard input, and each line of its standard output is said as
- * {@code c/out}.
- * <p><b>Errors.</b> It has failed when it ends by itself; the error has its exit status and the end of what it wrote to its standard error. What it moved over a
- * connection of its own is for the server to stop: ours does when nobody has the robot open any more.
+ * {@code c/out}, cut after 65,536 characters.
+ * <p><b>Processes.</b> On Linux, where there is the command {@code setsid}, the program leads a session, without a terminal, and every process of the session ends with it: when it is terminated, when it ends
+ * by itself, and when this virtual machine ends. One that opens a session itself, as a daemon does, lives on if its parent has ended, and so do, where there is no {@code setsid}, processes whose parent has ended.
+ * <p><b>Errors.</b> It has failed when it ends by itself, which is reported when the processes that it had started have ended, too; the error has its exit status and the end of what it wrote to its standard
+ * error. A termination is rejected with the processes that are left if some are alive 10 s after they were killed. What it moved over a connection of its own is for the server to stop: ours does when nobody
+ * has the robot open any more.
  * <p><b>Source.</b> Paper, section 2.1.1: packages may be built in different programming languages.
  */
 public final class ProcessComponent {
@@ -29,7 +32,7 @@ public final class ProcessComponent {
      * @param command the program and its arguments
      * @param directory where it runs
      * @param startLimit how long it may take to its first line
-     * @param stopLimit how long it may take to end when it is asked to, before it is made to
+     * @param stopLimit how long it may take to end when it is asked to, before it is killed
      */
     public record Settings(List<String> command, Path directory, Duration startLimit, Duration stopLimit) {
         public Settings {

@@ -143,6 +143,25 @@ class ApplicationTest {
     }
 
     @Test
+    void stoppedApplication_refusesChanges() {
+        start(plan(TWO_ROBOTS));
+        test.get(application.started().thenApply(runs -> true));
+        test.get(application.stop().thenApply(ended -> true));
+        var component = BehaviourComponent.of("late", "driving", List.of(), () -> senses -> Optional.empty());
+        var refusals = new ArrayList<Throwable>();
+        test.run(() -> application.add("late", component).handle((added, error) -> refusals.add(error)));
+        assertThat(refusals.getFirst())
+                .isInstanceOf(ApplicationException.class)
+                .hasMessage("two-robots has been stopped, and takes no component late");
+        assertThat(test.error(application.replace("follower", "idle")))
+                .isInstanceOf(ApplicationException.class)
+                .hasMessage("two-robots has been stopped, and replaces nothing");
+        var face = application.face("follower");
+        assertThat(test.error(face.start())).hasMessageContaining("here/follower has left the bus");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
     void missingService_endsTheApplicationCleanly_andOneLineSaysAll() {
         start(plan(TWO_ROBOTS.replace("service wallFollower", "service wallFolower")));
         var error = test.error(application.started());

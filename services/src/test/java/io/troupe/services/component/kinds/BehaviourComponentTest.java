@@ -125,6 +125,16 @@ class BehaviourComponentTest {
     }
 
     @Test
+    void lawThatEndsInAnError_standsStill_andTheComponentHasFailed() {
+        var face = start(() -> senses -> {
+            throw new StackOverflowError("too deep");
+        });
+        ranges(0.1, 5);
+        assertThat(velocities).containsExactly(Velocity.STOP);
+        assertThat(test.error(face.check())).hasMessage("here/driver has failed: too deep");
+    }
+
+    @Test
     void ringWithTooFewSonars_isRefused_andTheBehaviourGoesOn() {
         start(() -> senses -> Optional.of(new Velocity(0.1, 0)));
         test.run(() -> user.publish(RobotTopics.sonar("driver"), new SonarReading(0.1, List.of(1.0))));

@@ -19,8 +19,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -29,9 +31,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Real processes, so real threads and real time; every wait has an end that the process brings about. */
-@Timeout(60)
+@Timeout(120)
 class ExternalProcessTest {
-    private static final Duration PATIENCE = Duration.ofSeconds(20);
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration SHORT = Duration.ofMillis(200);
     private static final Path SHELL = Path.of("/bin/sh");
 
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("processes"));
@@ -44,34 +47,64 @@ class ExternalProcessTest {
     private Path directory;
 
     @BeforeEach
-    void aShellIsThere() {
+    void aShellIsThere() throws Exception {
         assumeTrue(Files.isExecutable(SHELL), "there is no " + SHELL + " on this machine");
+        Files.createFile(directory.resolve("empty"));
     }
 
     @AfterEach
-    void nothingIsLeft() throws Exception {
+    void nothingIsLeft() {
         bus.close();
         space.close();
-        for (var process : ProcessHandle.current().children().toList()) {
-            process.onExit().get(20, TimeUnit.SECONDS); // one that nobody ends fails the test here
+        var left = alive();
+        left.forEach(ProcessHandle::destroyForcibly);
+        assertThat(left).as("processes left").isEmpty();
+    }
+
+    /** The processes of this test, which have its directory among their arguments. One that has ended has none, collected or not. */
+    private List<ProcessHandle> alive() {
+        return ProcessHandle.allProcesses()
+                .filter(each -> each.info().commandLine().orElse("").contains(directory.toString()))
+                .toList();
+    }
+
+    private boolean isAlive(String pid) {
+        return alive().stream().anyMatch(each -> String.valueOf(each.pid()).equals(pid));
+    }
+
+    /** A process has no command line for a moment when it becomes another program. */
+    private void awaitAlive(String pid) throws InterruptedException {
+        while (!isAlive(pid)) {
+            Thread.sleep(1);
         }
     }
 
-    private ComponentInterface<?, ?> open(Duration startLimit, String... command) throws Exception {
+    private ComponentInterface<?, ?> open(Duration startLimit, Duration stopLimit, String... command) throws Exception {
         var component = ProcessComponent.of(
                 "script",
                 "scripting",
-                new ProcessComponent.Settings(List.of(command), directory, startLimit, Duration.ofMillis(200)));
+                new ProcessComponent.Settings(List.of(command), directory, startLimit, stopLimit));
         var opened = new CompletableFuture<ComponentInterface<?, ?>>();
         space.execute(() -> {
             user.subscribe(ProcessComponent.output("script"), (line, from) -> lines.add(line.text()));
             opened.complete(ComponentInterface.open(bus, "script", component, notes));
         });
-        return opened.get(20, TimeUnit.SECONDS);
+        return opened.get(60, TimeUnit.SECONDS);
     }
 
+    private ComponentInterface<?, ?> shell(Duration startLimit, Duration stopLimit, String script) throws Exception {
+        return open(
+                startLimit,
+                stopLimit,
+                SHELL.toString(),
+                "-c",
+                script.replace("SLEEP", "tail -f " + directory.resolve("empty")),
+                directory.toString());
+    }
+
+    /** A script that ends when it is asked to. */
     private ComponentInterface<?, ?> shell(String script) throws Exception {
-        return open(PATIENCE, SHELL.toString(), "-c", script);
+        return shell(PATIENCE, PATIENCE, script);
     }
 
     private static @Nullable Void done(Promise<@Nullable Void> promise) throws Exception {
@@ -79,7 +112,7 @@ class ExternalProcessTest {
     }
 
     private String line() throws InterruptedException {
-        return String.valueOf(lines.poll(20, TimeUnit.SECONDS));
+        return String.valueOf(lines.poll(60, TimeUnit.SECONDS));
     }
 
     @Test
@@ -118,7 +151,7 @@ class ExternalProcessTest {
 
     @Test
     void programThatDoesNotExist_isNamed() throws Exception {
-        var face = open(PATIENCE, "no-such-program-anywhere");
+        var face = open(PATIENCE, PATIENCE, "no-such-program-anywhere");
         assertThatThrownBy(() -> done(face.start()))
                 .hasMessageContaining("\"no-such-program-anywhere\" cannot be started")
                 .message()
@@ -126,33 +159,138 @@ class ExternalProcessTest {
     }
 
     @Test
-    void processThatSaysNothing_isGivenUp_andEnded() throws Exception {
-        var face = open(Duration.ofMillis(50), SHELL.toString(), "-c", "exec sleep 1000");
+    void processThatSaysNothing_isGivenUp_whenItHasEnded() throws Exception {
+        var face = shell(SHORT, SHORT, "trap '' TERM; SLEEP; SLEEP");
         assertThatThrownBy(() -> done(face.start()))
-                .hasMessageContaining("has written no line in PT0.05S, expected one when it is ready");
+                .hasMessageContaining("has written no line in PT0.2S, expected one when it is ready");
+        assertThat(alive()).as("processes beside what is started instead").isEmpty();
     }
 
     @Test
-    void processThatIsDeafToTermination_isMadeToEnd() throws Exception {
-        var face = shell("trap '' TERM; echo ready; while :; do sleep 0.05; done");
+    void startLimitOfEver_isNoError() throws Exception {
+        var face = shell(Duration.ofSeconds(Long.MAX_VALUE), Duration.ofSeconds(Long.MAX_VALUE), "echo ready; SLEEP");
         done(face.start());
         done(face.stop());
-        done(face.start());
-        done(face.stop());
+    }
+
+    @Test
+    void processThatIsDeafToTermination_isKilled() throws Exception {
+        var face = shell(PATIENCE, SHORT, "trap '' TERM; echo $$; while :; do SLEEP; done");
+        for (int life = 0; life < 2; life++) {
+            done(face.start());
+            var pid = line();
+            awaitAlive(pid);
+            done(face.stop());
+            assertThat(isAlive(pid)).as("process %s has ended", pid).isFalse();
+        }
     }
 
     @Test
     void programThatAScriptHasStarted_endsWithIt() throws Exception {
-        var face = shell("sleep 1000 & echo $!; wait");
+        var face = shell("SLEEP & echo $!; wait");
         done(face.start());
-        var started = ProcessHandle.of(Long.parseLong(line())).orElseThrow();
+        var started = line();
+        awaitAlive(started);
         done(face.stop());
-        assertThat(started.isAlive()).isFalse();
+        assertThat(isAlive(started)).isFalse();
+    }
+
+    @Test
+    void programThatAScriptStartsAgainWhenItIsTerminated_endsWithIt() throws Exception {
+        var face = shell(PATIENCE, SHORT, "trap : TERM; while :; do SLEEP & echo $!; wait $!; done");
+        done(face.start());
+        line();
+        done(face.stop());
+        assertThat(alive()).isEmpty();
+    }
+
+    @Test
+    void processThatEndsBeforeItsChild_hasFailed_whenTheChildHasEnded() throws Exception {
+        assumeSessions();
+        var face = shell("SLEEP & echo $!; read line; exit 7");
+        done(face.start());
+        var child = line();
+        awaitAlive(child);
+        var livesBesideTheNext = face.whenEnded().handle((ended, error) -> isAlive(child));
+        user.publish(ProcessComponent.input("script"), new TextLine("go"));
+        assertThat(livesBesideTheNext.get(PATIENCE)).isFalse();
+        assertThatThrownBy(() -> done(face.check())).hasMessageContaining("ended with status 7");
+        awaitNote("has ended with status 7, before processes that it had started; these are ended too: " + child);
+    }
+
+    @Test
+    void healthOfAProcessThatHasEnded_isAnsweredWhenItsDeafChildHasEnded() throws Exception {
+        assumeSessions();
+        var face = shell(PATIENCE, SHORT, "(trap '' TERM; exec SLEEP) & echo $!; read line; exit 7");
+        done(face.start());
+        var child = line();
+        awaitAlive(child);
+        user.publish(ProcessComponent.input("script"), new TextLine("go"));
+        while (face.check().handle((well, error) -> error == null).get(PATIENCE)) {
+            Thread.sleep(1);
+        }
+        assertThat(isAlive(child)).isFalse();
+    }
+
+    /** Else a process whose parent has ended is not found. */
+    private static void assumeSessions() {
+        boolean found =
+                Stream.of("/usr/bin/setsid", "/bin/setsid").map(Path::of).anyMatch(Files::isExecutable);
+        assumeTrue(found && Files.isReadable(Path.of("/proc/self/stat")), "there is no setsid on this machine");
+    }
+
+    @Test
+    void readersEnd_withTheChildThatHoldsTheirPipes() throws Exception {
+        assumeSessions();
+        var face = shell("SLEEP & echo $!; read line; exit 7");
+        done(face.start());
+        user.publish(ProcessComponent.input("script"), new TextLine("go"));
+        awaitNote("script has failed");
+        while (Thread.getAllStackTraces().keySet().stream()
+                .map(Thread::getName)
+                .anyMatch(name -> name.matches("std(out|err) of " + SHELL))) {
+            Thread.sleep(1);
+        }
+        assertThatThrownBy(() -> done(face.check())).hasMessageContaining("ended with status 7");
+    }
+
+    @Test
+    void processThatStartsAnotherWhenItIsTerminated_endsWithIt_andTheCommonPoolIsFree() throws Exception {
+        var face = shell(PATIENCE, SHORT, "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait");
+        for (int life = 0; life < 4; life++) {
+            done(face.start());
+            done(face.stop());
+        }
+        for (int task = 0; task < ForkJoinPool.getCommonPoolParallelism(); task++) {
+            assertThat(ForkJoinPool.commonPool().submit(() -> "done").get(60, TimeUnit.SECONDS))
+                    .isEqualTo("done");
+        }
+        assertThat(alive()).isEmpty();
+    }
+
+    @Test
+    void lineThatDoesNotEnd_isCut_andThisIsReported() throws Exception {
+        int longest = ExternalProcess.LONGEST_LINE_CHARACTERS;
+        var face = shell("echo ready; head -c " + longest + " /dev/zero | tr '\\0' x; echo;"
+                + " head -c 1000000 /dev/zero | tr '\\0' y; echo; echo last; SLEEP");
+        done(face.start());
+        assertThat(line()).isEqualTo("ready");
+        assertThat(line()).isEqualTo("x".repeat(longest));
+        assertThat(line()).isEqualTo("y".repeat(longest));
+        assertThat(line()).isEqualTo("last");
+        assertThat(notes.take())
+                .filteredOn(note -> note.contains("a line of more than"))
+                .hasSize(1)
+                .first()
+                .asString()
+                .endsWith(" wrote a line of more than 65536 characters to its standard output; the rest of the line is"
+                        + " lost");
+        done(face.stop());
     }
 
     @Test
     void linesThatAProcessDoesNotRead_areTold() throws Exception {
-        var face = shell("exec <&-; echo ready; exec sleep 1000");
+        var face = shell("exec <&-; echo ready; exec SLEEP");
         done(face.start());
         assertThat(line()).isEqualTo("ready");
         user.publish(ProcessComponent.input("script"), new TextLine("one"));
@@ -163,9 +301,9 @@ class ExternalProcessTest {
         awaitNote("1 lines for");
     }
 
-    private void awaitNote(String text) {
+    private void awaitNote(String text) throws InterruptedException {
         while (notes.take().stream().noneMatch(note -> note.contains(text))) {
-            Thread.onSpinWait();
+            Thread.sleep(1);
         }
     }
 
@@ -174,7 +312,7 @@ class ExternalProcessTest {
         for (int turn = 0; turn < 3; turn++) {
             var over = new CompletableFuture<Boolean>();
             space.execute(() -> over.complete(true));
-            over.get(20, TimeUnit.SECONDS);
+            over.get(60, TimeUnit.SECONDS);
         }
     }
 }

@@ -1,0 +1,183 @@
+package io.troupe.services.component.kinds;
+
+import io.troupe.actor.time.Clock;
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A program and the processes that it has started.
+ *
+ * <p><b>Role.</b> On Linux, where there is the command {@code setsid}, the program leads a session: all processes of the session belong to it, also after their parents
+ * have ended. Elsewhere its descendants belong to it, and these are found only while their parents live. A process that opens a session itself is found while its parent lives.
+ * <p><b>Threads.</b> Any. It reads the process table, so it is not for an actor space.
+ */
+final class ProcessTree {
+    private static final Path PROCESS_TABLE = Path.of("/proc");
+    private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
+    private static final long LONGEST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+
+    /** A line of the process table of Linux; zombies, which only wait for their parents to notice their end, are left out. */
+    private record Entry(long pid, long parent, long session) {}
+
+    private final Process root;
+    private final boolean leadsSession;
+    private final Set<ProcessHandle> known = new LinkedHashSet<>(); // guarded by this
+
+    private ProcessTree(Process root, boolean leadsSession) {
+        this.root = root;
+        this.leadsSession = leadsSession;
+    }
+
+    /** Starts a program, in a session if this machine can. */
+    static ProcessTree start(ProcessComponent.Settings settings) throws IOException {
+        boolean hasTable = Files.isReadable(PROCESS_TABLE.resolve("self/stat"));
+        return start(settings, hasTable ? onPath("setsid").orElse(null) : null);
+    }
+
+    /** Starts a program, in a session if there is a {@code setsid}. */
+    static ProcessTree start(ProcessComponent.Settings settings, @Nullable Path setsid) throws IOException {
+        List<String> command = new ArrayList<>(settings.command());
+        // setsid would report a missing program by an exit status only, ProcessBuilder says what is wrong
+        boolean session = setsid != null && isProgram(command.getFirst(), settings.directory());
+        if (session) {
+            command.addFirst(setsid.toString());
+        }
+        var builder = new ProcessBuilder(command).directory(settings.directory().toFile());
+        return new ProcessTree(builder.start(), session);
+    }
+
+    private static boolean isProgram(String name, Path directory) {
+        return name.contains(File.separator)
+                ? Files.isExecutable(directory.resolve(name))
+                : onPath(name).isPresent();
+    }
+
+    private static Optional<Path> onPath(String program) {
+        String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
+        return List.of(path.split(File.pathSeparator)).stream()
+                .map(directory -> Path.of(directory, program))
+                .filter(file -> Files.isRegularFile(file) && Files.isExecutable(file))
+                .findFirst();
+    }
+
+    /** The program itself. */
+    Process root() {
+        return root;
+    }
+
+    /** One more process that belongs to it. */
+    synchronized void add(ProcessHandle process) {
+        known.add(process);
+    }
+
+    /** Its processes that have not ended. */
+    synchronized List<ProcessHandle> alive() {
+        if (root.isAlive()) {
+            known.add(root.toHandle());
+        }
+        if (leadsSession) {
+            known.addAll(inSession());
+        } else {
+            List.copyOf(known).forEach(each -> each.descendants().forEach(known::add));
+        }
+        known.removeIf(each -> each.pid() == root.pid() ? !root.isAlive() : !isAlive(each));
+        return List.copyOf(known);
+    }
+
+    /** Those in the session, and all that descend from them or from a known one. */
+    private List<ProcessHandle> inSession() {
+        List<Entry> others = new ArrayList<>(entries());
+        Set<Long> members = new HashSet<>();
+        known.forEach(each -> members.add(each.pid()));
+        Set<Long> found = new LinkedHashSet<>();
+        boolean grows = true;
+        while (grows) {
+            grows = false;
+            for (var each : List.copyOf(others)) {
+                if (each.session() == root.pid() || members.contains(each.parent())) {
+                    others.remove(each);
+                    members.add(each.pid());
+                    found.add(each.pid());
+                    grows = true;
+                }
+            }
+        }
+        return found.stream().map(ProcessHandle::of).flatMap(Optional::stream).toList();
+    }
+
+    private static List<Entry> entries() {
+        List<Entry> entries = new ArrayList<>();
+        try (var directories = Files.newDirectoryStream(PROCESS_TABLE, "[0-9]*")) {
+            for (var directory : directories) {
+                entry(directory.getFileName().toString()).ifPresent(entries::add);
+            }
+        } catch (IOException | DirectoryIteratorException unreadable) {
+            return List.of(); // the known ones remain
+        }
+        return entries;
+    }
+
+    /** Empty if it has ended. */
+    private static Optional<Entry> entry(String pid) {
+        String line;
+        try {
+            byte[] bytes = Files.readAllBytes(PROCESS_TABLE.resolve(pid).resolve("stat"));
+            line = new String(bytes, StandardCharsets.ISO_8859_1);
+        } catch (IOException gone) {
+            return Optional.empty();
+        }
+        String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" "); // a name may have blanks and brackets
+        boolean over = fields[0].equals("Z") || fields[0].equals("X");
+        return over
+                ? Optional.empty()
+                : Optional.of(new Entry(Long.parseLong(pid), Long.parseLong(fields[1]), Long.parseLong(fields[3])));
+    }
+
+    private boolean isAlive(ProcessHandle process) {
+        return process.isAlive()
+                && (!leadsSession || entry(String.valueOf(process.pid())).isPresent());
+    }
+
+    /**
+     * Asks all to end, and kills those that have not ended within the limit. Blocks.
+     *
+     * @param killLimit how long those that were killed are waited for
+     * @return those that are still alive; empty as a rule
+     */
+    List<ProcessHandle> end(Duration limit, Duration killLimit) {
+        alive().forEach(ProcessHandle::destroy);
+        var deaf = awaitEnd(limit, each -> {});
+        return deaf.isEmpty() ? deaf : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
+    }
+
+    /** Looks again and again, since what lives may start others meanwhile. */
+    private List<ProcessHandle> awaitEnd(Duration limit, Consumer<ProcessHandle> toEach) {
+        long limitNanos = TimeUnit.NANOSECONDS.convert(limit);
+        long begunNanos = Clock.system().nanos();
+        long pauseNanos = FIRST_PAUSE_NANOS;
+        while (true) {
+            var left = alive();
+            if (left.isEmpty() || Clock.system().nanos() - begunNanos >= limitNanos) {
+                return left;
+            }
+            left.forEach(toEach);
+            LockSupport.parkNanos(pauseNanos);
+            pauseNanos = Math.min(2 * pauseNanos, LONGEST_PAUSE_NANOS);
+        }
+    }
+}

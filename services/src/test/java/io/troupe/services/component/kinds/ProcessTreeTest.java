@@ -1,0 +1,189 @@
+package io.troupe.services.component.kinds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.troupe.services.broker.ProviderException;
+import io.troupe.services.component.ComponentCommunication;
+import java.lang.reflect.Proxy;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Real processes; every wait has an end that a process brings about. */
+@Timeout(120)
+class ProcessTreeTest {
+    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration SHORT = Duration.ofMillis(50);
+    private static final Path SHELL = Path.of("/bin/sh");
+
+    @TempDir
+    private Path directory;
+
+    /** Ends a virtual machine in which a process runs, as Ctrl-C does; its first line is the number of that process. */
+    static final class Machine {
+        private Machine() {}
+
+        public static void main(String[] arguments) throws Exception {
+            var process = new ExternalProcess(shell(Path.of("."), PATIENCE, "echo ready; exec sleep 1000"));
+            var started = process.invoke(new Silent() {
+                @Override
+                public void tell(String what) {
+                    System.out.println(what.split("[ :]+")[1]);
+                }
+            });
+            started.get(PATIENCE);
+            System.exit(0);
+        }
+    }
+
+    private static class Silent implements ComponentCommunication.Signals<String> {
+        @Override
+        public void data(String line) {}
+
+        @Override
+        public void failed(Throwable why) {}
+
+        @Override
+        public void tell(String what) {}
+    }
+
+    @BeforeEach
+    void aShellIsThere() {
+        assumeTrue(Files.isExecutable(SHELL), "there is no " + SHELL + " on this machine");
+    }
+
+    private static ProcessComponent.Settings shell(Path directory, Duration stopLimit, String script) {
+        return new ProcessComponent.Settings(List.of(SHELL.toString(), "-c", script), directory, PATIENCE, stopLimit);
+    }
+
+    private static ProcessHandle firstLine(ProcessTree tree) throws Exception {
+        var reader = tree.root().inputReader(StandardCharsets.UTF_8);
+        return ProcessHandle.of(Long.parseLong(reader.readLine())).orElseThrow();
+    }
+
+    @Test
+    void withoutSessions_descendantsEndWithTheProgram() throws Exception {
+        var tree = ProcessTree.start(shell(directory, PATIENCE, "sleep 1000 & echo $!; wait"), null);
+        try {
+            var child = firstLine(tree);
+            assertThat(tree.alive()).containsExactlyInAnyOrder(tree.root().toHandle(), child);
+        } finally {
+            assertThat(tree.end(PATIENCE, PATIENCE)).isEmpty();
+        }
+        assertThat(tree.root().isAlive()).isFalse();
+        assertThat(tree.alive()).isEmpty();
+    }
+
+    @Test
+    void session_hasTheProcessesWhoseParentsHaveEnded() throws Exception {
+        assumeTrue(hasSessions(), "there is no setsid on this machine");
+        var tree = ProcessTree.start(shell(directory, PATIENCE, "sh -c 'sleep 1000 & echo $!'; exec sleep 1000"));
+        ProcessHandle orphan;
+        try {
+            orphan = firstLine(tree);
+            while (orphan.parent().map(ProcessHandle::pid).orElse(0L)
+                            == tree.root().pid()
+                    || tree.alive().size() > 2) {
+                Thread.sleep(1);
+            }
+            assertThat(tree.alive()).containsExactlyInAnyOrder(tree.root().toHandle(), orphan);
+        } finally {
+            assertThat(tree.end(PATIENCE, PATIENCE)).isEmpty();
+        }
+    }
+
+    /** In a container nothing may collect them. */
+    @Test
+    void zombie_isNotAlive() throws Exception {
+        assumeTrue(hasSessions(), "there is no setsid on this machine");
+        var tree = ProcessTree.start(shell(directory, PATIENCE, "sleep 1000 & echo $!; exec sleep 1000"));
+        try {
+            var child = firstLine(tree);
+            child.destroyForcibly();
+            while (!Files.readString(Path.of("/proc/" + child.pid() + "/stat")).contains(") Z ")) {
+                Thread.sleep(1);
+            }
+            assertThat(child.isAlive()).as("what the machine says").isTrue();
+            assertThat(tree.alive()).containsExactly(tree.root().toHandle());
+        } finally {
+            assertThat(tree.end(PATIENCE, PATIENCE)).isEmpty();
+        }
+    }
+
+    @Test
+    void processThatCannotBeKilled_isReported_andTheNextTerminationTriesAgain() throws Exception {
+        var kills = new AtomicInteger();
+        var process = new ExternalProcess(
+                shell(directory, SHORT, "echo ready; exec sleep 1000"),
+                settings -> {
+                    var tree = ProcessTree.start(settings, null);
+                    tree.add(immortal(kills));
+                    return tree;
+                },
+                SHORT);
+        process.invoke(new Silent()).get(PATIENCE);
+        assertThatThrownBy(() -> process.terminate().get(PATIENCE))
+                .isInstanceOf(ProviderException.class)
+                .hasMessageEndingWith("was killed, and PT0.05S later some of its processes are still alive: "
+                        + Long.MAX_VALUE + " (/bin/rock)");
+        int before = kills.get();
+        assertThat(before).isPositive();
+        assertThatThrownBy(() -> process.terminate().get(PATIENCE)).hasMessageContaining("/bin/rock");
+        assertThat(kills.get()).isGreaterThan(before);
+    }
+
+    private static ProcessHandle immortal(AtomicInteger kills) {
+        var info = (ProcessHandle.Info) Proxy.newProxyInstance(
+                ProcessTreeTest.class.getClassLoader(),
+                new Class<?>[] {ProcessHandle.Info.class},
+                (proxy, method, arguments) -> Optional.of("/bin/rock"));
+        return (ProcessHandle) Proxy.newProxyInstance(
+                ProcessTreeTest.class.getClassLoader(),
+                new Class<?>[] {ProcessHandle.class},
+                (proxy, method, arguments) -> switch (method.getName()) {
+                    case "pid" -> Long.MAX_VALUE;
+                    case "info" -> info;
+                    case "descendants" -> Stream.empty();
+                    case "hashCode" -> 0;
+                    case "equals" -> proxy == arguments[0];
+                    case "destroyForcibly" -> kills.incrementAndGet() > 0;
+                    default -> true;
+                });
+    }
+
+    @Test
+    void endOfTheVirtualMachine_endsTheProcess() throws Exception {
+        Process machine = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-XX:TieredStopAtLevel=1",
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        Machine.class.getName())
+                .redirectErrorStream(true)
+                .start();
+        String said = new String(machine.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(machine.waitFor(60, TimeUnit.SECONDS)).isTrue();
+        assertThat(said.strip()).matches("[0-9]+");
+        var left = ProcessHandle.of(Long.parseLong(said.strip()))
+                .filter(each -> each.info().commandLine().isPresent());
+        left.ifPresent(ProcessHandle::destroyForcibly);
+        assertThat(left).isEmpty();
+    }
+
+    private static boolean hasSessions() {
+        return Files.isReadable(Path.of("/proc/self/stat"))
+                && Stream.of("/usr/bin/setsid", "/bin/setsid").map(Path::of).anyMatch(Files::isExecutable);
+    }
+}
