@@ -33,7 +33,8 @@ public interface Broker extends AutoCloseable {
      * Puts a provider in another's place while the application runs: the new one is started, users are told, the old one is stopped. It has the old one's
      * place in the order of registration, and may have its address.
      *
-     * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started, and then the old one stays in use
+     * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started, and then the old one stays in use; with an
+     *     {@link IllegalStateException} while another one is being started in its place
      */
     Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider);

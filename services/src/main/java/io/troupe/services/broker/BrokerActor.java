@@ -52,10 +52,15 @@ final class BrokerActor extends Actor implements Registry {
     public Promise<ServiceRecord> replace(Address old, Registration by) {
         checkOpen();
         Registration before = roster.known(old);
+        if (before.isBeingReplaced) {
+            throw new IllegalStateException(old + " is being replaced already, expected one replacement at a time");
+        }
         roster.checkFree(by.address, old);
         roster.reserve(by.address);
+        before.isBeingReplaced = true;
         var done = new Deferred<ServiceRecord>();
         lifecycle.start(by).handle((started, error) -> {
+            before.isBeingReplaced = false;
             roster.free(by.address);
             if (error != null) {
                 done.reject(new ProviderException(

@@ -22,6 +22,12 @@ final class Registration {
     /** Whether it may run: from the beginning of a start until it has said that it stopped, ended, or could not start. */
     boolean mayRun;
 
+    /** Whether a start of an earlier run has been answered since it was last asked to stop, so that it may run although it should not. */
+    boolean startedLate;
+
+    /** Whether another is being started in its place. */
+    boolean isBeingReplaced;
+
     int missedChecks;
 
     @Nullable

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.promise.Promise;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Replacing, withdrawing and closing, while everything runs. */
 class ReplaceTest {
@@ -73,6 +75,32 @@ class ReplaceTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"b, c", "a, a", "a, c"})
+    void secondReplacement_whileTheFirstStarts_isRefused_andOnlyOneRuns(String first, String second) {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            var heard = bench.connect("robot 1", "player");
+            var by = bench.provider("first");
+            by.start = by::hang;
+            var replaced = replace(bench, "a", by, first);
+            bench.test.crank();
+            assertThat(bench.test.error(replace(bench, "a", bench.provider("second"), second)))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("node/a is being replaced already, expected one replacement at a time");
+            by.unanswered.remove().resolve(null);
+            assertThat(bench.test.get(replaced).provider()).isEqualTo(BrokerBench.at(first));
+            assertThat(bench.test.get(bench.broker.registered())).hasSize(1);
+            assertThat(heard).containsExactly("use a", "use " + first);
+            assertThat(bench.diary).contains("start first", "stop a").doesNotContain("start second");
+
+            var third = bench.provider("third"); // one after the other
+            bench.test.get(replace(bench, first, third, second));
+            assertThat(bench.test.get(bench.broker.registered())).hasSize(1);
+            assertThat(bench.diary).contains("start third", "stop first");
+        }
+    }
+
     @Test
     void oldThatDoesNotStop_isTold_andTheReplacementHolds() {
         try (var bench = new BrokerBench()) {
@@ -112,6 +140,29 @@ class ReplaceTest {
             assertThat(bench.events(BrokerEvent.UserFailed.class))
                     .extracting(event -> event.need().by() + ": " + event.why().getMessage())
                     .containsExactly("bad: no, thanks", "bad: no, thanks");
+        }
+    }
+
+    @Test
+    void userThatThrowsAnError_isReportedWithIt_andNotAsSlow() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            bench.broker.connect(Need.ofService("bad", "player"), new Broker.Connection() {
+                @Override
+                public void use(ServiceRecord provider) {
+                    throw new AssertionError("no class for " + provider.provider());
+                }
+
+                @Override
+                public void lost(MissingServiceException why) {}
+            });
+            bench.seconds(2);
+            assertThat(bench.events(BrokerEvent.UserFailed.class))
+                    .extracting(event -> event.why().getMessage())
+                    .containsExactly("no class for node/a");
+            assertThat(bench.test.takeProblems())
+                    .extracting(problem -> problem.error().getMessage())
+                    .containsExactly("no class for node/a");
         }
     }
 
