@@ -72,8 +72,14 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
-        String problem = wrong == null ? "" : String.valueOf(wrong.getMessage());
-        return new Control.HealthReport(address().name(), lives.state().name(), problem);
+        return new Control.HealthReport(
+                address().name(), lives.state().name(), wrong == null ? "" : problemOf(wrong));
+    }
+
+    /** Never empty, which would mean that it is well. */
+    private static String problemOf(Throwable wrong) {
+        String message = wrong.getMessage();
+        return message == null || message.isBlank() ? wrong.getClass().getName() : message;
     }
 
     /** Where the component is on the bus. */
