@@ -46,6 +46,16 @@ final class Lifecycle {
     }
 
     private void beginWhenStopped(Registration it, Deferred<@Nullable Void> done) {
+        Registration before = it.before;
+        if (before != null && before.gone != null) {
+            before.hurry();
+            before.gone.handle((stopped, error) -> {
+                it.before = null;
+                beginWhenStopped(it, done);
+                return null;
+            });
+            return;
+        }
         if (it.startedLate) {
             giveUp(it);
         }

@@ -1,5 +1,6 @@
 package io.troupe.services.broker;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
 import io.troupe.services.bus.Address;
@@ -27,6 +28,18 @@ final class Registration {
 
     /** Whether another is being started in its place. */
     boolean isBeingReplaced;
+
+    /** Who was withdrawn from this address before, and may still run; this one is started after it. */
+    @Nullable
+    Registration before;
+
+    /** It was withdrawn; to be stopped when this is settled. */
+    @Nullable
+    Deferred<@Nullable Void> leaving;
+
+    /** It was withdrawn; settled when it, and who was here before, have stopped or their limits are over. */
+    @Nullable
+    Promise<?> gone;
 
     int missedChecks;
 
@@ -77,6 +90,16 @@ final class Registration {
             case NOT_STARTED, STOPPED -> 3;
             case FAILED -> 4;
         };
+    }
+
+    /** Stops waiting for users to hear that it leaves: somebody needs who comes after it. */
+    void hurry() {
+        if (leaving != null) {
+            leaving.resolve(null);
+        }
+        if (before != null) {
+            before.hurry();
+        }
     }
 
     void cancelTimers() {

@@ -191,6 +191,52 @@ class ReplaceTest {
     }
 
     @Test
+    void providerAtTheAddressOfAWithdrawnOne_isStartedWhenThatHasStopped() {
+        try (var bench = new BrokerBench()) {
+            var a = bench.offer("player", "a");
+            bench.require("player");
+            a.stop = a::hang;
+            bench.broker.withdraw(BrokerBench.at("a"));
+            var second = bench.provider("a2");
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), second);
+            bench.broker.withdraw(BrokerBench.at("a")); // which never ran
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("a3"));
+            var required = bench.broker.require(Need.ofService("x", "player"));
+            bench.seconds(2);
+            assertThat(bench.diary).containsExactly("start a", "stop a");
+            assertThat(required.isDone()).isFalse();
+            a.unanswered.remove().resolve(null);
+            bench.test.get(required);
+            assertThat(bench.diary).containsExactly("start a", "stop a", "start a3");
+        }
+    }
+
+    @Test
+    void withdrawnProvider_whoseUserWaitsForTheNextAtItsAddress_isStoppedFirst() {
+        try (var bench = new BrokerBench(BrokerSettings.DEFAULT.withoutRestart())) {
+            bench.offer("player", "a");
+            var b = bench.offer("player", "b");
+            var heard = bench.connect("robot 1", "player");
+            b.start = b::hang;
+            bench.broker.withdraw(BrokerBench.at("a")); // stopped when its user has another provider
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("a2"));
+            bench.test.crank();
+            assertThat(bench.diary).containsExactly("start a", "robot 1 hears of a", "start b");
+            b.unanswered.remove().reject(new IllegalStateException("no"));
+            bench.test.crank();
+            assertThat(heard).containsExactly("use a", "use a");
+            assertThat(bench.diary)
+                    .containsExactly(
+                            "start a",
+                            "robot 1 hears of a",
+                            "start b",
+                            "stop a",
+                            "start a2",
+                            "robot 1 hears of a");
+        }
+    }
+
+    @Test
     void withdraw_ofWhatDoesNotStop_isRejected() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
@@ -247,8 +293,11 @@ class ReplaceTest {
                 .containsExactly("b");
         assertThat(bench.diary).containsExactly("robot 1 hears of the loss", "stop a", "stop b", "stop c");
         assertThat(heard).containsExactly("use a", "lost");
-        assertThat(bench.test.error(bench.broker.require(Need.ofService("x", "four"))))
-                .hasMessage("the broker is closed");
+        var four = Need.ofService("x", "four");
+        assertThat(bench.test.error(bench.broker.require(four))).hasMessage("the broker is closed");
+        assertThat(bench.test.error(bench.broker.withdraw(BrokerBench.at("d")))).hasMessage("the broker is closed");
+        assertThat(bench.test.get(bench.broker.find(four))).as("known").hasSize(1);
+        assertThat(bench.test.get(bench.broker.registered())).hasSize(4);
         bench.test.close();
     }
 
