@@ -76,7 +76,7 @@ class BusThreadsTest {
         }
     }
 
-    private static void inThreads(int threads, java.util.function.IntConsumer body) throws InterruptedException {
+    static void inThreads(int threads, java.util.function.IntConsumer body) throws InterruptedException {
         var running = new ArrayList<Thread>();
         for (int i = 0; i < threads; i++) {
             int number = i;
@@ -137,14 +137,18 @@ class BusThreadsTest {
     }
 
     /** Questions of several threads to one address, where answerers come and go, each of which stays until it was of use. */
-    private static final class Askers {
-        private static final int LIVES = 300;
-
+    static final class Askers {
+        private final int lives;
         final AtomicLong answered = new AtomicLong();
         final AtomicLong refused = new AtomicLong();
         final ConcurrentLinkedQueue<String> wrong = new ConcurrentLinkedQueue<>();
-        private final AtomicInteger asking = new AtomicInteger(THREADS - 1);
+        private final AtomicInteger asking;
         private final CountDownLatch firstIsThere = new CountDownLatch(1);
+
+        Askers(int askers, int lives) {
+            this.asking = new AtomicInteger(askers);
+            this.lives = lives;
+        }
 
         void ask(BusPort asker, Address to, int questions) {
             try {
@@ -175,7 +179,7 @@ class BusThreadsTest {
 
         /** So that the askers meet an answerer, and none, as long as they ask, however the threads are scheduled. */
         void comeAndGo(InProcessBus bus, ActorSpace home) {
-            for (int i = 0; i < LIVES; i++) {
+            for (int i = 0; i < lives; i++) {
                 long answeredBefore = answered.get();
                 var port = answerer(bus, home);
                 firstIsThere.countDown();
@@ -209,7 +213,7 @@ class BusThreadsTest {
     @Test
     void everyQuestion_isSettledOnce_whileAnswerersComeAndGo() throws Exception {
         int questions = 5_000;
-        var askers = new Askers();
+        var askers = new Askers(THREADS - 1, 300);
         try (var bus = open(64)) {
             var home = space("answerers");
             var to = new Address("robots", "answerer");
