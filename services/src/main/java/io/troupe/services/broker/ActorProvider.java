@@ -28,8 +28,7 @@ final class ActorProvider<A> implements Provider {
         }
 
         /** A life that leaves the directory when it ends. */
-        static Running of(
-                Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, Running> directory) {
+        static Running of(Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, Running> directory) {
             var life = new Running(address, proxy, space.whenStopped(proxy));
             life.ended.toCompletableFuture().whenComplete((nothing, error) -> {
                 directory.remove(address, life);

@@ -28,7 +28,8 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
     private @Nullable Events events;
-    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches = new HashMap<>(); // of those that have not ended
+    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches =
+            new HashMap<>(); // of those that have not ended
 
     CallerActor(
             ActorServices services,

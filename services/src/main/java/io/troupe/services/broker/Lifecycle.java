@@ -82,11 +82,7 @@ final class Lifecycle {
         begun.remove(it);
         begun.add(it);
         events.tell(new BrokerEvent.Starting(it.toRecord()));
-        limits.ask(
-                        it.provider::start,
-                        settings.startLimit(),
-                        it + " did not start",
-                        error -> startedLate(it, error))
+        limits.ask(it.provider::start, settings.startLimit(), it + " did not start", error -> startedLate(it, error))
                 .handle((started, error) -> {
                     it.starting = null;
                     if (error == null) {

@@ -13,6 +13,7 @@ final class PendingCall {
 
     @Nullable
     Promise<?> sent; // the provider's promise
+
     private boolean givenUp;
 
     @Nullable

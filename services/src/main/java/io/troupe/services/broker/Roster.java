@@ -22,7 +22,8 @@ final class Roster {
     private static final int MOST_LISTED = 20; // in a message
 
     private final List<Registration> all = new ArrayList<>();
-    private final Map<Address, Registration> leaving = new HashMap<>(); // those that were withdrawn and are being stopped
+    private final Map<Address, Registration> leaving =
+            new HashMap<>(); // those that were withdrawn and are being stopped
     private final Set<Address> reserved = new HashSet<>(); // by those that are being started in another's place
 
     void add(Registration it) {

@@ -18,7 +18,8 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> answerer;
-    private final Map<Asked, Message> begun = new LinkedHashMap<>(); // guarded by itself: not yet answered, at most capacity
+    private final Map<Asked, Message> begun =
+            new LinkedHashMap<>(); // guarded by itself: not yet answered, at most capacity
 
     Answering(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         super(port, port.address() + " answers " + operation.name());

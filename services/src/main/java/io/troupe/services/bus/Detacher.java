@@ -133,7 +133,8 @@ final class Detacher {
 
         private IllegalArgumentException refusal(String why) {
             return new IllegalArgumentException("a value of " + root.getName()
-                    + " cannot leave the process: " + why + ", expected values, and no null in lists and maps, in at most "
+                    + " cannot leave the process: " + why
+                    + ", expected values, and no null in lists and maps, in at most "
                     + Portable.MOST_LEVELS + " levels of records, lists and maps");
         }
     }
@@ -150,7 +151,8 @@ final class Detacher {
             return true; // a value may be as deep as it likes
         }
         boolean must = plain.isRecord()
-                ? Arrays.stream(plain.getRecordComponents()).anyMatch(each -> mustBeWalked(each.getGenericType(), inside))
+                ? Arrays.stream(plain.getRecordComponents())
+                        .anyMatch(each -> mustBeWalked(each.getGenericType(), inside))
                 : Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> mustBeWalked(each, inside));
         inside.remove(plain);
         return must;

@@ -69,8 +69,7 @@ final class Directory {
     /** A port that uses it is closed. */
     void release(Topic<?> topic) {
         topics.computeIfPresent(
-                topic.name(),
-                (name, used) -> used.ports() == 1 ? null : new TypeInUse(used.type(), used.ports() - 1));
+                topic.name(), (name, used) -> used.ports() == 1 ? null : new TypeInUse(used.type(), used.ports() - 1));
     }
 
     void add(Hearing<?> hearing) {

@@ -31,8 +31,7 @@ final class Questions {
                 node.nextNumber(),
                 node.detached(operation.question().cast(Objects.requireNonNull(question, "question"))));
         ActorSpace here = ActorSpace.current();
-        var waiting =
-                new Pending<A>(asker, to, operation, message, here == null ? node.settings.space() : here);
+        var waiting = new Pending<A>(asker, to, operation, message, here == null ? node.settings.space() : here);
         long number = message.sequence();
         node.counters.asked.increment();
         pending.put(number, waiting);

@@ -72,8 +72,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
-        return new Control.HealthReport(
-                address().name(), lives.state().name(), wrong == null ? "" : problemOf(wrong));
+        return new Control.HealthReport(address().name(), lives.state().name(), wrong == null ? "" : problemOf(wrong));
     }
 
     /** Never empty, which would mean that it is well. */

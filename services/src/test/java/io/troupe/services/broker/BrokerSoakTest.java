@@ -126,8 +126,7 @@ class BrokerSoakTest {
 
         private void step() {
             switch (random.nextInt(11)) {
-                case 0, 1 ->
-                    settles(bench.broker.register("work", List.of(), address(), provider()));
+                case 0, 1 -> settles(bench.broker.register("work", List.of(), address(), provider()));
                 case 2 -> settles(bench.broker.withdraw(address()));
                 case 3 -> settles(bench.broker.replace(address(), "work", List.of(), address(), provider()));
                 case 4, 5 -> settles(bench.broker.require(Need.ofService("user", "work")));

@@ -114,8 +114,8 @@ class BrokerThreadsTest {
                             providers, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("0", diary))
                     .get(PATIENCE)
                     .provider();
-            var parrot = services.connect(Parrot.class, PARROT, Patience.CONNECTION)
-                    .actor();
+            var parrot =
+                    services.connect(Parrot.class, PARROT, Patience.CONNECTION).actor();
             var load = threads.submit(() -> {
                 List<Promise<String>> answers = new ArrayList<>();
                 for (int i = 0; i < calls; i++) {

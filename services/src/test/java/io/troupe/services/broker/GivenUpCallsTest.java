@@ -15,9 +15,8 @@ import org.junit.jupiter.params.provider.EnumSource;
 /** Calls whose callers do not wait for them any more, and connections that are closed. */
 class GivenUpCallsTest {
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
-    private static final ConnectionSettings PATIENT = ConnectionSettings.DEFAULT
-            .withWaitLimit(Duration.ofSeconds(100))
-            .withAnswerLimit(Duration.ofSeconds(100));
+    private static final ConnectionSettings PATIENT =
+            ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(100)).withAnswerLimit(Duration.ofSeconds(100));
 
     /** How a caller gives a call up. */
     private enum Manner {
@@ -71,7 +70,9 @@ class GivenUpCallsTest {
             stage.publish("late");
             assertThat(stage.get(wanted)).isEqualTo("late: wanted");
             assertThat(stage.diary).containsExactly("late says wanted");
-            assertThat(unwanted.isDone()).as("and nobody waits for it without end").isTrue();
+            assertThat(unwanted.isDone())
+                    .as("and nobody waits for it without end")
+                    .isTrue();
         }
     }
 

@@ -56,7 +56,9 @@ class LateStartTest {
             bench.test.crank();
             a.unanswered.removeFirst().resolve(null);
             bench.test.crank();
-            assertThat(bench.diary).as("it goes on if the second start succeeds").endsWith("stop a", "start a");
+            assertThat(bench.diary)
+                    .as("it goes on if the second start succeeds")
+                    .endsWith("stop a", "start a");
             a.unanswered.removeFirst().reject(new IllegalStateException("not twice"));
             bench.missing(second);
             bench.test.crank();

@@ -227,12 +227,7 @@ class ReplaceTest {
             assertThat(heard).containsExactly("use a", "use a");
             assertThat(bench.diary)
                     .containsExactly(
-                            "start a",
-                            "robot 1 hears of a",
-                            "start b",
-                            "stop a",
-                            "start a2",
-                            "robot 1 hears of a");
+                            "start a", "robot 1 hears of a", "start b", "stop a", "start a2", "robot 1 hears of a");
         }
     }
 

@@ -82,8 +82,7 @@ class BusSoakTest {
             try (var outside = ActorSpace.create(SpaceSettings.named("outside"));
                     var left = ActorSpace.create(SpaceSettings.named("left"));
                     var right = ActorSpace.create(SpaceSettings.named("right"))) {
-                var bus = InProcessBus.open(
-                        "robots", new BusSettings(outside, PUBLISHERS * VALUES, loss -> {}));
+                var bus = InProcessBus.open("robots", new BusSettings(outside, PUBLISHERS * VALUES, loss -> {}));
                 var first = new Listener(wrong, heardByTheFirst);
                 subscribe(bus.attach("first"), left, first);
                 inThreads(PUBLISHERS + COMING_AND_GOING, number -> {
@@ -121,8 +120,7 @@ class BusSoakTest {
                 assertThat(metrics.published()).isEqualTo(PUBLISHERS * VALUES);
                 assertThat(metrics.delivered()).isEqualTo(heard.sum() + heardByTheFirst.sum());
                 assertThat(metrics.queued())
-                        .isEqualTo(
-                                metrics.delivered() + metrics.failed() + metrics.dropped() + metrics.discarded());
+                        .isEqualTo(metrics.delivered() + metrics.failed() + metrics.dropped() + metrics.discarded());
             }
         });
     }

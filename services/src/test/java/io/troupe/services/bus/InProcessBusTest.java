@@ -118,7 +118,8 @@ class InProcessBusTest {
             assertThat(instead.isDone()).as("the cancelled one has made room").isFalse();
             answers.add(instead);
             test.advance(BusContract.SECOND.multipliedBy(2));
-            assertThat(answers).allSatisfy(each -> assertThat(test.error(each)).isInstanceOf(BusTimeoutException.class));
+            assertThat(answers)
+                    .allSatisfy(each -> assertThat(test.error(each)).isInstanceOf(BusTimeoutException.class));
         }
         assertThat(losses).hasSize(3).allMatch(Loss.Undeliverable.class::isInstance);
         losses.clear();
@@ -192,7 +193,10 @@ class InProcessBusTest {
             }
         });
         assertThat(heard).containsExactly(1, 11, 21);
-        assertThat(answers).allMatch(Promise::isDone).filteredOn(each -> !each.isRejected()).hasSize(3);
+        assertThat(answers)
+                .allMatch(Promise::isDone)
+                .filteredOn(each -> !each.isRejected())
+                .hasSize(3);
         other.close();
     }
 

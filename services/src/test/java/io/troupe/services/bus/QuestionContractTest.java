@@ -132,7 +132,8 @@ class QuestionContractTest extends BusContract {
         var smith = far().attach("smith");
         smith.answer(FORGE, count -> Promise.of(Chain.of(count.value())));
         var asker = near().attach("asker");
-        assertThat(test.get(asker.ask(smith.address(), FORGE, new Count(100), SECOND)).value())
+        assertThat(test.get(asker.ask(smith.address(), FORGE, new Count(100), SECOND))
+                        .value())
                 .isEqualTo(99);
         assertThat(test.error(asker.ask(smith.address(), FORGE, new Count(200_000), SECOND)))
                 .isInstanceOf(RemoteFailure.class)

@@ -16,7 +16,8 @@ public final class Soak {
 
     /** Runs so many rounds at least, and says in an error which one it was. */
     public static void rounds(int atLeast, LongConsumer round) {
-        long end = System.nanoTime() + Duration.ofMinutes(MINUTES).dividedBy(TESTS).toNanos();
+        long end =
+                System.nanoTime() + Duration.ofMinutes(MINUTES).dividedBy(TESTS).toNanos();
         for (long i = FIRST; i < FIRST + atLeast || System.nanoTime() < end; i++) {
             try {
                 round.accept(i);

@@ -81,8 +81,8 @@ class TwoNodesTest extends BusContract {
         test.crank();
         assertThat(sent)
                 .singleElement()
-                .satisfies(refusal -> assertThat(refusal.purpose())
-                        .isEqualTo(new Message.Purpose.Refusal(asker, SPELL.name(), 7)));
+                .satisfies(refusal ->
+                        assertThat(refusal.purpose()).isEqualTo(new Message.Purpose.Refusal(asker, SPELL.name(), 7)));
         assertThat(sent.getFirst().payload())
                 .asString()
                 .contains("the answer could not be sent: the way from node far-away to node near failed");
