@@ -45,8 +45,11 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     private void expire() {
-        settleError(new TimeoutException(
+        boolean first = settleError(new TimeoutException(
                 "no answer to " + asker + " within " + timeout + " from " + source + source.progress()));
+        if (first) {
+            source.timedOut();
+        }
     }
 
     private void abandon() {
@@ -54,7 +57,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    void cancelled() {
+    protected void cancelled() {
         withdraw.run();
     }
 

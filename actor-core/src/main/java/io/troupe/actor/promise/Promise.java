@@ -219,8 +219,11 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return done;
     }
 
-    /** It was cancelled by hand, on the calling thread. */
-    void cancelled() {}
+    /** It was cancelled by hand, on the calling thread. For promises whose work can be saved then. */
+    protected void cancelled() {}
+
+    /** A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else waits. */
+    protected void timedOut() {}
 
     /** A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. */
     public final CompletableFuture<T> toCompletableFuture() {

@@ -104,6 +104,23 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHeard();
     }
 
+    /**
+     * Whether it is settled, or all who have listened so far need its outcome no more; a thread whose wait is over may wait again. For promises that are not
+     * local.
+     */
+    protected final boolean isGivenUp() {
+        Object now = STATE.getAcquire(this);
+        if (!(now instanceof Node newest)) {
+            return now != null;
+        }
+        for (Node node = newest; node != null; node = node.next) {
+            if (!node.isIdle() || node instanceof Waiter) {
+                return false;
+            }
+        }
+        return true;
+    }
+
     /** Somebody has seen how it ended. */
     final void hear() {
         if (outcomeNow() instanceof Rejection rejection) {

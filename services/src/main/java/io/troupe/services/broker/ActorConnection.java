@@ -14,8 +14,10 @@ import io.troupe.actor.promise.Promise;
  * first may have done what was asked.
  * <p><b>Cost.</b> A call takes two messages and a reflective call instead of one message: the connection is an actor of its own, on the space of whoever made it, which
  * keeps the calls in order, with their limits, without locks.
- * <p><b>Errors.</b> A call waits, within its limit, while there is no provider. It is rejected with a {@link ServiceCallException} if none comes, if its provider ends while it
- * is under way, or does not answer within the limit; an answer after that is told to the observer. A one-way call that finds no provider is told to the observer;
+ * <p><b>Errors.</b> A request waits, within its limit, while there is no provider. It is rejected with a {@link ServiceCallException} if none comes, if its provider ends
+ * while it is under way, or does not answer within the limit; an answer after that is told to the observer. One whose caller has cancelled it, or whose time limit
+ * ({@link Promise#orTimeout}) has passed while nobody else listens, is cancelled: it is forgotten at once, and not begun by a provider that has not begun it. A one-way call waits
+ * for a shorter time ({@link ConnectionSettings#oneWayLimit}), and one that finds no provider is told to the observer;
  * one that waits in the mailbox of a provider when that stops is a dead letter of that provider's space.
  */
 public final class ActorConnection<A> implements AutoCloseable {
@@ -38,7 +40,7 @@ public final class ActorConnection<A> implements AutoCloseable {
                 Caller.class,
                 () -> new CallerActor(services, type, need, settings, first),
                 ActorSettings.named("\"" + need.by() + "\"'s connection to " + Roster.what(need)));
-        return new ActorConnection<>(space, caller, Relay.of(type, need, caller), first);
+        return new ActorConnection<>(space, caller, Relay.of(type, need, space, caller), first);
     }
 
     /** Stands for the provider; use it as any proxy, from the first moment on. */

@@ -5,6 +5,8 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.bus.Address;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentMap;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
@@ -12,8 +14,68 @@ import org.jspecify.annotations.Nullable;
 
 /** An actor that is spawned when it is started. Called on the broker's space. */
 final class ActorProvider<A> implements Provider {
-    /** One life of an actor that provides a service, for whoever calls it. */
-    record Running(Address address, Object proxy, Promise<@Nullable Void> ended) {}
+    /** One life of an actor that provides a service, for whoever calls it. Any thread. */
+    static final class Running {
+        private final Address address;
+        private final Object proxy;
+        private final Promise<@Nullable Void> ended;
+        private final Set<Deferred<@Nullable Void>> watches = ConcurrentHashMap.newKeySet();
+
+        private Running(Address address, Object proxy, Promise<@Nullable Void> ended) {
+            this.address = address;
+            this.proxy = proxy;
+            this.ended = ended;
+        }
+
+        /** A life that leaves the directory when it ends. */
+        static Running of(Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, Running> directory) {
+            var life = new Running(address, proxy, space.whenStopped(proxy));
+            life.ended.toCompletableFuture().whenComplete((nothing, error) -> {
+                directory.remove(address, life);
+                life.watches.forEach(watch -> watch.resolve(null));
+                life.watches.clear();
+            });
+            return life;
+        }
+
+        Address address() {
+            return address;
+        }
+
+        Object proxy() {
+            return proxy;
+        }
+
+        boolean hasEnded() {
+            return ended.isDone();
+        }
+
+        /** Can be found there, unless it has ended. */
+        void enter(ConcurrentMap<Address, Running> directory) {
+            directory.put(address, this);
+            if (hasEnded()) {
+                directory.remove(address, this);
+            }
+        }
+
+        /**
+         * Waits for its end.
+         *
+         * @return fulfilled then; to be handed to {@link #unwatch} by one who leaves before, since connections come and go while a provider lives
+         */
+        Deferred<@Nullable Void> watch() {
+            var watch = new Deferred<@Nullable Void>();
+            watches.add(watch);
+            if (hasEnded()) {
+                watch.resolve(null);
+            }
+            return watch;
+        }
+
+        void unwatch(Deferred<@Nullable Void> watch) {
+            watches.remove(watch);
+        }
+    }
 
     private final Address address;
     private final ActorSpace space;
@@ -42,18 +104,18 @@ final class ActorProvider<A> implements Provider {
     public Promise<@Nullable Void> start() {
         var failure = new AtomicReference<@Nullable Throwable>();
         A proxy = space.spawn(type, () -> make(failure), settings);
-        var life = new Running(address, proxy, space.whenStopped(proxy));
+        var life = Running.of(address, space, proxy, directory);
         running = life;
         var started = new Deferred<@Nullable Void>(null);
         space.execute(
                 () -> { // behind the entry that starts it
-                    if (life.ended().isDone()) {
+                    if (life.hasEnded()) {
                         Throwable why = failure.get();
                         started.reject(new ProviderException(
                                 address + " stopped when it was started" + (why == null ? "" : ": " + Reasons.of(why)),
                                 why));
                     } else {
-                        directory.put(address, life);
+                        life.enter(directory);
                         started.resolve(null);
                     }
                 });
@@ -87,7 +149,7 @@ final class ActorProvider<A> implements Provider {
 
     /** An entry of the space's mailbox queue: it comes back when all that the space has been sent before is done. */
     static Promise<@Nullable Void> check(ActorSpace space, @Nullable Running life) {
-        if (life == null || life.ended().isDone()) {
+        if (life == null || life.hasEnded()) {
             return Promise.failed(new ProviderException((life == null ? "it" : life.address()) + " has stopped", null));
         }
         var back = new Deferred<@Nullable Void>(null);

@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
  */
 public interface Broker extends AutoCloseable {
     /**
-     * Offers a service. It is started when somebody needs it; those who are connected and have no provider are connected to it.
+     * Offers a service. It is started when somebody needs it, and, if another was withdrawn from that address, when that has stopped or its limit is over; those who are
+     * connected and have no provider are connected to it.
      *
      * @param capabilities may be empty
      * @return rejected with an {@link IllegalArgumentException} if something is registered at that address already
@@ -33,7 +34,8 @@ public interface Broker extends AutoCloseable {
      * Puts a provider in another's place while the application runs: the new one is started, users are told, the old one is stopped. It has the old one's
      * place in the order of registration, and may have its address.
      *
-     * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started, and then the old one stays in use
+     * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started, and then the old one stays in use; with an
+     *     {@link IllegalStateException} while another one is being started in its place
      */
     Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider);
@@ -65,7 +67,9 @@ public interface Broker extends AutoCloseable {
     Promise<@Nullable Void> disconnect(Connection connection);
 
     /**
-     * Tells users that there is nothing any more, then stops everything that was started here, one after the other in reverse order of their starts, each within its limit. Afterwards everything else is refused.
+     * Tells users that there is nothing any more, then stops everything that was started here, one after the other in reverse order of their starts, each within its
+     * limit. From the call on, everything that could start or change something is refused with an {@link IllegalStateException}; {@link #registered} and {@link #find} go on to say
+     * what is known, {@link #disconnect} has nothing to do, and another shutDown answers the same.
      *
      * @return fulfilled, when that is done, with those that did not stop
      */

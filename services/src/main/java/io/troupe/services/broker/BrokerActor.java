@@ -45,17 +45,34 @@ final class BrokerActor extends Actor implements Registry {
         roster.remove(it);
         it.cancelTimers();
         events.tell(new BrokerEvent.Withdrawn(it.toRecord()));
-        return users.leave(it).thenCompose(heard -> lifecycle.stop(it));
+        var leaving = new Deferred<@Nullable Void>();
+        it.leaving = leaving;
+        users.leave(it).handle((heard, error) -> leaving.resolve(null));
+        Promise<@Nullable Void> stopped = leaving.thenCompose(heard -> lifecycle.stop(it));
+        var gone = new Deferred<@Nullable Void>();
+        it.gone = gone;
+        stopped.handle((nothing, error) -> null)
+                .thenCompose(over -> it.before == null ? Promise.done() : it.before.gone)
+                .handle((over, error) -> {
+                    roster.forget(it);
+                    return gone.resolve(null);
+                });
+        return stopped;
     }
 
     @Override
     public Promise<ServiceRecord> replace(Address old, Registration by) {
         checkOpen();
         Registration before = roster.known(old);
+        if (before.isBeingReplaced) {
+            throw new IllegalStateException(old + " is being replaced already, expected one replacement at a time");
+        }
         roster.checkFree(by.address, old);
-        roster.reserve(by.address);
+        roster.reserve(by);
+        before.isBeingReplaced = true;
         var done = new Deferred<ServiceRecord>();
         lifecycle.start(by).handle((started, error) -> {
+            before.isBeingReplaced = false;
             roster.free(by.address);
             if (error != null) {
                 done.reject(new ProviderException(

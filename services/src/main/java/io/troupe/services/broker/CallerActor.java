@@ -6,12 +6,13 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.InvocationTargetException;
-import java.util.ArrayDeque;
-import java.util.Deque;
-import java.util.LinkedHashSet;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
-import java.util.Set;
+import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
 /** Sends calls to whoever provides the service now, and keeps those that wait and those that have no answer yet. */
@@ -21,12 +22,14 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     private final Need need;
     private final ConnectionSettings settings;
     private final Deferred<ServiceRecord> first;
-    private final Deque<PendingCall> waiting = new ArrayDeque<>();
-    private final Set<PendingCall> underWay = new LinkedHashSet<>();
+    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order in which they came
+    private final Map<Call, PendingCall> underWay = new LinkedHashMap<>();
     private ActorProvider.@Nullable Running current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
     private @Nullable Events events;
+    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches =
+            new HashMap<>(); // of those that have not ended
 
     CallerActor(
             ActorServices services,
@@ -69,12 +72,17 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
                     + interfacesOf(next.proxy()));
             refuseAllWaiting(mismatch);
         } else {
-            next.ended().handle((ended, error) -> {
-                hasEnded(next);
-                return null;
-            });
+            watch(next);
             sendWaiting();
         }
+    }
+
+    private void watch(ActorProvider.Running life) {
+        watches.computeIfAbsent(life, one -> {
+            var watch = one.watch();
+            watch.thenRun(() -> hasEnded(one));
+            return watch;
+        });
     }
 
     private static String interfacesOf(Object proxy) {
@@ -92,13 +100,14 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     private void hasEnded(ActorProvider.Running life) {
+        watches.remove(life);
         if (current == life) {
             current = null;
             noProvider = life.address() + " has ended";
         }
-        for (PendingCall call : List.copyOf(underWay)) {
+        for (PendingCall call : List.copyOf(underWay.values())) {
             if (call.sentTo == life) {
-                underWay.remove(call);
+                underWay.remove(call.call);
                 call.reject(ended(call, null));
             }
         }
@@ -128,6 +137,16 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         into.callback = callback;
     }
 
+    @Override
+    public Promise<@Nullable Void> giveUp(Call call) {
+        PendingCall waited = waiting.remove(call);
+        PendingCall givenUp = waited == null ? underWay.remove(call) : waited;
+        if (givenUp != null) {
+            givenUp.giveUp();
+        }
+        return Promise.done();
+    }
+
     private void take(PendingCall call) {
         if (mismatch != null) {
             refuse(call, mismatch);
@@ -136,33 +155,38 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         } else if (waiting.size() >= settings.mostWaiting()) {
             refuse(call, notSent(call, "was refused: " + waiting.size() + " calls wait already, and " + noProvider));
         } else {
-            waiting.add(call);
-            call.limit = after(settings.waitLimit(), () -> {
-                waiting.remove(call);
-                refuse(call, notSent(call, "found no provider within " + settings.waitLimit() + ": " + noProvider));
+            waiting.put(call.call, call);
+            Duration limit = call.call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
+            call.limit = after(limit, () -> {
+                waiting.remove(call.call);
+                refuse(call, notSent(call, "found no provider within " + limit + ": " + noProvider));
             });
         }
     }
 
     /** It may have ended a moment ago, which this actor has not heard yet. */
     private boolean canSend() {
-        return current != null && !current.ended().isDone();
+        return current != null && !current.hasEnded();
     }
 
     private void sendWaiting() {
         while (canSend() && !waiting.isEmpty()) {
-            PendingCall call = waiting.remove();
+            PendingCall call = waiting.pollFirstEntry().getValue();
             call.cancelLimit();
             send(call);
         }
     }
 
     private void send(PendingCall call) {
+        if (call.call.wasGivenUp()) {
+            call.reject(new CancellationException(call + " was given up by its caller before it was sent"));
+            return;
+        }
         var to = Objects.requireNonNull(current);
         call.sentTo = to;
         Object result;
         try {
-            result = call.call.method().invoke(to.proxy(), call.call.toInvoke());
+            result = call.call.method.invoke(to.proxy(), call.call.toInvoke());
         } catch (InvocationTargetException thrown) {
             refuse(call, notSent(call, "was refused: " + Reasons.of(thrown.getTargetException())));
             return;
@@ -170,7 +194,8 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
             throw new AssertionError("the connection was made with access to " + call, impossible);
         }
         if (result instanceof Promise<?> answer) {
-            underWay.add(call);
+            underWay.put(call.call, call);
+            call.sent = answer;
             if (!settings.answerLimit().isZero()) {
                 call.limit = after(settings.answerLimit(), () -> isOverdue(call));
             }
@@ -182,8 +207,8 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
-        if (!underWay.remove(call)) {
-            if (!(error instanceof ActorStoppedException)) { // which is no answer
+        if (underWay.remove(call.call) == null) {
+            if (!(error instanceof ActorStoppedException) && !call.wasGivenUp()) { // which are no answers
                 events().tell(new BrokerEvent.Late(call.receiver(), call.toString(), error));
             }
         } else if (error == null) {
@@ -196,7 +221,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     private void isOverdue(PendingCall call) {
-        underWay.remove(call);
+        underWay.remove(call.call);
         call.reject(new ServiceCallException(
                 call.receiver() + " did not answer " + call + " to \"" + need.by() + "\" within "
                         + settings.answerLimit(),
@@ -211,7 +236,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private void refuseAllWaiting(Throwable why) {
         while (!waiting.isEmpty()) {
-            refuse(waiting.remove(), why);
+            refuse(waiting.pollFirstEntry().getValue(), why);
         }
     }
 
@@ -228,12 +253,13 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     @Override
     protected void stopped() {
+        watches.forEach(ActorProvider.Running::unwatch);
         first.reject(new IllegalStateException("the connection of \"" + need.by() + "\" was closed"));
         while (!waiting.isEmpty()) {
-            PendingCall call = waiting.remove();
+            PendingCall call = waiting.pollFirstEntry().getValue();
             refuse(call, notSent(call, "was not sent: the connection is closed"));
         }
-        for (PendingCall call : underWay) {
+        for (PendingCall call : underWay.values()) {
             call.reject(new ServiceCallException(
                     "the connection of \"" + need.by() + "\" was closed while it waited for the answer of "
                             + call.receiver() + " to " + call,

@@ -16,7 +16,7 @@ final class Events {
     void tell(BrokerEvent event) {
         try {
             observer.on(event);
-        } catch (RuntimeException thrown) {
+        } catch (RuntimeException | Error thrown) {
             thrown.addSuppressed(
                     new IllegalStateException("the broker's observer threw this when it was told " + event));
             space.execute(() -> {

@@ -41,15 +41,32 @@ final class Lifecycle {
         }
         var done = new Deferred<@Nullable Void>();
         it.starting = done;
+        beginWhenStopped(it, done);
+        return done;
+    }
+
+    private void beginWhenStopped(Registration it, Deferred<@Nullable Void> done) {
+        Registration before = it.before;
+        if (before != null && before.gone != null) {
+            before.hurry();
+            before.gone.handle((stopped, error) -> {
+                it.before = null;
+                beginWhenStopped(it, done);
+                return null;
+            });
+            return;
+        }
+        if (it.startedLate) {
+            giveUp(it);
+        }
         if (it.stopping == null) {
             begin(it, done);
         } else {
             it.stopping.handle((stopped, error) -> {
-                begin(it, done);
+                beginWhenStopped(it, done);
                 return null;
             });
         }
-        return done;
     }
 
     private void begin(Registration it, Deferred<@Nullable Void> done) {
@@ -65,11 +82,7 @@ final class Lifecycle {
         begun.remove(it);
         begun.add(it);
         events.tell(new BrokerEvent.Starting(it.toRecord()));
-        limits.ask(
-                        it.provider::start,
-                        settings.startLimit(),
-                        it + " did not start",
-                        error -> startedLate(it, run, error))
+        limits.ask(it.provider::start, settings.startLimit(), it + " did not start", error -> startedLate(it, error))
                 .handle((started, error) -> {
                     it.starting = null;
                     if (error == null) {
@@ -84,6 +97,7 @@ final class Lifecycle {
     private void started(Registration it, int run, Deferred<@Nullable Void> done) {
         it.health = Health.WELL;
         it.why = null;
+        it.startedLate = false; // one life: the stop of this run is that of the other, too
         it.missedChecks = 0;
         events.tell(new BrokerEvent.Started(it.toRecord()));
         endOf(it).handle((ended, error) -> {
@@ -105,7 +119,7 @@ final class Lifecycle {
     private static Promise<?> endOf(Registration it) {
         try {
             return it.provider.whenEnded();
-        } catch (RuntimeException thrown) { // a provider's code
+        } catch (RuntimeException | Error thrown) { // a provider's code
             return Promise.failed(thrown);
         }
     }
@@ -114,7 +128,7 @@ final class Lifecycle {
         it.health = Health.FAILED;
         it.why = error;
         events.tell(new BrokerEvent.StartFailed(it.toRecord(), error));
-        if (error instanceof ProviderException overdue && overdue.isOverdue()) {
+        if (it.startedLate || error instanceof ProviderException overdue && overdue.isOverdue()) {
             giveUp(it);
         } else {
             remember(it, false);
@@ -122,12 +136,19 @@ final class Lifecycle {
         done.reject(error);
     }
 
-    /** It has started when nobody waited for it any more: it shall not run beside others, unless it has been started again. */
-    private void startedLate(Registration it, int run, @Nullable Throwable error) {
+    /**
+     * A start of an earlier run has been answered when its limit was over. It is stopped, unless a later run goes on by now: then both are one life. While it is being
+     * started or stopped, what is to be done follows when that is over.
+     */
+    private void startedLate(Registration it, @Nullable Throwable error) {
         events.tell(new BrokerEvent.Late(it.toString(), "start", error));
-        if (error == null && it.run == run && it.starting == null) {
+        if (error == null && !it.isRunning()) {
+            it.startedLate = true;
             remember(it, true);
-            giveUp(it);
+            if (it.starting == null) {
+                it.run++;
+                giveUp(it);
+            }
         }
     }
 
@@ -190,16 +211,29 @@ final class Lifecycle {
         if (it.stopping == null) {
             var done = new Deferred<@Nullable Void>();
             it.stopping = done;
-            askToStop(it).handle((stopped, error) -> {
+            stopAll(it, error -> {
                 it.stopping = null;
                 if (error == null) {
                     remember(it, false);
                 } else {
                     events.tell(new BrokerEvent.StopFailed(it.toRecord(), error));
                 }
-                return done.resolve(null);
+                done.resolve(null);
             });
         }
+    }
+
+    /** Asks it to stop, and once more if a late start was answered meanwhile: it may have begun to run after the stop. */
+    private void stopAll(Registration it, Consumer<@Nullable Throwable> over) {
+        it.startedLate = false;
+        askToStop(it).handle((stopped, error) -> {
+            if (it.startedLate) {
+                stopAll(it, over);
+            } else {
+                over.accept(error);
+            }
+            return null;
+        });
     }
 
     /** Stops it, if it may run: after the start, or the stop, that is under way. */
@@ -217,17 +251,18 @@ final class Lifecycle {
         it.health = Health.STOPPED; // from now on nobody is sent to it
         var done = new Deferred<@Nullable Void>();
         it.stopping = done;
-        askToStop(it).handle((stopped, error) -> {
+        stopAll(it, error -> {
             it.stopping = null;
             if (error == null) {
                 remember(it, false);
                 events.tell(new BrokerEvent.Stopped(it.toRecord()));
-                return done.resolve(null);
+                done.resolve(null);
+                return;
             }
             it.health = Health.FAILED;
             it.why = error;
             events.tell(new BrokerEvent.StopFailed(it.toRecord(), error));
-            return done.reject(new ProviderException(it + " has not stopped: " + Reasons.of(error), error));
+            done.reject(new ProviderException(it + " has not stopped: " + Reasons.of(error), error));
         });
         return done;
     }

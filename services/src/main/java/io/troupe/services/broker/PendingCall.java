@@ -1,6 +1,7 @@
 package io.troupe.services.broker;
 
 import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
 import org.jspecify.annotations.Nullable;
 
@@ -9,6 +10,11 @@ final class PendingCall {
     final Caller.Call call;
     private final @Nullable Deferred<@Nullable Object> answer; // null: nobody waits for one
     ActorProvider.@Nullable Running sentTo;
+
+    @Nullable
+    Promise<?> sent; // the provider's promise
+
+    private boolean givenUp;
 
     @Nullable
     Timer limit;
@@ -35,6 +41,19 @@ final class PendingCall {
         return true;
     }
 
+    /** A provider that has not begun it does not begin it any more. */
+    void giveUp() {
+        givenUp = true;
+        cancelLimit();
+        if (sent != null) {
+            sent.cancel();
+        }
+    }
+
+    boolean wasGivenUp() {
+        return givenUp;
+    }
+
     void cancelLimit() {
         if (limit != null) {
             limit.cancel();
@@ -47,7 +66,7 @@ final class PendingCall {
     }
 
     boolean receiverHasEnded() {
-        return sentTo != null && sentTo.ended().isDone();
+        return sentTo != null && sentTo.hasEnded();
     }
 
     @Override

@@ -1,5 +1,6 @@
 package io.troupe.services.broker;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
 import io.troupe.services.bus.Address;
@@ -21,6 +22,24 @@ final class Registration {
 
     /** Whether it may run: from the beginning of a start until it has said that it stopped, ended, or could not start. */
     boolean mayRun;
+
+    /** Whether a start of an earlier run has been answered since it was last asked to stop, so that it may run although it should not. */
+    boolean startedLate;
+
+    /** Whether another is being started in its place. */
+    boolean isBeingReplaced;
+
+    /** Who was withdrawn from this address before, and may still run; this one is started after it. */
+    @Nullable
+    Registration before;
+
+    /** It was withdrawn; to be stopped when this is settled. */
+    @Nullable
+    Deferred<@Nullable Void> leaving;
+
+    /** It was withdrawn; settled when it, and who was here before, have stopped or their limits are over. */
+    @Nullable
+    Promise<?> gone;
 
     int missedChecks;
 
@@ -74,6 +93,16 @@ final class Registration {
             case NOT_STARTED, STOPPED -> 3;
             case FAILED -> 4;
         };
+    }
+
+    /** Stops waiting for users to hear that it leaves: somebody needs who comes after it. */
+    void hurry() {
+        if (leaving != null) {
+            leaving.resolve(null);
+        }
+        if (before != null) {
+            before.hurry();
+        }
     }
 
     void cancelTimers() {

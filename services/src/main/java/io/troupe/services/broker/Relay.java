@@ -1,5 +1,6 @@
 package io.troupe.services.broker;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandle;
@@ -18,17 +19,19 @@ import org.jspecify.annotations.Nullable;
 final class Relay implements InvocationHandler {
     private final Class<?> type;
     private final Need need;
+    private final ActorSpace space;
     private final Caller caller;
 
-    private Relay(Class<?> type, Need need, Caller caller) {
+    private Relay(Class<?> type, Need need, ActorSpace space, Caller caller) {
         this.type = type;
+        this.space = space;
         this.need = need;
         this.caller = caller;
     }
 
-    static <A> A of(Class<A> type, Need need, Caller caller) {
-        return type.cast(
-                Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, new Relay(type, need, caller)));
+    static <A> A of(Class<A> type, Need need, ActorSpace space, Caller caller) {
+        return type.cast(Proxy.newProxyInstance(
+                type.getClassLoader(), new Class<?>[] {type}, new Relay(type, need, space, caller)));
     }
 
     static void check(Class<?> type) {
@@ -67,11 +70,11 @@ final class Relay implements InvocationHandler {
             return inherited(method).bindTo(self).invokeWithArguments(arguments);
         }
         method.setAccessible(true); // the interface need not be public
-        var call = new Caller.Call(method, adopted(method, arguments));
+        var taken = adopted(method, arguments);
         if (method.getReturnType() == Promise.class) {
-            return caller.ask(call);
+            return Caller.Answer.ask(caller, space, method, taken);
         }
-        caller.tell(call);
+        caller.tell(new Caller.Call(method, taken, null));
         return null;
     }
 

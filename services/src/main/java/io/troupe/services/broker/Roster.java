@@ -4,12 +4,14 @@ import io.troupe.services.bus.Address;
 import io.troupe.services.text.Suggestions;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -17,11 +19,16 @@ import org.jspecify.annotations.Nullable;
 
 /** Who is registered, in order. On the broker's space. */
 final class Roster {
+    private static final int MOST_LISTED = 20; // in a message
+
     private final List<Registration> all = new ArrayList<>();
+    private final Map<Address, Registration> leaving =
+            new HashMap<>(); // those that were withdrawn and are being stopped
     private final Set<Address> reserved = new HashSet<>(); // by those that are being started in another's place
 
     void add(Registration it) {
         checkFree(it.address, null);
+        it.before = leaving.get(it.address);
         all.add(it);
     }
 
@@ -35,8 +42,9 @@ final class Roster {
         }
     }
 
-    void reserve(Address address) {
-        reserved.add(address);
+    void reserve(Registration it) {
+        it.before = leaving.get(it.address);
+        reserved.add(it.address);
     }
 
     void free(Address address) {
@@ -53,8 +61,14 @@ final class Roster {
         }
     }
 
+    /** It is withdrawn, and may run until it is {@link #forget}ten. */
     void remove(Registration it) {
         all.remove(it);
+        leaving.put(it.address, it);
+    }
+
+    void forget(Registration it) {
+        leaving.remove(it.address, it);
     }
 
     boolean has(Registration it) {
@@ -68,7 +82,7 @@ final class Roster {
     Registration known(Address address) {
         return at(address)
                 .orElseThrow(() -> new IllegalArgumentException("nothing is registered at " + address + "; registered: "
-                        + all.stream().map(Registration::toString).collect(Collectors.joining(", "))));
+                        + listed(all, Registration::toString)));
     }
 
     List<ServiceRecord> records() {
@@ -101,16 +115,22 @@ final class Roster {
                             text.append("; did you mean \"").append(name).append("\"?"));
             text.append(text.charAt(text.length() - 1) == '?' ? " registered: " : "; registered: ");
         } else {
-            String why = Stream.concat(tried.keySet().stream(), offers.stream())
+            List<Registration> these = Stream.concat(tried.keySet().stream(), offers.stream())
                     .distinct()
-                    .map(each -> each + " (" + reason(each, tried.get(each)) + ")")
-                    .collect(Collectors.joining(", "));
+                    .toList();
+            String why = listed(these, each -> each + " (" + reason(each, tried.get(each)) + ")");
             text.append(", which is offered, but runs nowhere: ").append(why).append("; registered: ");
         }
-        text.append(all.isEmpty() ? "nothing" : all.stream().map(Roster::show).collect(Collectors.joining(", ")));
+        text.append(all.isEmpty() ? "nothing" : listed(all, Roster::show));
         var missing = new MissingServiceException(need, Reasons.oneLine(text.toString()));
-        tried.values().forEach(missing::addSuppressed);
+        tried.values().stream().limit(MOST_LISTED).forEach(missing::addSuppressed);
         return missing;
+    }
+
+    /** The first of them, and how many more there are. */
+    private static String listed(List<Registration> some, Function<Registration, String> words) {
+        String first = some.stream().limit(MOST_LISTED).map(words).collect(Collectors.joining(", "));
+        return some.size() <= MOST_LISTED ? first : first + " and " + (some.size() - MOST_LISTED) + " more";
     }
 
     private static String reason(Registration it, @Nullable Throwable tried) {

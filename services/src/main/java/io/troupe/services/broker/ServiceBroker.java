@@ -83,7 +83,10 @@ public final class ServiceBroker implements Broker {
                 }
                 told.heard().resolve(null);
             } catch (RuntimeException thrown) {
-                told.heard().reject(thrown); // the observer hears of it
+                told.heard().reject(thrown); // reported to the observer
+            } catch (Error thrown) {
+                told.heard().reject(thrown);
+                throw thrown;
             }
         };
     }

@@ -15,17 +15,17 @@ final class SpawnedProvider implements Provider {
     SpawnedProvider(
             Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, ActorProvider.Running> directory) {
         this.space = space;
-        this.life = new ActorProvider.Running(address, proxy, space.whenStopped(proxy));
+        this.life = ActorProvider.Running.of(address, space, proxy, directory);
         this.directory = directory;
     }
 
     @Override
     public Promise<@Nullable Void> start() {
-        if (life.ended().isDone()) {
+        if (life.hasEnded()) {
             return Promise.failed(new ProviderException(
                     life.address() + " has stopped, and only who spawned it can spawn it again", null));
         }
-        directory.put(life.address(), life);
+        life.enter(directory);
         return Promise.done();
     }
 

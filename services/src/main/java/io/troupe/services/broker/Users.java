@@ -4,8 +4,10 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
@@ -41,13 +43,18 @@ final class Users {
             this.connection = connection;
             this.line = line;
         }
+
+        boolean waits() {
+            return current == null && connecting == null;
+        }
     }
 
     private final Chooser chooser;
     private final Limits limits;
     private final BrokerSettings settings;
     private final Events events;
-    private final List<User> users = new ArrayList<>();
+    private final Set<User> users = new LinkedHashSet<>();
+    private int mostBeforeSweep = 64;
 
     Users(Chooser chooser, Limits limits, BrokerSettings settings, Events events) {
         this.chooser = chooser;
@@ -57,6 +64,10 @@ final class Users {
     }
 
     Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Told> line) {
+        if (users.size() >= mostBeforeSweep) { // so that those that nothing happens to do not gather
+            present(user -> true);
+            mostBeforeSweep = Math.max(64, 2 * users.size());
+        }
         var user = new User(need, connection, line);
         users.add(user);
         find(user, true);
@@ -74,20 +85,30 @@ final class Users {
         });
     }
 
-    /** Whether somebody waits for what this one could give. */
+    /** Whether a user waits for what this one could give. */
     boolean waitFor(Registration it) {
-        return users.stream().anyMatch(user -> waits(user) && it.meets(user.need));
-    }
-
-    private static boolean waits(User user) {
-        return user.current == null && user.connecting == null;
+        return users.stream().anyMatch(user -> user.waits() && it.meets(user.need) && !user.line.isCancelled());
     }
 
     /** Something may be there now for those who have nothing. */
     void retry(Predicate<Need> met) {
-        List.copyOf(users).stream()
-                .filter(user -> waits(user) && met.test(user.need))
-                .forEach(user -> find(user, false));
+        present(user -> user.waits() && met.test(user.need)).forEach(user -> find(user, false));
+    }
+
+    /** Those of some users whose actors still run, in the order of their connecting; the others are forgotten. */
+    private List<User> present(Predicate<User> some) {
+        List<User> found = new ArrayList<>(users.stream().filter(some).toList());
+        found.removeIf(this::isGone);
+        return found;
+    }
+
+    /** Whether it has disconnected, or its actor has stopped, which ends its connection. */
+    private boolean isGone(User user) {
+        if (users.contains(user) && user.line.isCancelled()) {
+            users.remove(user);
+            events.tell(new BrokerEvent.UserGone(user.need));
+        }
+        return !users.contains(user);
     }
 
     /**
@@ -97,11 +118,9 @@ final class Users {
      */
     Promise<?> leave(Registration it) {
         var told = new ArrayList<Promise<@Nullable Void>>();
-        for (User user : List.copyOf(users)) {
-            if (user.current == it) {
-                user.current = null;
-                told.add(find(user, false));
-            }
+        for (User user : present(each -> each.current == it)) {
+            user.current = null;
+            told.add(find(user, false));
         }
         return Promise.allSettled(told);
     }
@@ -109,11 +128,9 @@ final class Users {
     /** Its users get this other one, if they can use it. */
     Promise<?> move(Registration from, Registration to) {
         var told = new ArrayList<Promise<@Nullable Void>>();
-        for (User user : List.copyOf(users)) {
-            if (user.current == from) {
-                user.current = null;
-                told.add(to.meets(user.need) ? use(user, to) : find(user, false));
-            }
+        for (User user : present(each -> each.current == from)) {
+            user.current = null;
+            told.add(to.meets(user.need) ? use(user, to) : find(user, false));
         }
         return Promise.allSettled(told);
     }
@@ -136,7 +153,7 @@ final class Users {
     }
 
     private Promise<@Nullable Void> use(User user, Registration it) {
-        if (!users.contains(user)) {
+        if (isGone(user)) {
             return Promise.done();
         }
         ServiceRecord now = it.toRecord();
@@ -152,7 +169,7 @@ final class Users {
     }
 
     private Promise<@Nullable Void> lose(User user, MissingServiceException why) {
-        if (user.first.reject(why) || !users.contains(user)) {
+        if (user.first.reject(why) || isGone(user)) {
             return Promise.done();
         }
         user.before = null;
@@ -162,11 +179,6 @@ final class Users {
 
     private Promise<@Nullable Void> tell(
             User user, @Nullable ServiceRecord use, @Nullable MissingServiceException lost) {
-        if (user.line.isCancelled()) {
-            users.remove(user);
-            events.tell(new BrokerEvent.UserGone(user.need));
-            return Promise.done();
-        }
         var heard = new Deferred<@Nullable Void>();
         user.line.next(new Told(use, lost, heard));
         String overdue = "\"" + user.need.by() + "\" did not hear of "

@@ -18,7 +18,8 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> answerer;
-    private final Map<Asked, Message> begun = new LinkedHashMap<>(); // guarded by itself: not yet answered
+    private final Map<Asked, Message> begun =
+            new LinkedHashMap<>(); // guarded by itself: not yet answered, at most capacity
 
     Answering(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         super(port, port.address() + " answers " + operation.name());
@@ -28,8 +29,9 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     @Override
     void handle(Message question) {
-        synchronized (begun) {
-            begun.put(Asked.of(question), question);
+        if (!begin(question)) {
+            refuseBusy(question, "are being answered");
+            return;
         }
         String over = whyEnded();
         if (over != null) {
@@ -50,6 +52,20 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
                 .whenComplete((value, error) -> settle(question, value, error));
     }
 
+    /** False if there are too many already. One whose asker has given up is answered, and not remembered. */
+    private boolean begin(Message question) {
+        synchronized (begun) {
+            if (begun.size() >= node.settings.capacity() && node.isAwaited(question)) {
+                return false;
+            }
+            begun.put(Asked.of(question), question);
+        }
+        if (!node.isAwaited(question)) { // looked at afterwards, so that either this or the asker's end sees the other
+            forget(question);
+        }
+        return true;
+    }
+
     private void settle(Message question, @Nullable A value, @Nullable Throwable error) {
         boolean first;
         synchronized (begun) {
@@ -59,7 +75,17 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
         if (first) {
             node.route(reply);
         } else {
-            node.telling.late(reply, port.address() + " had left before: " + whyEnded());
+            String ended = whyEnded();
+            node.telling.late(
+                    reply,
+                    ended == null ? "nobody waits for it any more" : port.address() + " had left before: " + ended);
+        }
+    }
+
+    /** Its asker does not wait for the answer any more. */
+    void forget(Message question) {
+        synchronized (begun) {
+            begun.remove(Asked.of(question));
         }
     }
 
@@ -73,7 +99,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
         if (error == null) {
             try {
                 return node.answer(port.address(), question, operation.answer().cast(node.detached(value)));
-            } catch (RuntimeException unfit) {
+            } catch (RuntimeException | Error unfit) {
                 return failed(question, unfit);
             }
         }
@@ -82,11 +108,19 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     private Message failed(Message question, Throwable error) {
         node.telling.answererFailed(question, error);
-        String message = error.getMessage();
         return node.refusal(
                 port.address(),
                 question,
-                new Message.Failure.Failed(error.getClass().getName(), message == null ? "(no message)" : message));
+                new Message.Failure.Failed(error.getClass().getName(), messageOf(error)));
+    }
+
+    private static String messageOf(Throwable error) {
+        try {
+            String message = error.getMessage();
+            return message == null ? "(no message)" : message;
+        } catch (RuntimeException | Error broken) { // an answerer's own exception class
+            return "(its message could not be read: " + broken.getClass().getName() + ")";
+        }
     }
 
     @Override
@@ -96,10 +130,14 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     @Override
     void overflow(Message question) {
+        refuseBusy(question, "wait there");
+    }
+
+    private void refuseBusy(Message question, String how) {
         node.refuse(
                 port.address(),
                 question,
-                "is too busy: " + node.settings.capacity() + " questions for " + operation.name() + " wait there");
+                "is too busy: " + node.settings.capacity() + " questions for " + operation.name() + " " + how);
     }
 
     @Override

@@ -60,8 +60,12 @@ final class BusNode implements Bus {
 
     // ---- for the ports
 
-    void checkTopic(Topic<?> topic) {
-        directory.check(topic);
+    void use(Topic<?> topic) {
+        directory.use(topic);
+    }
+
+    void release(Topic<?> topic) {
+        directory.release(topic);
     }
 
     void add(Hearing<?> hearing) {
@@ -77,7 +81,6 @@ final class BusNode implements Bus {
     }
 
     <T extends Record> void publish(Port from, Topic<T> topic, T value) {
-        directory.check(topic);
         var payload = detached(topic.type().cast(Objects.requireNonNull(value, "value")));
         counters.published.increment();
         route(new DataMessage(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload));
@@ -99,6 +102,23 @@ final class BusNode implements Bus {
     /** The value as it would be on the other side: sharing nothing that can be changed. */
     Record detached(Record value) {
         return detacher.detached(value);
+    }
+
+    /** Its asker has given up. An answerer of another node does not learn of that. */
+    void forgetQuestion(Message message) {
+        if (message.purpose() instanceof Purpose.Question question
+                && question.to().node().equals(name)) {
+            Port port = directory.port(question.to().name());
+            Answering<?, ?> answering = port == null ? null : port.answering(question.operation());
+            if (answering != null) {
+                answering.forget(message);
+            }
+        }
+    }
+
+    /** Whether its asker waits for the answer, as far as is known here: of an asker on another node it is not. */
+    boolean isAwaited(Message question) {
+        return !question.from().node().equals(name) || questions.isAwaited(question);
     }
 
     // ---- messages
@@ -125,7 +145,7 @@ final class BusNode implements Bus {
         } else {
             try {
                 transport.send(to.node(), message);
-            } catch (RuntimeException failure) {
+            } catch (RuntimeException | Error failure) {
                 cannotSend(message, "the way from node " + name + " to node " + to.node() + " failed: " + failure);
             }
         }
@@ -134,12 +154,21 @@ final class BusNode implements Bus {
     private void cannotSend(Message message, String why) {
         telling.undeliverable(message, why);
         questions.refuse(message.sequence(), why); // if it is one
+        if (message.purpose() instanceof Purpose.Answer answer) { // a refusal is small, and may get through
+            var purpose = new Purpose.Refusal(answer.to(), answer.operation(), answer.question());
+            route(Message.of(
+                    message.kind(),
+                    message.from(),
+                    purpose,
+                    nextNumber(),
+                    new Failure.NotDelivered("the answer could not be sent: " + why)));
+        }
     }
 
     private void broadcast(Message publication) {
         try {
             transport.broadcast(publication);
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | Error failure) {
             telling.undeliverable(publication, "the way from node " + name + " to the others failed: " + failure);
         }
     }

@@ -25,7 +25,8 @@ public interface BusPort extends AutoCloseable {
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer);
 
     /**
-     * Asks. Once at most: nothing is repeated. The answerer is not told of the limit, nor that the asker has given up: it works on the question all the same.
+     * Asks. Once at most: nothing is repeated. The answerer is not told of the limit, nor that the asker has given up: it works on the question all the same. A
+     * question that is cancelled is forgotten here.
      *
      * @param limit how long to wait, on the clock of the asker's space
      * @return the answer; rejected with a {@link BusException} if nobody is at the address, or nobody there answers that operation; with a

@@ -7,7 +7,8 @@ import java.util.Objects;
  * How a node of a bus is made; immutable.
  *
  * @param space where those hear, answer and have their time limits who register or ask from outside every actor space; not closed by the bus
- * @param capacity how many messages wait before one subscriber, or before one answerer, at the most
+ * @param capacity how many messages wait before one subscriber, or before one answerer, at the most; an answerer may have begun as many questions that are not yet
+ *     answered
  * @param observer is told what is lost
  */
 public record BusSettings(ActorSpace space, int capacity, BusObserver observer) {

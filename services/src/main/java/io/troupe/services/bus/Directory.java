@@ -13,7 +13,10 @@ final class Directory {
     private final String node;
     private final Map<String, Port> ports = new ConcurrentHashMap<>();
     private final Map<String, List<Hearing<?>>> hearings = new ConcurrentHashMap<>();
-    private final Map<String, Class<?>> topics = new ConcurrentHashMap<>();
+    private final Map<String, TypeInUse> topics = new ConcurrentHashMap<>();
+
+    /** The type of a topic, and how many ports have published on it or subscribed to it. */
+    private record TypeInUse(Class<?> type, int ports) {}
 
     Directory(String node) {
         this.node = node;
@@ -47,13 +50,26 @@ final class Directory {
         return "there are " + String.join(", ", ports.keySet().stream().sorted().toList()) + " on node " + node;
     }
 
-    /** @throws IllegalArgumentException if the topic has another type here */
-    void check(Topic<?> topic) {
-        Class<?> before = topics.putIfAbsent(topic.name(), topic.type());
-        if (before != null && before != topic.type()) {
-            throw new IllegalArgumentException("topic " + topic.name() + " is of " + before.getName() + " and of "
-                    + topic.type().getName() + " on node " + node + ", expected one type for one name");
-        }
+    /**
+     * A port begins to use a topic, whose type is known from then on until all ports that use it are closed.
+     *
+     * @throws IllegalArgumentException if the topic has another type here
+     */
+    void use(Topic<?> topic) {
+        topics.compute(topic.name(), (name, before) -> {
+            if (before != null && before.type() != topic.type()) {
+                throw new IllegalArgumentException(
+                        "topic " + name + " is of " + before.type().getName() + " and of "
+                                + topic.type().getName() + " on node " + node + ", expected one type for one name");
+            }
+            return new TypeInUse(topic.type(), before == null ? 1 : before.ports() + 1);
+        });
+    }
+
+    /** A port that uses it is closed. */
+    void release(Topic<?> topic) {
+        topics.computeIfPresent(
+                topic.name(), (name, used) -> used.ports() == 1 ? null : new TypeInUse(used.type(), used.ports() - 1));
     }
 
     void add(Hearing<?> hearing) {

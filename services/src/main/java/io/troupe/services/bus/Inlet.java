@@ -76,13 +76,13 @@ abstract class Inlet {
             signal = !signalled;
             signalled = true;
         }
-        if (tooMany != null) {
-            overflow(tooMany);
-        }
-        if (signal) {
+        if (signal) { // first: what follows may throw
             signal();
         } else {
             isOver(); // the actor may have stopped with the signal on its way, and would never look
+        }
+        if (tooMany != null) {
+            overflow(tooMany);
         }
         return null;
     }
@@ -106,9 +106,22 @@ abstract class Inlet {
                     return;
                 }
             }
-            handle(next);
+            handleOne(next);
         }
         signal();
+    }
+
+    /** What it throws is reported by the space, and the others have their turn. */
+    private void handleOne(Message next) {
+        boolean returned = false;
+        try {
+            handle(next);
+            returned = true;
+        } finally {
+            if (!returned) {
+                signal();
+            }
+        }
     }
 
     /** Whether nothing will be heard here any more. */

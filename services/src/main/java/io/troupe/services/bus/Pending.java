@@ -14,19 +14,25 @@ final class Pending<A extends Record> {
     final Port asker;
     private final Address to;
     private final Operation<?, A> operation;
-    private final Deferred<A> answer;
+    private final Message question;
+    private final Answer answer;
     private final Deferred<@Nullable Void> over;
 
-    Pending(Port asker, Address to, Operation<?, A> operation, Home home) {
+    Pending(Port asker, Address to, Operation<?, A> operation, Message question, Home home) {
         this.asker = asker;
         this.to = to;
         this.operation = operation;
-        this.answer = new Deferred<>(home);
+        this.question = question;
+        this.answer = new Answer(home);
         this.over = new Deferred<>(home);
     }
 
     Promise<A> answer() {
         return answer;
+    }
+
+    Message question() {
+        return question;
     }
 
     /** Whether a reply can belong to this question: it comes from whoever was asked, and names the operation. */
@@ -102,5 +108,63 @@ final class Pending<A extends Record> {
         boolean first = answer.reject(error);
         over.resolve(null);
         return first;
+    }
+
+    /** Calls that when the asker cancels. */
+    void whenCancelled(Runnable action) {
+        answer.whenCancelled = () -> {
+            action.run();
+            over.resolve(null);
+        };
+    }
+
+    /** What the asker holds. */
+    private final class Answer extends Promise<A> {
+        private final Home home;
+        private final boolean madeOutside;
+        private volatile Runnable whenCancelled = () -> {};
+
+        Answer(Home home) {
+            this.home = home;
+            this.madeOutside = Home.current() != home;
+        }
+
+        boolean resolve(A value) {
+            return settleValue(value);
+        }
+
+        boolean reject(Throwable error) {
+            return settleError(error);
+        }
+
+        @Override
+        protected void cancelled() {
+            whenCancelled.run();
+        }
+
+        @Override
+        protected Home home() {
+            return home;
+        }
+
+        @Override
+        protected boolean isLocal() {
+            return false;
+        }
+
+        @Override
+        protected boolean madeOutside() {
+            return madeOutside;
+        }
+
+        @Override
+        protected void run() {
+            throw new IllegalStateException("an answer is never queued");
+        }
+
+        @Override
+        public String toString() {
+            return asker.address() + "'s question to " + to + " for " + operation.name();
+        }
     }
 }

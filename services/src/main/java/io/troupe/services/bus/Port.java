@@ -3,6 +3,7 @@ package io.troupe.services.bus;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -19,6 +20,7 @@ final class Port implements BusPort {
     private final Object lock = new Object(); // guards all below
     private final Set<Hearing<?>> hearings = new LinkedHashSet<>();
     private final Map<String, Answering<?, ?>> answerings = new LinkedHashMap<>();
+    private final Set<Topic<?>> topics = new HashSet<>(); // those it has published on or subscribed to
     private @Nullable String closed;
 
     Port(BusNode node, Address address) {
@@ -33,17 +35,24 @@ final class Port implements BusPort {
 
     @Override
     public <T extends Record> void publish(Topic<T> topic, T value) {
-        checkOpen("publish on " + topic.name());
+        synchronized (lock) {
+            if (closed != null) {
+                throw refusal("publish on " + topic.name(), closed);
+            }
+            use(topic);
+        }
         node.publish(this, topic, value);
     }
 
     @Override
     public <T extends Record> Subscription subscribe(Topic<T> topic, Subscriber<? super T> subscriber) {
         Objects.requireNonNull(subscriber, "subscriber");
-        node.checkTopic(topic);
         var hearing = new Hearing<T>(this, topic, subscriber);
         synchronized (lock) {
-            checkOpen("subscribe to " + topic.name());
+            if (closed != null) {
+                throw refusal("subscribe to " + topic.name(), closed);
+            }
+            use(topic);
             hearings.add(hearing);
         }
         hearing.open();
@@ -82,7 +91,7 @@ final class Port implements BusPort {
         String why = inlet.whyEnded();
         if (why != null) {
             forget(inlet);
-            throw new BusException(address + " cannot " + what + ": " + why);
+            throw refusal(what, why);
         }
     }
 
@@ -104,6 +113,8 @@ final class Port implements BusPort {
                 return;
             }
             closed = why;
+            topics.forEach(node::release);
+            topics.clear();
             inlets.addAll(hearings);
             inlets.addAll(answerings.values());
         }
@@ -146,11 +157,16 @@ final class Port implements BusPort {
         }
     }
 
-    private void checkOpen(String what) {
-        String why = whyClosed();
-        if (why != null) {
-            throw new BusException(address + " cannot " + what + ": " + why);
+    /** Under the lock. */
+    private void use(Topic<?> topic) {
+        if (!topics.contains(topic)) {
+            node.use(topic);
+            topics.add(topic);
         }
+    }
+
+    private BusException refusal(String what, String why) {
+        return new BusException(address + " cannot " + what + ": " + why);
     }
 
     @Override

@@ -17,6 +17,9 @@ import java.util.Set;
  * <p><b>Cost.</b> Walks the type, at the making of a topic or an operation.
  */
 final class Portable {
+    /** How many values a value may be inside of, itself included; so few that whoever copies, writes or reads it may recurse. */
+    static final int MOST_LEVELS = 500;
+
     private static final Set<Class<?>> VALUES = Set.of(
             Boolean.class,
             Byte.class,

@@ -7,6 +7,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 
 /** The questions of one node that wait for their answers. */
 final class Questions {
@@ -23,17 +24,18 @@ final class Questions {
             throw new IllegalArgumentException(
                     "the limit for " + operation.name() + " is " + limit + ", expected more than zero");
         }
-        ActorSpace here = ActorSpace.current();
-        var waiting = new Pending<A>(asker, to, operation, here == null ? node.settings.space() : here);
         var message = Message.of(
                 operation.kind(),
                 asker.address(),
                 new Purpose.Question(to, operation.name()),
                 node.nextNumber(),
                 node.detached(operation.question().cast(Objects.requireNonNull(question, "question"))));
+        ActorSpace here = ActorSpace.current();
+        var waiting = new Pending<A>(asker, to, operation, message, here == null ? node.settings.space() : here);
         long number = message.sequence();
         node.counters.asked.increment();
         pending.put(number, waiting);
+        waiting.whenCancelled(() -> take(number));
         String closed = asker.whyClosed(); // after the question is in the table: either this or close() sees the other
         if (closed != null) {
             refuse(number, "the asker has left: " + closed);
@@ -46,8 +48,22 @@ final class Questions {
         return waiting.answer();
     }
 
+    /** Nobody waits for that answer any more; null if that was so before. */
+    private @Nullable Pending<?> take(long number) {
+        Pending<?> asked = pending.remove(number);
+        if (asked != null) {
+            node.forgetQuestion(asked.question());
+        }
+        return asked;
+    }
+
+    /** Whether its asker, on this node, waits for the answer. */
+    boolean isAwaited(Message question) {
+        return pending.containsKey(question.sequence());
+    }
+
     private void expire(long number, boolean timeIsOver, Duration limit) {
-        Pending<?> late = pending.remove(number);
+        Pending<?> late = take(number);
         if (late != null && timeIsOver) {
             Pending.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
         } else if (late != null) {
@@ -69,7 +85,7 @@ final class Questions {
 
     /** The bus itself says that there will be no answer. */
     void refuse(long number, String why) {
-        Pending<?> asked = pending.remove(number);
+        Pending<?> asked = take(number);
         if (asked != null) {
             refuse(asked, why);
         }

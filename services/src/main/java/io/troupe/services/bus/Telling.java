@@ -38,7 +38,7 @@ final class Telling {
     private void tell(Consumer<BusObserver> what) {
         try {
             what.accept(observer);
-        } catch (RuntimeException failure) {
+        } catch (RuntimeException | Error failure) { // of the observer, which must not end a delivery
             LoggingObserver.observerFailed(failure);
         }
     }

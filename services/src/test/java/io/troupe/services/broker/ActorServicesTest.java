@@ -10,46 +10,15 @@ import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** Actors as services: published, found, and called through the broker by their proxies. */
 class ActorServicesTest {
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
 
-    private static final class Stage implements AutoCloseable {
-        final BrokerBench bench = new BrokerBench(BrokerSettings.DEFAULT.withoutRestart());
-        final ActorServices services = new ActorServices(bench.broker, "node", bench.test.space(), bench.events::add);
-        final List<String> diary = bench.diary;
-        Parrot.@Nullable Grey last;
-
-        Parrot.Grey parrot(String name) {
-            last = new Parrot.Grey(name, diary);
-            return last;
-        }
-
-        void publish(String name) {
-            bench.test.get(
-                    services.publish(bench.test.space(), Parrot.class, "parrot", List.of("talks"), () -> parrot(name)));
-        }
-
-        void kill(String address) {
-            bench.test.space().stop(services.running(BrokerBench.at(address)).proxy());
-        }
-
-        <T> T get(Promise<T> promise) {
-            return bench.test.get(promise);
-        }
-
-        @Override
-        public void close() {
-            bench.close();
-        }
-    }
-
     @Test
     void publishedActor_isSpawnedAtTheFirstNeed_andCalledByItsInterface() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("grey");
             assertThat(stage.last).isNull();
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
@@ -67,7 +36,7 @@ class ActorServicesTest {
 
     @Test
     void callbacks_comeToTheCaller_eachInItsOrder() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("grey");
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
             var probe = stage.bench.test.<Integer>callback();
@@ -80,7 +49,7 @@ class ActorServicesTest {
 
     @Test
     void connection_survivesFailoverAndReplacement_behindTheSameProxy() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("a");
             stage.publish("b");
             var connection = stage.services.connect(Parrot.class, PARROT);
@@ -102,9 +71,30 @@ class ActorServicesTest {
     }
 
     @Test
+    void actorsThatStopped_byThemselvesOrByTheirOwner_areNotKept() {
+        try (var stage = new ServicesStage()) {
+            stage.publish("a");
+            stage.get(stage.services.connect(Parrot.class, PARROT).whenReady());
+            assertThat(stage.services.running(BrokerBench.at("parrot"))).isNotNull();
+            stage.kill("parrot");
+            stage.bench.test.crank();
+            assertThat(stage.services.running(BrokerBench.at("parrot"))).isNull();
+
+            var proxy = stage.bench.test.spawn(Parrot.class, () -> stage.parrot("b"));
+            stage.get(stage.services.publishSpawned(stage.bench.test.space(), "parrot", List.of(), proxy));
+            stage.get(stage.services.connect(Parrot.class, PARROT).whenReady());
+            assertThat(stage.services.running(BrokerBench.at("parrot-2"))).isNotNull();
+            stage.bench.test.space().stop(proxy);
+            stage.bench.test.crank();
+            assertThat(stage.services.running(BrokerBench.at("parrot-2"))).isNull();
+        }
+    }
+
+    @Test
     void call_waitsWhileThereIsNoProvider_andIsSentToTheFirst() {
-        try (var stage = new Stage()) {
-            var connection = stage.services.connect(Parrot.class, PARROT);
+        try (var stage = new ServicesStage()) {
+            var connection = stage.services.connect(
+                    Parrot.class, PARROT, ConnectionSettings.DEFAULT.withOneWayLimit(Duration.ofSeconds(5)));
             var parrot = connection.actor();
             var answer = parrot.say("hello");
             parrot.hear("and this");
@@ -159,7 +149,7 @@ class ActorServicesTest {
 
     @Test
     void call_waitsOnlyWithinItsLimits_ofTimeAndNumber() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             var settings = ConnectionSettings.DEFAULT
                     .withWaitLimit(Duration.ofSeconds(2))
                     .withMostWaiting(2);
@@ -188,7 +178,7 @@ class ActorServicesTest {
 
     @Test
     void providerThatDiesWithTheCallUnderWay_rejectsIt_byName() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("a");
             stage.publish("b");
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
@@ -206,7 +196,7 @@ class ActorServicesTest {
 
     @Test
     void answerThatComesLate_isRejectedBefore_andToldToTheObserver() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("a");
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
             var answer = parrot.sayLater("hello");
@@ -223,7 +213,7 @@ class ActorServicesTest {
 
     @Test
     void withoutAnswerLimit_anAnswerMayTakeAsLongAsItsProviderLives() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("a");
             var parrot = stage.services
                     .connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withoutAnswerLimit())
@@ -238,7 +228,7 @@ class ActorServicesTest {
 
     @Test
     void replacedProvider_answersWhatItWasAskedBefore() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("a");
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
             stage.get(parrot.say("0"));
@@ -261,7 +251,7 @@ class ActorServicesTest {
 
     @Test
     void wrongInterface_isToldInPlainWords() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.publish("a");
             var connection = stage.services.connect(Clock.class, PARROT);
             var answer = connection.actor().now();
@@ -284,7 +274,7 @@ class ActorServicesTest {
 
     @Test
     void actorWhoseFactoryThrows_isNotStarted_andTheReasonIsNamed() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             stage.get(stage.services.publish(stage.bench.test.space(), Parrot.class, "parrot", List.of(), () -> {
                 throw new IllegalStateException("no feathers");
             }));
@@ -301,7 +291,7 @@ class ActorServicesTest {
 
     @Test
     void actorThatThrows_isFailedOver_ifItsSupervisionStopsIt() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             var address = BrokerBench.at("brittle");
             stage.get(stage.bench.broker.register(
                     "parrot",
@@ -329,7 +319,7 @@ class ActorServicesTest {
 
     @Test
     void actorThatWasSpawnedBefore_isPublished_andLeftToItsOwner() {
-        try (var stage = new Stage()) {
+        try (var stage = new ServicesStage()) {
             var space = stage.bench.test.space();
             var proxy = stage.bench.test.spawn(Parrot.class, () -> stage.parrot("mine"));
             stage.get(stage.services.publishSpawned(space, "parrot", List.of(), proxy));

@@ -4,20 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
 import io.troupe.services.bus.Address;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** Broker, providers and callers on spaces, and so threads, of their own. */
+@Timeout(600)
 class BrokerThreadsTest {
-    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration PATIENCE = Patience.LONG;
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
 
     private final List<BrokerEvent> events = Collections.synchronizedList(new ArrayList<>());
@@ -26,30 +29,37 @@ class BrokerThreadsTest {
         return ActorSpace.create(SpaceSettings.named(name).withOnStall(Duration.ZERO, stall -> {}));
     }
 
+    /** Cranks the broker's space until other threads have done what settles that. */
+    private static <T> T await(TestSpace brokers, Promise<T> promise) {
+        while (!promise.isDone()) {
+            brokers.crank();
+            Thread.yield();
+        }
+        return brokers.get(promise);
+    }
+
     @Test
     void spaceThatHangs_isNoticedByABrokerOnAnother_andItsUsersGoOver() throws Exception {
+        var hangs = new CountDownLatch(1);
         var release = new CountDownLatch(1);
-        try (var brokers = space("brokers");
-                var hanging = space("hanging");
+        var brokers = new TestSpace(); // whose clock decides when a limit is over
+        try (var hanging = space("hanging");
                 var other = space("other")) {
-            var broker = ServiceBroker.open(
-                    brokers,
-                    BrokerSettings.DEFAULT
-                            .withChecks(Duration.ofMillis(10), Duration.ofMillis(500), 3)
-                            .withLimits(Duration.ofSeconds(30), Duration.ofMillis(500), Duration.ofSeconds(1))
-                            .withObserver(events::add));
-            var services = new ActorServices(broker, "node", brokers, events::add);
+            var broker = ServiceBroker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(events::add));
+            var services = new ActorServices(broker, "node", brokers.space(), events::add);
             var diary = Collections.synchronizedList(new ArrayList<String>());
-            services.publish(hanging, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("a", diary))
-                    .get(PATIENCE);
-            services.publish(other, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("b", diary))
-                    .get(PATIENCE);
-            var overThere = new CompletableFuture<String>();
+            await(
+                    brokers,
+                    services.publish(hanging, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("a", diary)));
+            await(
+                    brokers,
+                    services.publish(other, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("b", diary)));
+            var overThere = new Deferred<String>(brokers.space());
             broker.connect(PARROT, new Broker.Connection() {
                 @Override
                 public void use(ServiceRecord provider) {
                     if (provider.provider().name().equals("parrot-2")) {
-                        overThere.complete(provider.provider().name());
+                        overThere.resolve(provider.provider().name());
                     }
                 }
 
@@ -57,18 +67,27 @@ class BrokerThreadsTest {
                 public void lost(MissingServiceException why) {}
             });
             var connection = services.connect(Parrot.class, PARROT);
-            assertThat(connection.actor().say("1").get(PATIENCE)).isEqualTo("a: 1");
-            hanging.execute(() -> awaitUninterrupted(release));
-            assertThat(overThere.get(60, java.util.concurrent.TimeUnit.SECONDS)).isEqualTo("parrot-2");
+            assertThat(await(brokers, connection.actor().say("1"))).isEqualTo("a: 1");
+            hanging.execute(() -> {
+                hangs.countDown();
+                awaitUninterrupted(release);
+            });
+            hangs.await();
+            while (events.stream().noneMatch(BrokerEvent.Failed.class::isInstance)) {
+                brokers.crank();
+                brokers.advance(Duration.ofSeconds(1));
+            }
+            assertThat(events).anyMatch(BrokerEvent.Suspect.class::isInstance);
+            assertThat(await(brokers, overThere)).isEqualTo("parrot-2");
             connection.close();
             try (var again = services.connect(Parrot.class, PARROT)) {
-                assertThat(again.actor().say("2").get(PATIENCE)).isEqualTo("b: 2");
+                assertThat(await(brokers, again.actor().say("2"))).isEqualTo("b: 2");
             }
             release.countDown();
-            assertThat(broker.shutDown().get(PATIENCE)).isEmpty();
-            assertThat(events).anyMatch(BrokerEvent.Suspect.class::isInstance);
+            assertThat(await(brokers, broker.shutDown())).isEmpty();
         } finally {
             release.countDown();
+            brokers.close();
         }
     }
 
@@ -88,15 +107,15 @@ class BrokerThreadsTest {
                 var providers = space("providers");
                 var callers = space("callers");
                 var threads = Executors.newVirtualThreadPerTaskExecutor()) {
-            var broker = ServiceBroker.open(brokers, BrokerSettings.DEFAULT.withObserver(events::add));
+            var broker = ServiceBroker.open(brokers, Patience.BROKER.withObserver(events::add));
             var services = new ActorServices(broker, "node", callers, events::add);
             var diary = Collections.synchronizedList(new ArrayList<String>());
             Address now = services.publish(
                             providers, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("0", diary))
                     .get(PATIENCE)
                     .provider();
-            var parrot = services.connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withAnswerLimit(PATIENCE))
-                    .actor();
+            var parrot =
+                    services.connect(Parrot.class, PARROT, Patience.CONNECTION).actor();
             var load = threads.submit(() -> {
                 List<Promise<String>> answers = new ArrayList<>();
                 for (int i = 0; i < calls; i++) {

@@ -80,6 +80,30 @@ class MissingServiceTest {
         }
     }
 
+    @Test
+    void messageAboutManyProviders_namesSome_andSaysHowManyMoreThereAre() {
+        try (var bench = new BrokerBench()) {
+            for (int i = 0; i < 2_000; i++) {
+                var one = bench.provider("p" + i);
+                one.start = one::fail;
+                bench.broker.register("player", List.of("drives"), BrokerBench.at("p" + i), one);
+            }
+            var none = bench.broker.require(Need.ofService("x", "camera"));
+            assertThat(bench.missing(none))
+                    .startsWith("\"x\" needs the service \"camera\", which nobody offers; registered: player (drives; ")
+                    .endsWith(" and 1980 more")
+                    .hasSizeLessThan(1_000);
+            var broken = bench.broker.require(Need.ofService("x", "player"));
+            assertThat(bench.missing(broken))
+                    .contains("node/p19 (java.lang.IllegalStateException: p19 is broken) and 1980 more; registered: ")
+                    .doesNotContain("node/p20 ")
+                    .hasSizeLessThan(4_000);
+            assertThat(bench.test.error(broken).getSuppressed()).hasSize(20);
+            assertThat(bench.test.error(bench.broker.withdraw(BrokerBench.at("q"))))
+                    .hasMessageEndingWith("node/p19 and 1980 more");
+        }
+    }
+
     private static List<String> names(BrokerBench bench, Need need) {
         return bench.test.get(bench.broker.find(need)).stream()
                 .map(each -> each.provider().name())

@@ -18,10 +18,12 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
 /** Two actors that are publisher and subscriber of each other, over a broker; all three on spaces, and so threads, of their own. */
+@Timeout(600)
 class MutualThreadsTest {
-    private static final Duration PATIENCE = Duration.ofSeconds(60);
+    private static final Duration PATIENCE = Patience.LONG;
 
     /** Publishes numbers to whoever follows it. */
     interface Station {
@@ -52,7 +54,7 @@ class MutualThreadsTest {
 
         @Override
         protected void started() {
-            var opened = services.connect(Station.class, other);
+            var opened = services.connect(Station.class, other, Patience.CONNECTION);
             connection = opened;
             opened.whenReady() // so that the connection hears of each provider before this actor does
                     .thenCompose(ready -> services.broker().connect(other, this))
@@ -129,15 +131,15 @@ class MutualThreadsTest {
         try (var brokers = space("brokers");
                 var left = space("left");
                 var right = space("right")) {
-            Broker broker = ServiceBroker.open(
-                    brokers, BrokerSettings.DEFAULT.withoutRestart().withObserver(event -> {}));
+            Broker broker =
+                    ServiceBroker.open(brokers, Patience.BROKER.withoutRestart().withObserver(event -> {}));
             var services = new ActorServices(broker, "node", brokers, event -> {});
             services.publish(left, Station.class, "a", List.of(), () -> new Answerer("a", "b", 4, services));
             services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b", "a", 4, services));
             services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b-2", "a", 4, services));
 
-            try (var a = services.connect(Station.class, Need.ofService("test", "a"));
-                    var b = services.connect(Station.class, Need.ofService("test", "b"))) {
+            try (var a = services.connect(Station.class, Need.ofService("test", "a"), Patience.CONNECTION);
+                    var b = services.connect(Station.class, Need.ofService("test", "b"), Patience.CONNECTION)) {
                 await("a follows b", "b follows a"); // whoever asks for one starts both
                 a.actor().publish(1);
                 await("b hears 1 from a", "a hears 2 from b", "b hears 3 from a", "a hears 4 from b");

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.promise.Promise;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Replacing, withdrawing and closing, while everything runs. */
 class ReplaceTest {
@@ -73,6 +75,32 @@ class ReplaceTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"b, c", "a, a", "a, c"})
+    void secondReplacement_whileTheFirstStarts_isRefused_andOnlyOneRuns(String first, String second) {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            var heard = bench.connect("robot 1", "player");
+            var by = bench.provider("first");
+            by.start = by::hang;
+            var replaced = replace(bench, "a", by, first);
+            bench.test.crank();
+            assertThat(bench.test.error(replace(bench, "a", bench.provider("second"), second)))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("node/a is being replaced already, expected one replacement at a time");
+            by.unanswered.remove().resolve(null);
+            assertThat(bench.test.get(replaced).provider()).isEqualTo(BrokerBench.at(first));
+            assertThat(bench.test.get(bench.broker.registered())).hasSize(1);
+            assertThat(heard).containsExactly("use a", "use " + first);
+            assertThat(bench.diary).contains("start first", "stop a").doesNotContain("start second");
+
+            var third = bench.provider("third"); // one after the other
+            bench.test.get(replace(bench, first, third, second));
+            assertThat(bench.test.get(bench.broker.registered())).hasSize(1);
+            assertThat(bench.diary).contains("start third", "stop first");
+        }
+    }
+
     @Test
     void oldThatDoesNotStop_isTold_andTheReplacementHolds() {
         try (var bench = new BrokerBench()) {
@@ -116,6 +144,29 @@ class ReplaceTest {
     }
 
     @Test
+    void userThatThrowsAnError_isReportedWithIt_andNotAsSlow() {
+        try (var bench = new BrokerBench()) {
+            bench.offer("player", "a");
+            bench.broker.connect(Need.ofService("bad", "player"), new Broker.Connection() {
+                @Override
+                public void use(ServiceRecord provider) {
+                    throw new AssertionError("no class for " + provider.provider());
+                }
+
+                @Override
+                public void lost(MissingServiceException why) {}
+            });
+            bench.seconds(2);
+            assertThat(bench.events(BrokerEvent.UserFailed.class))
+                    .extracting(event -> event.why().getMessage())
+                    .containsExactly("no class for node/a");
+            assertThat(bench.test.takeProblems())
+                    .extracting(problem -> problem.error().getMessage())
+                    .containsExactly("no class for node/a");
+        }
+    }
+
+    @Test
     void withdraw_givesUsersTheNext_thenStops_andTellsThoseForWhomThereIsNone() {
         try (var bench = new BrokerBench()) {
             bench.offer("player", "a");
@@ -136,6 +187,47 @@ class ReplaceTest {
             bench.offer("player", "c");
             bench.test.crank();
             assertThat(heard).endsWith("use c");
+        }
+    }
+
+    @Test
+    void providerAtTheAddressOfAWithdrawnOne_isStartedWhenThatHasStopped() {
+        try (var bench = new BrokerBench()) {
+            var a = bench.offer("player", "a");
+            bench.require("player");
+            a.stop = a::hang;
+            bench.broker.withdraw(BrokerBench.at("a"));
+            var second = bench.provider("a2");
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), second);
+            bench.broker.withdraw(BrokerBench.at("a")); // which never ran
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("a3"));
+            var required = bench.broker.require(Need.ofService("x", "player"));
+            bench.seconds(2);
+            assertThat(bench.diary).containsExactly("start a", "stop a");
+            assertThat(required.isDone()).isFalse();
+            a.unanswered.remove().resolve(null);
+            bench.test.get(required);
+            assertThat(bench.diary).containsExactly("start a", "stop a", "start a3");
+        }
+    }
+
+    @Test
+    void withdrawnProvider_whoseUserWaitsForTheNextAtItsAddress_isStoppedFirst() {
+        try (var bench = new BrokerBench(BrokerSettings.DEFAULT.withoutRestart())) {
+            bench.offer("player", "a");
+            var b = bench.offer("player", "b");
+            var heard = bench.connect("robot 1", "player");
+            b.start = b::hang;
+            bench.broker.withdraw(BrokerBench.at("a")); // stopped when its user has another provider
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("a2"));
+            bench.test.crank();
+            assertThat(bench.diary).containsExactly("start a", "robot 1 hears of a", "start b");
+            b.unanswered.remove().reject(new IllegalStateException("no"));
+            bench.test.crank();
+            assertThat(heard).containsExactly("use a", "use a");
+            assertThat(bench.diary)
+                    .containsExactly(
+                            "start a", "robot 1 hears of a", "start b", "stop a", "start a2", "robot 1 hears of a");
         }
     }
 
@@ -196,8 +288,11 @@ class ReplaceTest {
                 .containsExactly("b");
         assertThat(bench.diary).containsExactly("robot 1 hears of the loss", "stop a", "stop b", "stop c");
         assertThat(heard).containsExactly("use a", "lost");
-        assertThat(bench.test.error(bench.broker.require(Need.ofService("x", "four"))))
-                .hasMessage("the broker is closed");
+        var four = Need.ofService("x", "four");
+        assertThat(bench.test.error(bench.broker.require(four))).hasMessage("the broker is closed");
+        assertThat(bench.test.error(bench.broker.withdraw(BrokerBench.at("d")))).hasMessage("the broker is closed");
+        assertThat(bench.test.get(bench.broker.find(four))).as("known").hasSize(1);
+        assertThat(bench.test.get(bench.broker.registered())).hasSize(4);
         bench.test.close();
     }
 

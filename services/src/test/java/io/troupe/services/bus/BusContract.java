@@ -28,6 +28,19 @@ abstract class BusContract {
 
     record Text(String value) {}
 
+    record Chain(int value, Optional<Chain> next) {
+        static Chain of(int links) {
+            var chain = new Chain(0, Optional.empty());
+            for (int i = 1; i < links; i++) {
+                chain = new Chain(i, Optional.of(chain));
+            }
+            return chain;
+        }
+    }
+
+    static final Topic<Chain> CHAINS = new Topic<>("chains", Chain.class);
+    static final Operation<Count, Chain> FORGE =
+            new Operation<>("forge", Count.class, Chain.class, Operation.Kind.DATA);
     static final Topic<Count> COUNTS = new Topic<>("counts", Count.class);
     static final Topic<Ranges> RANGES = new Topic<>("ranges", Ranges.class);
     static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);

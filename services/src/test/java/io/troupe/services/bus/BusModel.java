@@ -50,6 +50,7 @@ final class BusModel {
     }
 
     private final int capacity;
+    private final int nodes;
     private final Map<Integer, Reader> readers = new LinkedHashMap<>();
     private final Map<Integer, String> portOf = new LinkedHashMap<>();
     private final Map<String, Answerer> answerers = new LinkedHashMap<>();
@@ -62,7 +63,9 @@ final class BusModel {
     long late;
     private long seconds;
 
-    BusModel(int capacity) {
+    /** @param nodes over how many nodes the ports are spread by their numbers */
+    BusModel(int capacity, int nodes) {
+        this.nodes = nodes;
         this.capacity = capacity;
     }
 
@@ -112,8 +115,13 @@ final class BusModel {
             reader.heard.addAll(reader.waiting);
             reader.waiting.clear();
         }
-        for (var answerer : answerers.values()) {
+        for (var entry : answerers.entrySet()) {
+            var answerer = entry.getValue();
             for (var question = answerer.waiting.poll(); question != null; question = answerer.waiting.poll()) {
+                if (begun(entry.getKey(), answerer).size() >= capacity && isKnownToWait(question, entry.getKey())) {
+                    settle(question, "refused");
+                    continue;
+                }
                 switch (answerer.manner) {
                     case ANSWERS -> settle(question, "answered " + question.id);
                     case THROWS -> settle(question, "failed");
@@ -121,6 +129,21 @@ final class BusModel {
                 }
             }
         }
+    }
+
+    /** What an answerer has begun, as far as it knows: it learns that an asker has given up only of those on its own node. */
+    private List<Question> begun(String name, Answerer answerer) {
+        return answerer.kept.stream()
+                .filter(question -> isKnownToWait(question, name))
+                .toList();
+    }
+
+    private boolean isKnownToWait(Question question, String answerer) {
+        return question.outcome == null || nodeOf(question.asker) != nodeOf(answerer);
+    }
+
+    private int nodeOf(String port) {
+        return (port.charAt(port.length() - 1) - '0') % nodes;
     }
 
     private void settle(Question question, String outcome) {
@@ -159,7 +182,7 @@ final class BusModel {
         var answerer = answerers.remove(port);
         if (answerer != null) {
             answerer.waiting.forEach(question -> settle(question, "refused"));
-            answerer.kept.forEach(question -> settle(question, "refused"));
+            begun(port, answerer).forEach(question -> settle(question, "refused"));
             keptByNobody.addAll(answerer.kept);
         }
         for (var question : questions) {

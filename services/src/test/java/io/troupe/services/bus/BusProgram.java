@@ -25,7 +25,7 @@ final class BusProgram implements AutoCloseable {
     private final Random random;
     private final BytePipe pipe = new BytePipe(test.space());
     private final List<BusNode> nodes = new ArrayList<>();
-    private final BusModel model = new BusModel(CAPACITY);
+    private final BusModel model;
     private final Map<String, BusPort> ports = new LinkedHashMap<>();
     private final Map<Integer, BusPort.Subscription> subscriptions = new LinkedHashMap<>();
     private final Map<Integer, List<String>> heard = new LinkedHashMap<>();
@@ -42,6 +42,7 @@ final class BusProgram implements AutoCloseable {
         if (twoNodes) {
             nodes.add(pipe.open("two", settings));
         }
+        model = new BusModel(CAPACITY, nodes.size());
     }
 
     void run() {

@@ -14,15 +14,17 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
+@Timeout(600)
 class BusThreadsTest {
-    private static final Duration LONG = Duration.ofSeconds(30);
+    private static final Duration LONG = Duration.ofMinutes(10);
     private static final int THREADS = 4;
     private static final int VALUES = 10_000;
     private static final Count END = new Count(-1);
@@ -74,7 +76,7 @@ class BusThreadsTest {
         }
     }
 
-    private static void inThreads(int threads, java.util.function.IntConsumer body) throws InterruptedException {
+    static void inThreads(int threads, java.util.function.IntConsumer body) throws InterruptedException {
         var running = new ArrayList<Thread>();
         for (int i = 0; i < threads; i++) {
             int number = i;
@@ -134,61 +136,106 @@ class BusThreadsTest {
         assertThat(others).isEmpty();
     }
 
+    /** Questions of several threads to one address, where answerers come and go, each of which stays until it was of use. */
+    static final class Askers {
+        private final int lives;
+        final AtomicLong answered = new AtomicLong();
+        final AtomicLong refused = new AtomicLong();
+        final ConcurrentLinkedQueue<String> wrong = new ConcurrentLinkedQueue<>();
+        private final AtomicInteger asking;
+        private final CountDownLatch firstIsThere = new CountDownLatch(1);
+
+        Askers(int askers, int lives) {
+            this.asking = new AtomicInteger(askers);
+            this.lives = lives;
+        }
+
+        void ask(BusPort asker, Address to, int questions) {
+            try {
+                firstIsThere.await();
+                for (int i = 0; i < questions; i++) {
+                    ask(asker, to, new Count(i));
+                }
+            } catch (InterruptedException interrupted) {
+                wrong.add(interrupted.toString());
+            } finally {
+                asking.decrementAndGet();
+            }
+        }
+
+        private void ask(BusPort asker, Address to, Count count) {
+            try {
+                Text text = asker.ask(to, BusContract.SPELL, count, LONG).get(LONG);
+                answered.incrementAndGet();
+                if (!text.value().equals("" + count.value())) {
+                    wrong.add(text + " for " + count);
+                }
+            } catch (BusException none) {
+                refused.incrementAndGet();
+            } catch (Exception other) {
+                wrong.add(other.toString());
+            }
+        }
+
+        /** So that the askers meet an answerer, and none, as long as they ask, however the threads are scheduled. */
+        void comeAndGo(InProcessBus bus, ActorSpace home) {
+            for (int i = 0; i < lives; i++) {
+                long answeredBefore = answered.get();
+                var port = answerer(bus, home);
+                firstIsThere.countDown();
+                awaitMoreThan(answeredBefore, answered);
+                long refusedBefore = refused.get();
+                port.close();
+                awaitMoreThan(refusedBefore, refused);
+            }
+            answerer(bus, home);
+        }
+
+        private void awaitMoreThan(long before, AtomicLong count) {
+            while (count.get() == before && asking.get() > 0) {
+                Thread.onSpinWait();
+                Thread.yield();
+            }
+        }
+
+        private static BusPort answerer(InProcessBus bus, ActorSpace home) {
+            var port = bus.attach("answerer");
+            home.sequential(() -> {
+                        port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value())));
+                        return port;
+                    })
+                    .toCompletableFuture()
+                    .join();
+            return port;
+        }
+    }
+
     @Test
     void everyQuestion_isSettledOnce_whileAnswerersComeAndGo() throws Exception {
         int questions = 5_000;
-        var answered = new AtomicLong();
-        var refused = new AtomicLong();
-        var wrong = new ConcurrentLinkedQueue<String>();
+        var askers = new Askers(THREADS - 1, 300);
         try (var bus = open(64)) {
             var home = space("answerers");
             var to = new Address("robots", "answerer");
             inThreads(THREADS, number -> {
                 if (number == 0) {
-                    comeAndGo(bus, home);
-                    return;
-                }
-                var asker = bus.attach("asker" + number);
-                for (int i = 0; i < questions; i++) {
-                    try {
-                        Text text = asker.ask(to, BusContract.SPELL, new Count(i), LONG)
-                                .get(LONG);
-                        answered.incrementAndGet();
-                        if (!text.value().equals("" + i)) {
-                            wrong.add(text + " for " + i);
-                        }
-                    } catch (BusException none) {
-                        refused.incrementAndGet();
-                    } catch (Exception other) {
-                        wrong.add(other.toString());
-                    }
+                    askers.comeAndGo(bus, home);
+                } else {
+                    askers.ask(bus.attach("asker" + number), to, questions);
                 }
             });
             home.sequential(() -> true).get(LONG); // it counts an answer after its asker has it
-            assertThat(wrong).isEmpty();
-            assertThat(answered.get() + refused.get()).isEqualTo(questions * (THREADS - 1L));
+            assertThat(askers.wrong).isEmpty();
+            assertThat(askers.answered).as("found an answerer").hasPositiveValue();
+            assertThat(askers.refused).as("found none").hasPositiveValue();
             var metrics = bus.metrics();
             assertThat(metrics.asked()).isEqualTo(questions * (THREADS - 1L));
+            assertThat(metrics.answered()).isEqualTo(askers.answered.get());
+            assertThat(metrics.refused()).isEqualTo(askers.refused.get());
             assertThat(metrics.answered() + metrics.refused()).isEqualTo(metrics.asked());
             assertThat(metrics.timedOut()).isZero();
-            assertThat(answered).as("some found an answerer").hasPositiveValue();
             assertThat(metrics.late()).isEqualTo(late.sum());
             assertThat(others).hasSize((int) metrics.undeliverable()).allMatch(Loss.Undeliverable.class::isInstance);
         }
-    }
-
-    private static void comeAndGo(InProcessBus bus, ActorSpace home) {
-        for (int i = 0; i < 300; i++) {
-            var port = bus.attach("answerer");
-            var ready = home.sequential(() -> {
-                port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value())));
-                return port;
-            });
-            ready.toCompletableFuture().join();
-            Thread.yield();
-            port.close();
-        }
-        var port = bus.attach("answerer");
-        home.execute(() -> port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value()))));
     }
 }

@@ -135,6 +135,29 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
+    void answererThatNeverAnswers_refusesTheNewest_whenItHasBegunTooMany() {
+        var answerer = far().attach("speller");
+        var kept = new ArrayList<Deferred<Text>>();
+        answerer.answer(SPELL, count -> {
+            kept.add(new Deferred<>(test.space()));
+            return kept.getLast();
+        });
+        var asker = near().attach("asker");
+        for (int i = 0; i < CAPACITY; i++) {
+            heard(asker.ask(answerer.address(), SPELL, new Count(i), SECOND));
+            test.crank();
+        }
+        assertThat(refusalOf(asker.ask(answerer.address(), SPELL, new Count(9), SECOND)))
+                .endsWith("for spell: is too busy: 4 questions for spell are being answered");
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+        kept.forEach(each -> each.resolve(new Text("done")));
+        var next = asker.ask(answerer.address(), SPELL, new Count(5), SECOND);
+        test.crank();
+        kept.getLast().resolve(new Text("next"));
+        assertThat(test.get(next)).isEqualTo(new Text("next"));
+    }
+
+    @Test
     void questionThatIsCancelled_findsItsAnswerLate() {
         var answerer = far().attach("speller");
         answerer.answer(SPELL, BusContract::spelt);
@@ -143,6 +166,6 @@ class FaultContractTest extends BusContract {
         test.crank();
         assertThat(theOnlyLoss())
                 .isInstanceOfSatisfying(
-                        Loss.Late.class, late -> assertThat(late.why()).isEqualTo("the asker has cancelled"));
+                        Loss.Late.class, late -> assertThat(late.why()).isEqualTo("nobody waits for it any more"));
     }
 }

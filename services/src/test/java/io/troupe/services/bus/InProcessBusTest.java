@@ -10,6 +10,8 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.services.bus.BusContract.Count;
 import io.troupe.services.bus.BusContract.Text;
+import java.lang.ref.WeakReference;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.logging.Handler;
@@ -90,8 +92,112 @@ class InProcessBusTest {
                 .hasMessage("robots/asker asked robots/answerer for spell: the space of the asker was closed");
         assertThat(unheard).containsExactly(answers.getFirst().error());
         answerer.close();
-        assertThat(losses.removeFirst()).isInstanceOf(Loss.Undeliverable.class);
-        assertThat(losses.removeFirst()).isInstanceOf(Loss.Late.class);
+        assertThat(losses).as("the answerer has forgotten it").isEmpty();
+    }
+
+    @Test
+    void questionsWhoseAskersHaveGivenUp_makeRoomAtTheirAnswerer() {
+        var small = InProcessBus.open(
+                "small",
+                BusSettings.on(test.space()).withCapacity(BusContract.CAPACITY).withObserver(losses::add));
+        var answerer = small.attach("answerer");
+        answerer.answer(BusContract.SPELL, count -> new Deferred<>());
+        var asker = small.attach("asker");
+        for (int round = 0; round < 3; round++) {
+            List<Promise<Text>> answers = new ArrayList<>();
+            for (int i = 0; i < BusContract.CAPACITY; i++) {
+                answers.add(asker.ask(answerer.address(), BusContract.SPELL, new Count(i), BusContract.SECOND));
+            }
+            test.crank();
+            assertThat(answers).noneMatch(Promise::isDone);
+            var tooMany = asker.ask(answerer.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
+            assertThat(test.error(tooMany)).hasMessageEndingWith("4 questions for spell are being answered");
+            answers.removeFirst().cancel();
+            var instead = asker.ask(answerer.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
+            test.crank();
+            assertThat(instead.isDone()).as("the cancelled one has made room").isFalse();
+            answers.add(instead);
+            test.advance(BusContract.SECOND.multipliedBy(2));
+            assertThat(answers)
+                    .allSatisfy(each -> assertThat(test.error(each)).isInstanceOf(BusTimeoutException.class));
+        }
+        assertThat(losses).hasSize(3).allMatch(Loss.Undeliverable.class::isInstance);
+        losses.clear();
+        small.close();
+    }
+
+    @Test
+    void questionsThatAreCancelled_areNotKeptUntilTheirLimit() {
+        var answerer = bus.attach("answerer");
+        answerer.answer(BusContract.SPELL, count -> new Deferred<>());
+        var asker = bus.attach("asker");
+        var questions = new ArrayList<WeakReference<Count>>();
+        for (int i = 0; i < 20; i++) {
+            var question = new Count(i);
+            questions.add(new WeakReference<>(question));
+            var answer = asker.ask(answerer.address(), BusContract.SPELL, question, Duration.ofDays(1));
+            test.crank();
+            answer.cancel();
+        }
+        test.crank();
+        for (int tries = 0; tries < 20 && count(questions) > 1; tries++) {
+            System.gc();
+        }
+        assertThat(count(questions)).as("in memory, but for the last one").isLessThanOrEqualTo(1);
+    }
+
+    private static long count(List<WeakReference<Count>> references) {
+        return references.stream().filter(each -> each.get() != null).count();
+    }
+
+    @Test
+    void topic_mayHaveAnotherType_whenAllPortsThatUsedItAreClosed() {
+        var publisher = bus.attach("publisher");
+        var subscriber = bus.attach("subscriber");
+        var other = bus.attach("other");
+        var ofText = new Topic<>(BusContract.COUNTS.name(), Text.class);
+        publisher.publish(BusContract.COUNTS, new Count(1));
+        publisher.publish(BusContract.COUNTS, new Count(2));
+        subscriber.subscribe(BusContract.COUNTS, (count, from) -> {}).close();
+        publisher.close();
+        assertThatThrownBy(() -> other.publish(ofText, new Text("1")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("expected one type for one name");
+        subscriber.close();
+        other.publish(ofText, new Text("1"));
+        assertThatThrownBy(() -> bus.attach("late").publish(BusContract.COUNTS, new Count(3)))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void errorsOfTheObserver_endNoSubscription_andNoAnswering() {
+        var other = InProcessBus.open("other", new BusSettings(test.space(), 1, loss -> {
+            throw new NoClassDefFoundError("observer");
+        }));
+        var heard = new ArrayList<Integer>();
+        other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> {
+            heard.add(count.value());
+            throw new StackOverflowError("subscriber");
+        });
+        var port = other.attach("b");
+        port.answer(BusContract.SPELL, BusContract::spelt);
+        var answers = new ArrayList<Promise<Text>>();
+        logged(() -> {
+            for (int round = 0; round < 3; round++) {
+                for (int i = 0; i < 2; i++) { // the second is one too many
+                    port.publish(BusContract.COUNTS, new Count(10 * round + i));
+                    var answer = port.ask(port.address(), BusContract.SPELL, new Count(i), BusContract.SECOND);
+                    answers.add(BusContract.heard(answer));
+                }
+                test.crank();
+            }
+        });
+        assertThat(heard).containsExactly(1, 11, 21);
+        assertThat(answers)
+                .allMatch(Promise::isDone)
+                .filteredOn(each -> !each.isRejected())
+                .hasSize(3);
+        other.close();
     }
 
     @Test

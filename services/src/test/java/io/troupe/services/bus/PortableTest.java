@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 class PortableTest {
@@ -161,9 +162,73 @@ class PortableTest {
     void nullInAList_isRefused_byItsPlace() {
         assertThatThrownBy(() -> detacher.detached(new Texts(Arrays.asList("a", null))))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageStartingWith("a list has null at 1, expected values");
+                .hasMessage("a value of " + Texts.class.getName()
+                        + " cannot leave the process: a list in it has null at 1, expected values, and no null in lists and"
+                        + " maps, in at most 500 levels of records, lists and maps");
         assertThat(detacher.detached(new Texts(Collections.emptyList())).texts())
                 .isEmpty();
+    }
+
+    @Test
+    void nullInAMap_isRefused_asAKeyAndAsAValue() {
+        var values = new LinkedHashMap<String, List<Integer>>();
+        values.put("left", null);
+        assertThatThrownBy(() -> detacher.detached(new Named(values)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith("a value of " + Named.class.getName()
+                        + " cannot leave the process: a map in it has null for \"left\", expected values");
+        var keys = new LinkedHashMap<String, List<Integer>>();
+        keys.put(null, List.of());
+        assertThatThrownBy(() -> detacher.detached(new Named(keys)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a map in it has the key null");
+    }
+
+    record Link(int value, @Nullable Link next) {}
+
+    sealed interface Tree {
+        record Leaf() implements Tree {}
+
+        record Fork(Tree left, Tree right) implements Tree {}
+
+        record Root(Tree tree) {}
+    }
+
+    private static Link links(int count) {
+        Link links = null;
+        for (int i = 0; i < count; i++) {
+            links = new Link(i, links);
+        }
+        return links;
+    }
+
+    @Test
+    void valueThatIsNestedTooDeep_isRefused_byItsName() {
+        Tree tree = new Tree.Leaf();
+        Shape shape = new Shape.Circle(1);
+        for (int i = 0; i < 200_000; i++) {
+            tree = new Tree.Fork(tree, new Tree.Leaf());
+            shape = new Shape.Many(List.of(shape));
+        }
+        for (Record deep : List.of(links(200_000), new Tree.Root(tree), (Shape.Many) shape)) {
+            assertThatThrownBy(() -> detacher.detached(deep))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageStartingWith("a value of " + deep.getClass().getName()
+                            + " cannot leave the process: it is nested deeper than 500 levels, expected");
+            assertThatThrownBy(() -> RecordCodec.encode(deep)).isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+
+    @Test
+    void copierAndCodec_takeTheSameDepth() {
+        var deepest = links(Portable.MOST_LEVELS);
+        assertThat(detacher.detached(deepest)).isSameAs(deepest);
+        var message = new DataMessage(
+                new Address("a", "b"), new Message.Purpose.Publication("links"), 1, detacher.detached(deepest));
+        assertThat(((DataMessage) RecordCodec.decode(RecordCodec.encode(message))).payload())
+                .isEqualTo(deepest);
+        assertThatThrownBy(() -> detacher.detached(links(Portable.MOST_LEVELS + 1)))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test

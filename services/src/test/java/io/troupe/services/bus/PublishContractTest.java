@@ -134,6 +134,15 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
+    void valueThatIsNestedTooDeep_isRefused_byName() {
+        var port = near().attach("a");
+        assertThatThrownBy(() -> port.publish(CHAINS, Chain.of(200_000)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("a value of " + Chain.class.getName()
+                        + " cannot leave the process: it is nested deeper than 500 levels");
+    }
+
+    @Test
     void topic_withTwoTypes_isRefused_andNamesBoth() {
         var port = near().attach("a");
         port.subscribe(COUNTS, (count, from) -> {});

@@ -127,6 +127,40 @@ class QuestionContractTest extends BusContract {
         assertThat(take(failures)).hasSize(3);
     }
 
+    @Test
+    void answerThatIsNestedTooDeep_rejectsTheQuestion_byName() {
+        var smith = far().attach("smith");
+        smith.answer(FORGE, count -> Promise.of(Chain.of(count.value())));
+        var asker = near().attach("asker");
+        assertThat(test.get(asker.ask(smith.address(), FORGE, new Count(100), SECOND))
+                        .value())
+                .isEqualTo(99);
+        assertThat(test.error(asker.ask(smith.address(), FORGE, new Count(200_000), SECOND)))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageContaining("a value of " + Chain.class.getName()
+                        + " cannot leave the process: it is nested deeper than 500 levels");
+        assertThat(take(failures)).hasSize(1);
+    }
+
+    @Test
+    void answererWhoseErrorHasNoMessageToRead_rejectsTheQuestion() {
+        var answerer = far().attach("speller");
+        answerer.answer(SPELL, count -> Promise.failed(new Unreadable()));
+        assertThat(test.error(near().attach("asker").ask(answerer.address(), SPELL, new Count(7), SECOND)))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageEndingWith("(its message could not be read: java.lang.UnsupportedOperationException)");
+        assertThat(take(failures)).hasSize(1);
+    }
+
+    private static final class Unreadable extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public String getMessage() {
+            throw new UnsupportedOperationException();
+        }
+    }
+
     @SuppressWarnings("NullAway") // what a careless answerer does
     private static Promise<Text> promiseOfNothing() {
         return Promise.of(null);

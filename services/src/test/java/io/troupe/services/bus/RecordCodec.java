@@ -24,7 +24,7 @@ final class RecordCodec {
     static byte[] encode(Record value) {
         var bytes = new ByteArrayOutputStream();
         try {
-            write(value, new DataOutputStream(bytes));
+            write(value, new DataOutputStream(bytes), 0);
         } catch (IOException | ReflectiveOperationException failure) {
             throw new IllegalArgumentException("cannot encode " + value, failure);
         }
@@ -33,7 +33,7 @@ final class RecordCodec {
 
     static Record decode(byte[] bytes) {
         try {
-            var value = read(new DataInputStream(new ByteArrayInputStream(bytes)));
+            var value = read(new DataInputStream(new ByteArrayInputStream(bytes)), 0);
             return (Record) java.util.Objects.requireNonNull(value);
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
@@ -42,8 +42,10 @@ final class RecordCodec {
         }
     }
 
-    private static void write(@Nullable Object value, DataOutputStream out)
+    /** @param level how many others it is inside of: as many as a value may have, and the message around it */
+    private static void write(@Nullable Object value, DataOutputStream out, int level)
             throws IOException, ReflectiveOperationException {
+        checkLevel(level);
         switch (value) {
             case null -> out.writeByte('0');
             case Boolean it -> writeTagged('z', out).writeBoolean(it);
@@ -64,18 +66,18 @@ final class RecordCodec {
             case List<?> it -> {
                 writeTagged('L', out).writeInt(it.size());
                 for (Object each : it) {
-                    write(each, out);
+                    write(each, out, level + 1);
                 }
             }
             case Map<?, ?> it -> {
                 writeTagged('M', out).writeInt(it.size());
                 for (var each : it.entrySet()) {
-                    write(each.getKey(), out);
-                    write(each.getValue(), out);
+                    write(each.getKey(), out, level + 1);
+                    write(each.getValue(), out, level + 1);
                 }
             }
-            case Optional<?> it -> write(it.orElse(null), writeTagged('O', out));
-            case Record it -> writeRecord(it, writeTagged('R', out));
+            case Optional<?> it -> write(it.orElse(null), writeTagged('O', out), level + 1);
+            case Record it -> writeRecord(it, writeTagged('R', out), level);
             default -> throw new IllegalArgumentException("a " + value.getClass() + " cannot leave a process");
         }
     }
@@ -85,16 +87,25 @@ final class RecordCodec {
         return out;
     }
 
-    private static void writeRecord(Record value, DataOutputStream out)
+    private static void checkLevel(int level) {
+        if (level > Portable.MOST_LEVELS + 1) { // plain values are inside of the last level
+            throw new IllegalArgumentException(
+                    "a message is nested deeper than " + Portable.MOST_LEVELS + " levels and its value");
+        }
+    }
+
+    private static void writeRecord(Record value, DataOutputStream out, int level)
             throws IOException, ReflectiveOperationException {
         out.writeUTF(value.getClass().getName());
         for (RecordComponent component : value.getClass().getRecordComponents()) {
             component.getAccessor().setAccessible(true);
-            write(component.getAccessor().invoke(value), out);
+            write(component.getAccessor().invoke(value), out, level + 1);
         }
     }
 
-    private static @Nullable Object read(DataInputStream in) throws IOException, ReflectiveOperationException {
+    private static @Nullable Object read(DataInputStream in, int level)
+            throws IOException, ReflectiveOperationException {
+        checkLevel(level);
         char tag = (char) in.readByte();
         return switch (tag) {
             case '0' -> null;
@@ -110,25 +121,25 @@ final class RecordCodec {
             case 'D' -> Duration.parse(in.readUTF());
             case 'I' -> Instant.parse(in.readUTF());
             case 'E' -> readEnum(Class.forName(in.readUTF()), in.readUTF());
-            case 'L' -> readList(in);
+            case 'L' -> readList(in, level);
             case 'M' -> {
                 var map = new LinkedHashMap<@Nullable Object, @Nullable Object>();
                 for (int count = in.readInt(); count > 0; count--) {
-                    map.put(read(in), read(in));
+                    map.put(read(in, level + 1), read(in, level + 1));
                 }
                 yield map;
             }
-            case 'O' -> Optional.ofNullable(read(in));
-            case 'R' -> readRecord(Class.forName(in.readUTF()), in);
+            case 'O' -> Optional.ofNullable(read(in, level + 1));
+            case 'R' -> readRecord(Class.forName(in.readUTF()), in, level);
             default -> throw new IOException("no such tag: " + tag);
         };
     }
 
-    private static List<@Nullable Object> readList(DataInputStream in)
+    private static List<@Nullable Object> readList(DataInputStream in, int level)
             throws IOException, ReflectiveOperationException {
         var list = new ArrayList<@Nullable Object>();
         for (int count = in.readInt(); count > 0; count--) {
-            list.add(read(in));
+            list.add(read(in, level + 1));
         }
         return list;
     }
@@ -140,12 +151,12 @@ final class RecordCodec {
                 .orElseThrow();
     }
 
-    private static Object readRecord(Class<?> type, DataInputStream in)
+    private static Object readRecord(Class<?> type, DataInputStream in, int level)
             throws IOException, ReflectiveOperationException {
         var components = type.getRecordComponents();
         var parts = new ArrayList<@Nullable Object>();
         for (int i = 0; i < components.length; i++) {
-            parts.add(read(in));
+            parts.add(read(in, level + 1));
         }
         var constructor = type.getDeclaredConstructor(
                 Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));

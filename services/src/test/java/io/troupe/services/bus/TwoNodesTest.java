@@ -51,6 +51,46 @@ class TwoNodesTest extends BusContract {
     }
 
     @Test
+    void answerThatCannotBeSent_isFollowedByARefusal() {
+        var sent = new ArrayList<Message>();
+        var node = new BusNode("far-away", settings(), new Transport() {
+            @Override
+            public boolean reaches(String node) {
+                return true;
+            }
+
+            @Override
+            public void send(String node, Message message) {
+                if (message.purpose() instanceof Message.Purpose.Answer) {
+                    throw new StackOverflowError("in the codec");
+                }
+                sent.add(message);
+            }
+
+            @Override
+            public void broadcast(Message publication) {}
+
+            @Override
+            public void close() {}
+        });
+        var answerer = node.attach("a");
+        answerer.answer(SPELL, BusContract::spelt);
+        var asker = new Address("near", "b");
+        node.receive(new DataMessage(
+                asker, new Message.Purpose.Question(answerer.address(), SPELL.name()), 7, new Count(1)));
+        test.crank();
+        assertThat(sent)
+                .singleElement()
+                .satisfies(refusal ->
+                        assertThat(refusal.purpose()).isEqualTo(new Message.Purpose.Refusal(asker, SPELL.name(), 7)));
+        assertThat(sent.getFirst().payload())
+                .asString()
+                .contains("the answer could not be sent: the way from node far-away to node near failed");
+        assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
+        node.close();
+    }
+
+    @Test
     void replyToAnotherQuestionOfThatNumber_settlesNothing() {
         var sent = new ArrayList<Message>();
         var node = new BusNode("near", settings(), new Transport() {

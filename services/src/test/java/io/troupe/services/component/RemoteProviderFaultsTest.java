@@ -22,6 +22,9 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.NullSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Components controlled over the bus that are slow, hang, or go away; the limit of their control messages is shorter than the broker's own ones. */
 class RemoteProviderFaultsTest {
@@ -119,6 +122,17 @@ class RemoteProviderFaultsTest {
         assertThat(health(0)).isEqualTo(Health.FAILED);
         assertThat(heard).containsExactly("use first", "use second");
         assertThat(first.calls).containsExactly("invoke", "terminate");
+    }
+
+    @ParameterizedTest
+    @NullSource
+    @ValueSource(strings = {"", " "})
+    void failureWithoutAMessage_isAFailure(String message) {
+        connect();
+        first.health = () -> Promise.failed(new IllegalStateException(message));
+        seconds(1);
+        assertThat(health(0)).isEqualTo(Health.FAILED);
+        assertThat(heard).containsExactly("use first", "use second");
     }
 
     @Test
