@@ -5,6 +5,7 @@ import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.promise.Owner;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
@@ -246,8 +247,8 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return figures;
     }
 
-    final Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
-        return timers.set(cell, delay, period, task);
+    final Timer timer(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
+        return timers.set(cell, delay, period, schedule, task);
     }
 
     final boolean isCrankedByHand() {

@@ -1,9 +1,11 @@
 package io.troupe.actor;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
+import java.util.Objects;
 
 /** Sets what waits on the wheel of a space: for its actors, and for promises from any thread. */
 final class SpaceTimers {
@@ -18,10 +20,14 @@ final class SpaceTimers {
     }
 
     /** One that ends with the present instance of an actor; on the space's thread. */
-    Timer set(ActorCell cell, Duration delay, Duration period, Runnable task) {
+    Timer set(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
+        Objects.requireNonNull(task, "task");
         Life life = cell.life();
         Timer timer = wheel.set(
-                () -> life.run("a timer", task), SpaceHome.countedNanos(delay), SpaceHome.countedNanos(period));
+                () -> life.run("a timer", task),
+                SpaceHome.countedNanos(delay),
+                SpaceHome.countedNanos(period),
+                schedule);
         life.own(timer);
         return timer;
     }
