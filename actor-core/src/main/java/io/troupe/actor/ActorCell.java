@@ -257,9 +257,9 @@ public final class ActorCell {
         return mailbox == null ? ticket : mailbox.peek(ticket);
     }
 
-    /** How many calls wait before this one in a mailbox that keeps them itself, or -1. */
-    int placeInMailbox(Node call) {
-        return mailbox == null ? -1 : mailbox.placeOf(call);
+    /** How many calls wait before this one in a mailbox that keeps them itself, or -1 if it is not among the first so many. */
+    int placeInMailbox(Node call, int limit) {
+        return mailbox == null ? -1 : mailbox.placeOf(call, limit);
     }
 
     private void refuse(Node call) {

@@ -75,7 +75,7 @@ final class Probing implements SpaceMetrics {
 
     @Override
     public int timers() {
-        return dispatcher.timers.size();
+        return space.timers().size();
     }
 
     @Override

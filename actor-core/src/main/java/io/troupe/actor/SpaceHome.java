@@ -247,6 +247,10 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return figures;
     }
 
+    final SpaceTimers timers() {
+        return timers;
+    }
+
     final Timer timer(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
         return timers.set(cell, delay, period, schedule, task);
     }

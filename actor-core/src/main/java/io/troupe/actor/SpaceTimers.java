@@ -12,11 +12,13 @@ final class SpaceTimers {
     private final SpaceHome space;
     private final Clock clock;
     private final TimerWheel wheel;
+    private final OutsideTimers outside;
 
     SpaceTimers(SpaceHome space, Clock clock, TimerWheel wheel) {
         this.space = space;
         this.clock = clock;
         this.wheel = wheel;
+        this.outside = new OutsideTimers(space);
     }
 
     /** One that ends with the present instance of an actor; on the space's thread. */
@@ -36,7 +38,9 @@ final class SpaceTimers {
     Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         var expiry = new Expiry(task, ifClosed);
         if (!space.isCurrent()) {
-            return scheduleFromAfar(delayNanos, expiry);
+            return clock.runsByItself() // else time passes only when the clock is moved, and then the space is woken
+                    ? outside.schedule(delayNanos, expiry)
+                    : scheduleFromAfar(delayNanos, expiry);
         }
         if (space.hasEnded()) {
             ifClosed.run(); // nobody looks at the timers any more
@@ -63,6 +67,16 @@ final class SpaceTimers {
                 pending[0].cancel();
             }
         });
+    }
+
+    /** How many wait, those that were asked for by other threads included. */
+    int size() {
+        return wheel.size() + outside.size();
+    }
+
+    /** The space is closed: nothing that other threads have asked for waits any longer; answers how many did. */
+    int closeOutside() {
+        return outside.close();
     }
 
     private void onThread(Runnable task) {

@@ -61,7 +61,8 @@ public abstract class Home {
     protected abstract void enqueueAtHome(Node node);
 
     /**
-     * Runs a task on this home's thread after a delay, or, if the home is closed before, the other one.
+     * Runs a task after a delay, or, if the home is closed before, the other one; on this home's thread if that is calling, else on one
+     * that does not wait for the home, unless the home's clock is moved by hand.
      *
      * @return takes it back, from any thread
      */

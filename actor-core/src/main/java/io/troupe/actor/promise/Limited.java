@@ -1,6 +1,7 @@
 package io.troupe.actor.promise;
 
 import java.time.Duration;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
@@ -25,6 +26,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     static <T extends @Nullable Object> Promise<T> start(Promise<T> source, Duration timeout) {
+        Objects.requireNonNull(timeout, "timeout");
         Home here = Home.current();
         Home home = here != null ? here : source.home();
         if (home == null) {
@@ -46,7 +48,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
 
     private void expire() {
         settleError(new TimeoutException(
-                "no answer to " + asker + " within " + timeout + " from " + source + source.progress()));
+                "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source)));
     }
 
     private void abandon() {
@@ -74,8 +76,12 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected String progress() {
-        return source.progress();
+    Promise<T> source() {
+        return source;
+    }
+
+    Duration timeout() {
+        return timeout;
     }
 
     @Override
@@ -85,7 +91,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     public String toString() {
-        return source + " within " + timeout;
+        return PromiseText.describe(this);
     }
 
     /** Takes the time-out back, and passes the outcome on. */

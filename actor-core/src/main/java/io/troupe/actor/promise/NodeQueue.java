@@ -99,16 +99,27 @@ public final class NodeQueue extends QueueTail {
         return size;
     }
 
-    /** How many nodes would be taken before this one, or -1 if it does not wait here. As {@link #size}. */
-    public int indexOf(Node wanted) {
-        int index = 0;
-        for (Node node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
+    /** How many nodes would be taken before this one, or -1 if it is not among the first so many. Takes time in the limit. */
+    public int indexOf(Node wanted, int limit) {
+        var node = (Node) NEXT.getAcquire(head);
+        for (int index = 0; node != null && index < limit; index++) {
             if (node == wanted) {
                 return index;
             }
-            index++;
+            node = (Node) NEXT.getAcquire(node);
         }
         return -1;
+    }
+
+    /** Whether more nodes than that wait. Takes time in the limit. */
+    public boolean isLongerThan(int limit) {
+        int size = 0;
+        for (var node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
+            if (++size > limit) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**

@@ -259,6 +259,12 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return Gather.race(promises);
     }
 
+    /** The promise that this one waits for, while it does. */
+    @Nullable
+    Promise<?> source() {
+        return null;
+    }
+
     /** How far it has come, to be put behind its name in a message: empty, or beginning with a comma. */
     protected String progress() {
         return "";

@@ -123,15 +123,13 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     @Override
-    protected String progress() {
-        Promise<S> from = source;
-        return from == null ? "" : from.progress();
+    final @Nullable Promise<?> source() {
+        return source;
     }
 
     @Override
     public String toString() {
-        Promise<S> from = source;
-        return from == null ? "promise" : "promise after " + from;
+        return PromiseText.describe(this);
     }
 
     /** A null where the type parameter says whether null is allowed: the caller of {@code settleValue} has decided that. */
