@@ -73,6 +73,7 @@ final class Lifeline extends LifelinePhase {
             }
         }
         if (fallAsleep(dispatcher)) {
+            dispatcher.inbox.forgetLast();
             long deadline = dispatcher.timers.nextDeadline();
             if (deadline == Long.MAX_VALUE || !clock.runsByItself()) {
                 LockSupport.park(this);

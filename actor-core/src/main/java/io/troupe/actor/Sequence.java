@@ -17,6 +17,7 @@ final class Sequence<T extends @Nullable Object> {
     private final Semaphore givenBack = new Semaphore(0);
     private @Nullable Thread thread;
     private @Nullable RuntimeException cancelled;
+    private volatile boolean ended;
 
     Sequence(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
         this.space = space;
@@ -27,6 +28,11 @@ final class Sequence<T extends @Nullable Object> {
 
     Owner owner() {
         return owner;
+    }
+
+    /** Whether the body has returned or thrown; any thread. */
+    boolean hasEnded() {
+        return ended;
     }
 
     /** The thread it runs on; not started before the first time. */
@@ -71,6 +77,7 @@ final class Sequence<T extends @Nullable Object> {
         try {
             space.runOnLoan(this::runBody);
         } finally {
+            ended = true;
             givenBack.release();
         }
     }

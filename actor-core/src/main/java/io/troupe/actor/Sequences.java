@@ -53,7 +53,9 @@ final class Sequences {
         sequence.checkOwner();
         waiting.add(sequence);
         space.whenPromiseSettled(
-                promise, () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
+                promise,
+                sequence::hasEnded,
+                () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
         sequence.giveBack();
         sequence.checkOwner();
     }

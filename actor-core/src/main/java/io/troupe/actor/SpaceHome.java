@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
@@ -9,6 +10,7 @@ import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -120,6 +122,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
             rejections.hold(promise, error);
         } else {
             rejections.add(promise, error);
+        }
+    }
+
+    @Override
+    protected final void rejectedTooLate(Promise<?> promise, Throwable error) {
+        if (!(error instanceof ActorStoppedException)) { // a caller that waits no longer need not know that no answer will come
+            rejected(promise, error);
         }
     }
 
@@ -298,7 +307,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return isHeard(promise);
     }
 
-    final void whenPromiseSettled(Promise<?> promise, Runnable action) {
-        whenSettled(promise, action);
+    /** See {@link Home#whenSettled}. */
+    final void whenPromiseSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
+        whenSettled(promise, isOver, action);
+    }
+
+    /** See {@link Home#cancellable}. */
+    final <T extends @Nullable Object> Deferred<T> deferred(Runnable ifCancelled) {
+        return cancellable(this, ifCancelled);
     }
 }

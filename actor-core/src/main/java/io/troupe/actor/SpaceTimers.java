@@ -23,6 +23,8 @@ final class SpaceTimers {
 
     /** One that ends with the present instance of an actor; on the space's thread. */
     Timer set(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
+        Objects.requireNonNull(delay, "delay");
+        Objects.requireNonNull(period, "period");
         Objects.requireNonNull(task, "task");
         Life life = cell.life();
         Timer timer = wheel.set(

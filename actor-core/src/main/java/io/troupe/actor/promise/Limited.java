@@ -16,6 +16,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     private final String asker;
     private final boolean madeOutside;
     private volatile Runnable withdraw = NOTHING;
+    private volatile boolean expired;
 
     private Limited(Home home, Promise<T> source, Duration timeout) {
         this.home = home;
@@ -47,7 +48,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     private void expire() {
-        settleError(new TimeoutException(
+        expired = settleError(new TimeoutException(
                 "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source)));
     }
 
@@ -106,6 +107,11 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
         @Override
         void beforeSettling() {
             limited.withdraw.run();
+        }
+
+        @Override
+        boolean hasTimedOut() {
+            return limited.expired;
         }
     }
 }

@@ -51,6 +51,8 @@ public final class NodeQueue extends QueueTail {
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 
+    private final Node idleStub = head; // as it was at first: nothing offers it, and it is in use only while it is the head
+
     private long r00, r01, r02, r03, r04, r05, r06, r07, r08, r09, r10, r11, r12, r13, r14, r15;
 
     static {
@@ -143,6 +145,14 @@ public final class NodeQueue extends QueueTail {
     public void endBatch(Node last) {
         if (head != last) {
             head = last;
+        }
+    }
+
+    /** Lets go of the node that was taken last, if nothing waits behind it; to be called when the consumer is idle. */
+    public void forgetLast() {
+        Node last = head;
+        if (last != idleStub && last == tail && TAIL.compareAndSet(this, last, idleStub)) {
+            head = idleStub; // whose link is empty: the node behind it was taken
         }
     }
 }

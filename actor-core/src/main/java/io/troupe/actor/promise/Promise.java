@@ -23,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). In a space it
  * is an entry of the callback queue, never a call on the stack of whoever settles the promise.
  * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them.
+ * <p><b>Cost.</b> A settled promise keeps its outcome, and the promise of a request also the arguments of the call.
  * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection nobody listens to is
  * reported to the space's error handler.
  * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's {@code then}.
@@ -48,6 +49,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /** A promise that is already rejected. */
     public static <T extends @Nullable Object> Promise<T> failed(Throwable error) {
+        Objects.requireNonNull(error, "error");
         var promise = new Deferred<T>();
         promise.reject(error);
         return promise;
@@ -55,6 +57,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /** Follows a {@link CompletionStage}; its {@code CompletionException}s are unwrapped. */
     public static <T extends @Nullable Object> Promise<T> from(CompletionStage<? extends T> stage) {
+        Objects.requireNonNull(stage, "stage");
         var promise = new Deferred<T>();
         stage.whenComplete((value, error) -> {
             if (error == null) {
@@ -96,7 +99,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * @throws TimeoutException if it is not settled in time
      */
     public final T get(Duration timeout) throws TimeoutException, InterruptedException {
-        Waiter.await(this, timeout);
+        Waiter.await(this, Objects.requireNonNull(timeout, "timeout"));
         return valueOrThrow();
     }
 
@@ -169,6 +172,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     public final <U extends @Nullable Object, R extends @Nullable Object> Promise<R> thenCombine(
             Promise<? extends U> other, BiFunction<? super T, ? super U, ? extends R> function) {
+        Objects.requireNonNull(other, "other");
         Objects.requireNonNull(function, "function");
         Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
         other.register(new Relay(() -> {}, both)); // so that an error of the other is not one that nobody hears
@@ -183,6 +187,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     public final Promise<T> exceptionallyCompose(Function<Throwable, ? extends Promise<? extends T>> function) {
+        Objects.requireNonNull(function, "function");
         return listen(new Stage.Compose<T, T>(this, Promise::of, function));
     }
 
@@ -195,7 +200,13 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return listen(new Stage.Observe<T>(this, listener));
     }
 
-    /** Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first. */
+    /**
+     * Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first.
+     *
+     * <p><b>Threads.</b> Asked in a space, the limit is one of its timers. Asked outside every space, it needs no turn of the space that this promise comes
+     * from, so it ends in time even if that is stalled, unless its clock is moved by hand.
+     * <p><b>Errors.</b> A failure that comes after the time-out is reported to the error handler of this promise's space, if no other listener is left.
+     */
     public final Promise<T> orTimeout(Duration timeout) {
         return Limited.start(this, timeout);
     }

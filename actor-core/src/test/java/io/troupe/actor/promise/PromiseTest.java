@@ -10,6 +10,10 @@ import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeoutException;
+import java.util.Arrays;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
 /** Outside every space, where listeners run on the settling thread. */
@@ -193,5 +197,38 @@ class PromiseTest {
             chain = chain.thenApply(n -> n + 1);
         }
         assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
+    }
+
+    /** Calls a method with nothing where something is expected. */
+    private static void refuses(String parameter, ThrowingCallable call) {
+        assertThatThrownBy(call).isInstanceOf(NullPointerException.class).hasMessageStartingWith(parameter);
+    }
+
+    @Test
+    @SuppressWarnings("NullAway") // that is the point
+    void nullArgument_isRefusedAtRegistration_byName() {
+        Promise<Integer> promise = new Deferred<>();
+        refuses("listener", () -> promise.then((Consumer<Integer>) null));
+        refuses("listener", () -> promise.then((BiConsumer<Integer, Throwable>) null));
+        refuses("listener", () -> promise.whenComplete(null));
+        refuses("function", () -> promise.thenApply(null));
+        refuses("consumer", () -> promise.thenAccept(null));
+        refuses("action", () -> promise.thenRun(null));
+        refuses("function", () -> promise.thenCompose(null));
+        refuses("other", () -> promise.thenCombine(null, (mine, theirs) -> mine));
+        refuses("function", () -> promise.thenCombine(promise, null));
+        refuses("function", () -> promise.exceptionally(null));
+        refuses("function", () -> promise.exceptionallyCompose(null));
+        refuses("function", () -> promise.handle(null));
+        refuses("timeout", () -> promise.orTimeout(null));
+        refuses("timeout", () -> promise.get(null));
+        refuses("error", () -> Promise.failed(null));
+        refuses("stage", () -> Promise.from(null));
+        refuses("promises", () -> Promise.all(null));
+        refuses("promises[1]", () -> Promise.allSettled(Arrays.asList(promise, null)));
+        refuses("promises[0]", () -> Promise.any(Arrays.asList(null, promise)));
+        refuses("promises", () -> Promise.race(null));
+        refuses("other", () -> new Deferred<Integer>().resolveFrom(null));
+        refuses("error", () -> new Deferred<Integer>().reject(null));
     }
 }
