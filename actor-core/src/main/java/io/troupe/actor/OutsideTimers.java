@@ -50,10 +50,9 @@ final class OutsideTimers {
             throw new RejectedExecutionException("space " + space + " is closed");
         }
         if (executor == null) {
-            executor = new ScheduledThreadPoolExecutor(1, task -> Thread.ofPlatform()
-                    .daemon()
-                    .name(space + "-timers")
-                    .unstarted(task));
+            executor = new ScheduledThreadPoolExecutor(
+                    1,
+                    task -> Thread.ofPlatform().daemon().name(space + "-timers").unstarted(task));
             executor.setRemoveOnCancelPolicy(true); // a promise that is settled keeps nothing here
         }
         return executor;

@@ -17,8 +17,7 @@ final class Retrial<T extends @Nullable Object> {
     private int left;
     private volatile @Nullable Promise<?> pausing;
 
-    private Retrial(
-            ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
+    private Retrial(ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
         this.space = space;
         this.left = tries;
         this.pause = Objects.requireNonNull(pause, "pause");

@@ -127,7 +127,9 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     @Override
     protected final void rejectedTooLate(Promise<?> promise, Throwable error) {
-        if (!(error instanceof ActorStoppedException)) { // a caller that waits no longer need not know that no answer will come
+        if (!(error
+                instanceof
+                ActorStoppedException)) { // a caller that waits no longer need not know that no answer will come
             rejected(promise, error);
         }
     }

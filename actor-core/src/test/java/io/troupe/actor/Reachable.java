@@ -41,10 +41,11 @@ public final class Reachable {
                 add(Array.get(object, index));
             }
         }
-        for (Class<?> each = type; each != null && each.getName().startsWith("io.troupe."); each = each.getSuperclass()) {
+        for (Class<?> each = type;
+                each != null && each.getName().startsWith("io.troupe.");
+                each = each.getSuperclass()) {
             for (Field field : each.getDeclaredFields()) {
-                if (!Modifier.isStatic(field.getModifiers())
-                        && !field.getType().isPrimitive()) {
+                if (!Modifier.isStatic(field.getModifiers()) && !field.getType().isPrimitive()) {
                     field.setAccessible(true);
                     try {
                         add(field.get(object));

@@ -51,7 +51,8 @@ public final class NodeQueue extends QueueTail {
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 
-    private final Node idleStub = head; // as it was at first: nothing offers it, and it is in use only while it is the head
+    private final Node idleStub =
+            head; // as it was at first: nothing offers it, and it is in use only while it is the head
 
     private long r00, r01, r02, r03, r04, r05, r06, r07, r08, r09, r10, r11, r12, r13, r14, r15;
 

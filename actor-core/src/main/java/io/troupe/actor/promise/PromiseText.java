@@ -1,7 +1,5 @@
 package io.troupe.actor.promise;
 
-import org.jspecify.annotations.Nullable;
-
 /** What a promise is called in messages. Loops, for a chain of promises may be of any length; and stops, for a message may not. */
 final class PromiseText {
     private static final int SPELLED_OUT = 8;

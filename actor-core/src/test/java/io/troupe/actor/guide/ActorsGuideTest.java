@@ -174,9 +174,18 @@ class ActorsGuideTest {
 
         @Override
         protected void started() {
-            every(Duration.ofMillis(10), this::count); // Schedule.FIXED_RATE: makes up for missed runs, of the last second
-            every(Duration.ofMillis(10), Schedule.SKIP_MISSED, this::control); // leaves missed runs out: for control loops
-            every("poll", Duration.ofSeconds(1), Schedule.FIXED_DELAY, this::poll); // one second after the end of the last run
+            every(
+                    Duration.ofMillis(10),
+                    this::count); // Schedule.FIXED_RATE: makes up for missed runs, of the last second
+            every(
+                    Duration.ofMillis(10),
+                    Schedule.SKIP_MISSED,
+                    this::control); // leaves missed runs out: for control loops
+            every(
+                    "poll",
+                    Duration.ofSeconds(1),
+                    Schedule.FIXED_DELAY,
+                    this::poll); // one second after the end of the last run
         }
 
         private void count() {
