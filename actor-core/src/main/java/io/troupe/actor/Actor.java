@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.function.BooleanSupplier;
@@ -67,13 +68,22 @@ public abstract class Actor {
 
     /** Runs a task once, later, unless this actor has stopped. */
     protected final Timer after(Duration delay, Runnable task) {
-        return cell("after(..)").space().timer(cell, delay, Duration.ZERO, task);
+        return cell("after(..)").space().timer(cell, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
-    /** Runs a task again and again, the first time after one period, until this actor has stopped. */
+    /** Runs a task again and again, the first time after one period, until this actor has stopped; with the schedule {@link Schedule#FIXED_RATE}. */
     protected final Timer every(Duration period, Runnable task) {
+        return every(period, Schedule.FIXED_RATE, task);
+    }
+
+    /**
+     * Runs a task again and again, the first time after one period, until this actor has stopped.
+     *
+     * @param schedule when it runs next if it was late, or took long
+     */
+    protected final Timer every(Duration period, Schedule schedule, Runnable task) {
         checkPeriod(period);
-        return cell("every(..)").space().timer(cell, period, period, task);
+        return cell("every(..)").space().timer(cell, period, period, schedule, task);
     }
 
     /**
@@ -83,13 +93,18 @@ public abstract class Actor {
      * @param key any object, compared by {@code equals}; belongs to this actor alone
      */
     protected final Timer after(Object key, Duration delay, Runnable task) {
-        return keyed.set(cell("after(..)"), key, delay, Duration.ZERO, task);
+        return keyed.set(cell("after(..)"), key, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
-    /** Runs a task again and again, in place of the timer with that key; see {@link #after(Object, Duration, Runnable)}. */
+    /** As {@link #every(Duration, Runnable)}, in place of the timer with that key; see {@link #after(Object, Duration, Runnable)}. */
     protected final Timer every(Object key, Duration period, Runnable task) {
+        return every(key, period, Schedule.FIXED_RATE, task);
+    }
+
+    /** As {@link #every(Duration, Schedule, Runnable)}, in place of the timer with that key; see {@link #after(Object, Duration, Runnable)}. */
+    protected final Timer every(Object key, Duration period, Schedule schedule, Runnable task) {
         checkPeriod(period);
-        return keyed.set(cell("every(..)"), key, period, period, task);
+        return keyed.set(cell("every(..)"), key, period, period, schedule, task);
     }
 
     /** Takes the timer with that key back; false if there is none that is still going to run. */

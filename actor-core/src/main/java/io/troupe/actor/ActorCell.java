@@ -355,10 +355,23 @@ public final class ActorCell {
         return mailbox == null ? ticket : mailbox.peek(ticket);
     }
 
-    /** How many calls wait before this one in a mailbox that keeps them itself, or among those held back, or -1. */
-    int placeInMailbox(Node call) {
-        int place = mailbox == null ? -1 : mailbox.placeOf(call);
-        return place < 0 && held != null ? List.copyOf(held).indexOf(call) : place;
+    /** How many calls wait before this one in a mailbox that keeps them itself, or among those held back; -1 if it is not among the first so many. */
+    int placeInMailbox(Node call, int limit) {
+        int place = mailbox == null ? -1 : mailbox.placeOf(call, limit);
+        return place < 0 && held != null ? placeAmongHeld(call, limit) : place;
+    }
+
+    private int placeAmongHeld(Node call, int limit) {
+        int place = 0;
+        for (Node each : held) {
+            if (each == call) {
+                return place;
+            }
+            if (++place == limit) {
+                break;
+            }
+        }
+        return -1;
     }
 
     private void refuse(Node call) {

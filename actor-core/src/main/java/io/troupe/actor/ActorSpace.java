@@ -83,7 +83,9 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
 
     /** Makes an actor with settings of its own; see {@link #spawn(Class, Supplier)}. */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory, ActorSettings actorSettings) {
+        Objects.requireNonNull(type, "type");
         Objects.requireNonNull(factory, "factory");
+        Objects.requireNonNull(actorSettings, "actorSettings");
         checkOpen("spawn(" + type.getName() + ")");
         var proxies = ActorType.of(type);
         var cell = new ActorCell(this, type, spawned.incrementAndGet(), factory, actorSettings);
@@ -122,6 +124,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     private ActorCell cellOf(Object proxy) {
+        Objects.requireNonNull(proxy, "proxy");
         if (!(proxy instanceof ActorProxy actor) || actor.troupe$cell().space() != this) {
             throw new IllegalArgumentException("not a proxy of an actor in space " + this + ": "
                     + proxy.getClass().getName());
@@ -176,17 +179,14 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
 
     /** Fulfilled after a while, by this space's clock; rejected with {@link CancellationException} if the space is closed before. */
     public Promise<@Nullable Void> delay(Duration duration) {
-        var over = new Deferred<@Nullable Void>(this);
-        schedule(
-                nanosOf(duration),
-                () -> over.resolve(null),
-                () -> over.reject(new CancellationException(
-                        "space " + this + " was closed before the delay of " + duration + " was over")));
-        return over;
+        return Delay.start(this, Objects.requireNonNull(duration, "duration"));
     }
 
     /**
-     * Tries until a promise is fulfilled. The first try is made at once, on the calling thread, the others on this space's.
+     * Tries until a promise is fulfilled, or the promise that this answers is cancelled. The first try is made at once, on the calling thread, the others on this
+     * space's.
+     *
+     * <p><b>Cost.</b> Keeps nothing of the tries that have failed, so it may go on for ever.
      *
      * @param tries how often at the most
      * @param pause between the end of one try and the beginning of the next
@@ -197,11 +197,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         if (tries < 1) {
             throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
         }
-        Promise<T> first = Promise.done().thenCompose(begin -> attempt.get());
-        return tries == 1
-                ? first
-                : first.exceptionallyCompose(
-                        error -> delay(pause).thenCompose(over -> retry(tries - 1, pause, attempt)));
+        return Retrial.start(this, tries, pause, attempt);
     }
 
     /** Runs an action on the space's thread as soon as nothing waits there: no entry in any queue, no timer due. */
@@ -217,6 +213,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * @return fulfilled when the condition does not hold, rejected when condition or body throw
      */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
+        Objects.requireNonNull(body, "body");
         return Repetition.start(this, condition, () -> {
             body.run();
             return null;
@@ -284,6 +281,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * @throws ActorException if that takes longer; the text says what the thread is doing
      */
     public Leftovers close(Duration patience) {
+        Objects.requireNonNull(patience, "patience");
         if (isCurrent()) {
             throw new IllegalStateException(
                     "close(" + patience + ") would wait for itself on the thread of space " + this + ": call close()");

@@ -103,8 +103,8 @@ final class BoundedMailbox {
         }
     }
 
-    /** How many calls wait here before this one, or -1 if it does not wait here. */
-    int placeOf(Node call) {
+    /** How many calls wait here before this one, or -1 if it is not among the first so many. */
+    int placeOf(Node call, int limit) {
         if (calls == null) {
             return -1;
         }
@@ -114,7 +114,9 @@ final class BoundedMailbox {
                 if (each == call) {
                     return place;
                 }
-                place++;
+                if (++place == limit) {
+                    break;
+                }
             }
             return -1;
         }

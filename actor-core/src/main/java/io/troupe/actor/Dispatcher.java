@@ -149,15 +149,22 @@ final class Dispatcher {
         return (long) callbacks.size() + mails.size() + inbox.size() + callbackInbox.size();
     }
 
-    /** How many mails wait in front of one; -1 if it does not wait. Takes time in their number. */
-    int mailsBefore(Node mail) {
-        for (int index = 0; index < mails.size(); index++) {
+    /** How many mails wait in front of one; -1 if it is not among the first so many. */
+    int mailsBefore(Node mail, int limit) {
+        int inside = Math.min(limit, mails.size());
+        for (int index = 0; index < inside; index++) {
             if (mails.get(index) == mail) {
                 return index;
             }
         }
-        int behind = inbox.indexOf(mail);
-        return behind < 0 ? -1 : mails.size() + behind;
+        int behind = inbox.indexOf(mail, limit - inside);
+        return behind < 0 ? -1 : inside + behind;
+    }
+
+    /** Whether more entries than that wait. Takes time in the limit. */
+    boolean isLongerThan(int limit) {
+        int inside = mails.size();
+        return inside > limit || inbox.isLongerThan(limit - inside);
     }
 
     /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.HashMap;
@@ -18,12 +19,12 @@ final class KeyedTimers {
     private @Nullable Map<Object, Timer> timers; // most actors have none
     private int sweepAt = SMALL;
 
-    Timer set(ActorCell cell, Object key, Duration delay, Duration period, Runnable task) {
+    Timer set(ActorCell cell, Object key, Duration delay, Duration period, Schedule schedule, Runnable task) {
         Objects.requireNonNull(key, "key");
         Objects.requireNonNull(task, "task");
         var known = timers == null ? timers = new HashMap<>() : timers;
         boolean once = period.isZero();
-        Timer timer = cell.space().timer(cell, delay, period, () -> {
+        Timer timer = cell.space().timer(cell, delay, period, schedule, () -> {
             if (once) {
                 known.remove(key); // before, for the task may set the key anew
             }

@@ -79,6 +79,7 @@ final class Lifeline extends LifelinePhase {
             }
         }
         if (fallAsleep(dispatcher)) {
+            dispatcher.inbox.forgetLast();
             long deadline = dispatcher.timers.nextDeadline();
             long nanos = deadline == Long.MAX_VALUE || !clock.runsByItself()
                     ? LONGEST_SLEEP_NANOS

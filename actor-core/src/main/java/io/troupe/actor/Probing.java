@@ -79,7 +79,7 @@ final class Probing implements SpaceMetrics {
     @Override
     public int timers() {
         VarHandle.acquireFence();
-        return dispatcher.timers.size();
+        return space.timers().size();
     }
 
     @Override

@@ -21,6 +21,7 @@ final class Refusal {
     }
 
     void dropTimers(TimerWheel wheel) {
+        timers += space.timers().closeOutside();
         for (Runnable task : wheel.clear()) {
             timers++;
             if (task instanceof Expiry expiry) {

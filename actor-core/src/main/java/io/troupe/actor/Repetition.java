@@ -66,7 +66,7 @@ final class Repetition {
     /** The listener is not called if the actor of this loop stops meanwhile; then its promise says so. */
     private void await(Promise<?> step) {
         Promise<?> listener = step.handle((value, error) -> next(error));
-        space.whenPromiseSettled(listener, () -> {
+        space.whenPromiseSettled(listener, end::isDone, () -> {
             Throwable error = listener.error();
             if (error != null) {
                 end.reject(error);

@@ -9,6 +9,8 @@ import org.jspecify.annotations.Nullable;
  * promise has its subclass, whose fields are the arguments.
  */
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
+    private static final int COUNTED = 1_000; // a time-out behind a long queue must not cost its length
+
     private final ActorCell cell;
     private boolean askedInside;
 
@@ -84,9 +86,14 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         if (isDone() || !space.isCurrent()) {
             return "";
         }
-        int inMailbox = cell.placeInMailbox(this);
-        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.mailsBefore(this);
-        return before < 0 ? ", which has begun it" : ", which has not begun it: " + before + " calls come first";
+        int inMailbox = cell.placeInMailbox(this, COUNTED);
+        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.mailsBefore(this, COUNTED);
+        if (before >= 0) {
+            return ", which has not begun it: " + before + " calls come first";
+        }
+        return space.dispatcher.isLongerThan(COUNTED)
+                ? ", where more than " + COUNTED + " calls wait"
+                : ", which has begun it";
     }
 
     /** Passes the outcome of the method on. */

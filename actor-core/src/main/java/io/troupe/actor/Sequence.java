@@ -35,6 +35,11 @@ final class Sequence<T extends @Nullable Object> {
         return owner;
     }
 
+    /** Whether the body has returned or thrown; any thread. */
+    boolean hasEnded() {
+        return over;
+    }
+
     /** Lets the body run until it ends or waits; on the space's thread. */
     void go() {
         if (over) {

@@ -53,7 +53,9 @@ final class Sequences {
         }
         sequence.checkOwner();
         space.whenPromiseSettled(
-                promise, () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
+                promise,
+                sequence::hasEnded,
+                () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
         while (!promise.isDone()) { // it may be resumed for one that it does not wait for any more
             waiting.add(sequence);
             try {

@@ -1,13 +1,16 @@
 package io.troupe.actor;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.NodeQueue;
 import io.troupe.actor.promise.Owner;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -131,6 +134,15 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
             rejections.hold(promise, error);
         } else {
             rejections.add(promise, error);
+        }
+    }
+
+    @Override
+    protected final void rejectedTooLate(Promise<?> promise, Throwable error) {
+        if (!(error
+                instanceof
+                ActorStoppedException)) { // a caller that waits no longer need not know that no answer will come
+            rejected(promise, error);
         }
     }
 
@@ -262,8 +274,12 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return figures;
     }
 
-    final Timer timer(ActorCell cell, Duration delay, Duration period, Runnable task) {
-        return timers.set(cell, delay, period, task);
+    final SpaceTimers timers() {
+        return timers;
+    }
+
+    final Timer timer(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
+        return timers.set(cell, delay, period, schedule, task);
     }
 
     final boolean isCrankedByHand() {
@@ -309,7 +325,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return isHeard(promise);
     }
 
-    final void whenPromiseSettled(Promise<?> promise, Runnable action) {
-        whenSettled(promise, action);
+    /** See {@link Home#whenSettled}. */
+    final void whenPromiseSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
+        whenSettled(promise, isOver, action);
+    }
+
+    /** See {@link Home#cancellable}. */
+    final <T extends @Nullable Object> Deferred<T> deferred(Runnable ifCancelled) {
+        return cancellable(this, ifCancelled);
     }
 }

@@ -1,27 +1,37 @@
 package io.troupe.actor;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
+import java.util.Objects;
 
 /** Sets what waits on the wheel of a space: for its actors, and for promises from any thread. */
 final class SpaceTimers {
     private final SpaceHome space;
     private final Clock clock;
     private final TimerWheel wheel;
+    private final OutsideTimers outside;
 
     SpaceTimers(SpaceHome space, Clock clock, TimerWheel wheel) {
         this.space = space;
         this.clock = clock;
         this.wheel = wheel;
+        this.outside = new OutsideTimers(space);
     }
 
     /** One that ends with the present instance of an actor; on the space's thread. */
-    Timer set(ActorCell cell, Duration delay, Duration period, Runnable task) {
+    Timer set(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
+        Objects.requireNonNull(delay, "delay");
+        Objects.requireNonNull(period, "period");
+        Objects.requireNonNull(task, "task");
         Life life = cell.life();
         Timer timer = wheel.set(
-                () -> life.run("a timer", task), SpaceHome.countedNanos(delay), SpaceHome.countedNanos(period));
+                () -> life.run("a timer", task),
+                SpaceHome.countedNanos(delay),
+                SpaceHome.countedNanos(period),
+                schedule);
         life.own(timer);
         return timer;
     }
@@ -30,7 +40,9 @@ final class SpaceTimers {
     Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         var expiry = new Expiry(task, ifClosed);
         if (!space.isCurrent()) {
-            return scheduleFromAfar(delayNanos, expiry);
+            return clock.runsByItself() // else time passes only when the clock is moved, and then the space is woken
+                    ? outside.schedule(delayNanos, expiry)
+                    : scheduleFromAfar(delayNanos, expiry);
         }
         if (space.hasEnded()) {
             ifClosed.run(); // nobody looks at the timers any more
@@ -57,6 +69,16 @@ final class SpaceTimers {
                 pending[0].cancel();
             }
         });
+    }
+
+    /** How many wait, those that were asked for by other threads included. */
+    int size() {
+        return wheel.size() + outside.size();
+    }
+
+    /** The space is closed: nothing that other threads have asked for waits any longer; answers how many did. */
+    int closeOutside() {
+        return outside.close();
     }
 
     private void onThread(Runnable task) {

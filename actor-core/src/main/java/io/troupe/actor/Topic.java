@@ -78,15 +78,24 @@ public final class Topic<T> {
      * @return the subscription, to be cancelled from any thread
      */
     public Callback.Stream<T> subscribe(Consumer<? super T> onValue) {
-        var stream = new Callback.Stream<T>(onValue, this::refuseFailure);
+        var stream = new Callback.Stream<T>(Objects.requireNonNull(onValue, "onValue"), this::refuseFailure);
         addReader(ReturningCallback.to(stream, space));
         return stream;
     }
 
-    /** Subscribes to the values and to the end. Who wants to cancel passes a {@link Callback.Stream}; one subscribed twice hears
-     * every value twice. */
-    public void subscribe(Callback<? super T> callback) {
-        addReader(ReturningCallback.to(Objects.requireNonNull(callback, "callback"), space));
+    /**
+     * Subscribes to the values and to the end. To cancel, pass a {@link Callback.Stream}; one that is subscribed twice gets every value twice.
+     *
+     * @param more of them; there is a variable number so that {@code subscribe(list::add)}, which would fit both methods, means the one for values
+     */
+    @SafeVarargs
+    public final void subscribe(Callback<? super T> callback, Callback<? super T>... more) {
+        Objects.requireNonNull(callback, "callback");
+        Objects.requireNonNull(more, "more");
+        addReader(ReturningCallback.to(callback, space));
+        for (Callback<? super T> another : more) {
+            addReader(ReturningCallback.to(Objects.requireNonNull(another, "more"), space));
+        }
     }
 
     private void addReader(ReturningCallback<? super T> callback) {

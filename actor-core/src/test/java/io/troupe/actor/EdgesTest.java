@@ -80,6 +80,24 @@ class EdgesTest {
     }
 
     @Test
+    void timeout_behindALongQueue_countsItNoFurtherThanAThousand() {
+        var test = new TestSpace();
+        var error = new AtomicReference<Throwable>();
+        Worker worker = test.spawn(Worker.class, Never::new);
+        test.run(() -> {
+            for (int before = 0; before < 3_000; before++) {
+                worker.take(before);
+            }
+            worker.ask(1).orTimeout(Duration.ZERO).exceptionally(late -> {
+                error.set(late);
+                return 0;
+            });
+        });
+        assertThat(error.get()).hasMessageEndingWith("from Worker.ask(1) of Worker#1, where more than 1000 calls wait");
+        test.close();
+    }
+
+    @Test
     void completableFuture_whatFollowsInIt_isNotOnBehalfOfTheLastActor() {
         var test = new TestSpace();
         var promise = new AtomicReference<Promise<Integer>>();

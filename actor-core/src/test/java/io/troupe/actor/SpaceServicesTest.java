@@ -85,4 +85,20 @@ class SpaceServicesTest {
                     .hasMessage("disk");
         }
     }
+
+    @Test
+    @SuppressWarnings("NullAway") // that is the point
+    void nullArgument_isRefusedAtOnce_byName() {
+        ActorSpace space = test.space();
+        assertThatThrownBy(() -> space.delay(null)).hasMessage("duration");
+        assertThatThrownBy(() -> space.retry(1, null, () -> Promise.of(1))).hasMessage("pause");
+        assertThatThrownBy(() -> space.retry(1, Duration.ZERO, null)).hasMessage("attempt");
+        assertThatThrownBy(() -> space.whenStopped(null)).hasMessage("proxy");
+        test.run(() -> {
+            assertThatThrownBy(() -> space.repeatWhile(() -> false, (Runnable) null))
+                    .hasMessage("body");
+            log.add("checked");
+        });
+        assertThat(log).containsExactly("checked");
+    }
 }

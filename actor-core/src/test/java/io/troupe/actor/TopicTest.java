@@ -178,4 +178,18 @@ class TopicTest {
                 .isInstanceOf(NullPointerException.class)
                 .hasMessage("callback");
     }
+
+    @Test
+    void methodReference_thatWouldFitBothMethods_subscribesToTheValues() {
+        Topic<String> names = Topic.of(test.space(), "names");
+        names.subscribe(log::add);
+        CallbackProbe<String> first = test.callback();
+        CallbackProbe<String> second = test.callback();
+        names.subscribe(first, second);
+        assertThat(names.publish("Ann")).isEqualTo(3);
+        test.crank();
+        assertThat(log).containsExactly("Ann");
+        assertThat(first.results()).containsExactly("Ann");
+        assertThat(second.results()).containsExactly("Ann");
+    }
 }

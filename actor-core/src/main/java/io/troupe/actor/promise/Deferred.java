@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -8,10 +9,13 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred. Until it is settled, the actor keeps the request
  * with its arguments; if the actor ends first, the request is rejected, and settling the deferred has no effect on it.
  * <p><b>Threads.</b> Any thread may settle it; the first one wins.
+ * <p><b>Errors.</b> A rejection that nobody listens to is reported to the error handler of the space it belongs to. One that was made outside every space belongs to
+ * none, and its rejection is not reported: pass the space to the constructor, or listen.
  */
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;
     private final boolean madeOutside;
+    private final @Nullable Runnable ifCancelled;
 
     /** Belongs to the actor space whose thread is calling, if any. */
     public Deferred() {
@@ -20,8 +24,20 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
 
     /** Belongs to that home: its listeners from outside run there, and a rejection nobody hears is reported there. */
     public Deferred(@Nullable Home home) {
+        this(home, null);
+    }
+
+    Deferred(@Nullable Home home, @Nullable Runnable ifCancelled) {
         this.home = home;
         this.madeOutside = home != null && !home.isCurrent();
+        this.ifCancelled = ifCancelled;
+    }
+
+    @Override
+    protected void cancelled() {
+        if (ifCancelled != null) {
+            ifCancelled.run();
+        }
     }
 
     @Override
@@ -41,7 +57,7 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
 
     /** Settles the promise as the other one is, as soon as it is. */
     public void resolveFrom(Promise<? extends T> other) {
-        follow(other);
+        follow(Objects.requireNonNull(other, "other"));
     }
 
     @Override

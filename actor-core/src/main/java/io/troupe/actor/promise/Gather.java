@@ -12,6 +12,16 @@ import org.jspecify.annotations.Nullable;
 final class Gather {
     private Gather() {}
 
+    private static <P> List<P> parts(Collection<? extends P> promises) {
+        var parts = new ArrayList<P>(Objects.requireNonNull(promises, "promises"));
+        for (int index = 0; index < parts.size(); index++) {
+            if (parts.get(index) == null) {
+                throw new NullPointerException("promises[" + index + "]");
+            }
+        }
+        return parts;
+    }
+
     private static <R extends @Nullable Object> Deferred<R> about(List<? extends Promise<?>> parts) {
         Home here = Home.current();
         return new Deferred<>(
@@ -25,7 +35,7 @@ final class Gather {
     }
 
     static <T extends @Nullable Object> Promise<List<T>> all(Collection<? extends Promise<? extends T>> promises) {
-        var parts = List.<Promise<? extends T>>copyOf(promises);
+        List<Promise<? extends T>> parts = parts(promises);
         Deferred<List<T>> whole = about(parts);
         if (parts.isEmpty()) {
             whole.resolve(List.of());
@@ -50,7 +60,7 @@ final class Gather {
 
     static <T extends @Nullable Object> Promise<List<Outcome<T>>> allSettled(
             Collection<? extends Promise<? extends T>> promises) {
-        var parts = List.<Promise<? extends T>>copyOf(promises);
+        List<Promise<? extends T>> parts = parts(promises);
         Deferred<List<Outcome<T>>> whole = about(parts);
         if (parts.isEmpty()) {
             whole.resolve(List.of());
@@ -71,7 +81,7 @@ final class Gather {
     }
 
     static <T extends @Nullable Object> Promise<T> any(Collection<? extends Promise<? extends T>> promises) {
-        var parts = List.<Promise<? extends T>>copyOf(promises);
+        List<Promise<? extends T>> parts = parts(promises);
         Deferred<T> first = about(parts);
         if (parts.isEmpty()) {
             first.reject(new NoSuchElementException("any of no promises"));
@@ -95,7 +105,7 @@ final class Gather {
     }
 
     static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
-        var parts = List.<Promise<? extends T>>copyOf(promises);
+        List<Promise<? extends T>> parts = parts(promises);
         Deferred<T> first = about(parts);
         if (parts.isEmpty()) {
             first.reject(new NoSuchElementException("race of no promises"));

@@ -1,6 +1,7 @@
 package io.troupe.actor.promise;
 
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -61,7 +62,8 @@ public abstract class Home {
     protected abstract void enqueueAtHome(Node node);
 
     /**
-     * Runs a task on this home's thread after a delay, or, if the home is closed before, the other one.
+     * Runs a task after a delay, or, if the home is closed before, the other one; on this home's thread if that is calling, else on one
+     * that does not wait for the home, unless the home's clock is moved by hand.
      *
      * @return takes it back, from any thread
      */
@@ -69,6 +71,11 @@ public abstract class Home {
 
     /** A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still so. */
     protected abstract void rejected(Promise<?> promise, Throwable error);
+
+    /** A promise was rejected after all its listeners had been given up because of time limits. */
+    protected void rejectedTooLate(Promise<?> promise, Throwable error) {
+        rejected(promise, error);
+    }
 
     /** Lets others run until the promise is settled, if the caller is a sequential body; else throws. */
     protected abstract void await(Promise<?> promise);
@@ -137,8 +144,17 @@ public abstract class Home {
         return promise.isHeard();
     }
 
-    /** Runs an action when the promise is settled, on whichever thread does that. */
-    protected static void whenSettled(Promise<?> promise, Runnable action) {
-        promise.register(new Relay(action, promise));
+    /**
+     * Runs an action when the promise is settled, on whichever thread does that.
+     *
+     * @param isOver whether the action need not be run any more, so that the promise may forget it; asked by any thread
+     */
+    protected static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
+        promise.register(new Relay(action, isOver));
+    }
+
+    /** A promise of that home that is settled by hand; the action runs, on the calling thread, when it is cancelled. */
+    protected static <T extends @Nullable Object> Deferred<T> cancellable(Home home, Runnable ifCancelled) {
+        return new Deferred<>(home, ifCancelled);
     }
 }

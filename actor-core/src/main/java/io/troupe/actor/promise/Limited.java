@@ -1,6 +1,7 @@
 package io.troupe.actor.promise;
 
 import java.time.Duration;
+import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
@@ -15,6 +16,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     private final String asker;
     private final boolean madeOutside;
     private volatile Runnable withdraw = NOTHING;
+    private volatile boolean expired;
 
     private Limited(Home home, Promise<T> source, Duration timeout) {
         this.home = home;
@@ -25,6 +27,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     static <T extends @Nullable Object> Promise<T> start(Promise<T> source, Duration timeout) {
+        Objects.requireNonNull(timeout, "timeout");
         Home here = Home.current();
         Home home = here != null ? here : source.home();
         if (home == null) {
@@ -45,9 +48,9 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     private void expire() {
-        boolean first = settleError(new TimeoutException(
-                "no answer to " + asker + " within " + timeout + " from " + source + source.progress()));
-        if (first) {
+        expired = settleError(new TimeoutException(
+                "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source)));
+        if (expired) {
             source.timedOut();
         }
     }
@@ -77,8 +80,12 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected String progress() {
-        return source.progress();
+    Promise<T> source() {
+        return source;
+    }
+
+    Duration timeout() {
+        return timeout;
     }
 
     @Override
@@ -88,7 +95,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     public String toString() {
-        return source + " within " + timeout;
+        return PromiseText.describe(this);
     }
 
     /** Takes the time-out back, and passes the outcome on. */
@@ -103,6 +110,11 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
         @Override
         void beforeSettling() {
             limited.withdraw.run();
+        }
+
+        @Override
+        boolean hasTimedOut() {
+            return limited.expired;
         }
     }
 }

@@ -30,4 +30,9 @@ public abstract class Node {
     boolean isIdle() {
         return false;
     }
+
+    /** Whether this listener has been given up because of a time limit, so that a failure that comes later has to be reported elsewhere. */
+    boolean hasTimedOut() {
+        return false;
+    }
 }

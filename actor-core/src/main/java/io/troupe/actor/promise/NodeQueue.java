@@ -52,6 +52,9 @@ public final class NodeQueue extends QueueTail {
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 
+    private final Node idleStub =
+            head; // as it was at first: nothing offers it, and it is in use only while it is the head
+
     private long r00, r01, r02, r03, r04, r05, r06, r07, r08, r09, r10, r11, r12, r13, r14, r15;
 
     static {
@@ -112,16 +115,27 @@ public final class NodeQueue extends QueueTail {
         return size;
     }
 
-    /** How many nodes would be taken before this one, or -1 if it does not wait here. As {@link #size}. */
-    public int indexOf(Node wanted) {
-        int index = 0;
-        for (Node node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
+    /** How many nodes would be taken before this one, or -1 if it is not among the first so many. Takes time in the limit. */
+    public int indexOf(Node wanted, int limit) {
+        var node = (Node) NEXT.getAcquire(head);
+        for (int index = 0; node != null && index < limit; index++) {
             if (node == wanted) {
                 return index;
             }
-            index++;
+            node = (Node) NEXT.getAcquire(node);
         }
         return -1;
+    }
+
+    /** Whether more nodes than that wait. Takes time in the limit. */
+    public boolean isLongerThan(int limit) {
+        int size = 0;
+        for (var node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
+            if (++size > limit) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -147,6 +161,14 @@ public final class NodeQueue extends QueueTail {
     public void endBatch(Node last) {
         if (head != last) {
             head = last;
+        }
+    }
+
+    /** Lets go of the node that was taken last, if nothing waits behind it; to be called when the consumer is idle. */
+    public void forgetLast() {
+        Node last = head;
+        if (last != idleStub && last == tail && TAIL.compareAndSet(this, last, idleStub)) {
+            head = idleStub; // whose link is empty: the node behind it was taken
         }
     }
 }

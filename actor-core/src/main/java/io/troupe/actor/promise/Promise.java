@@ -23,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). In a space it
  * is an entry of the callback queue, never a call on the stack of whoever settles the promise.
  * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them.
+ * <p><b>Cost.</b> A settled promise keeps its outcome, and the promise of a request also the arguments of the call.
  * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection nobody listens to is
  * reported to the space's error handler.
  * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's {@code then}.
@@ -48,6 +49,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /** A promise that is already rejected. */
     public static <T extends @Nullable Object> Promise<T> failed(Throwable error) {
+        Objects.requireNonNull(error, "error");
         var promise = new Deferred<T>();
         promise.reject(error);
         return promise;
@@ -55,6 +57,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /** Follows a {@link CompletionStage}; its {@code CompletionException}s are unwrapped. */
     public static <T extends @Nullable Object> Promise<T> from(CompletionStage<? extends T> stage) {
+        Objects.requireNonNull(stage, "stage");
         var promise = new Deferred<T>();
         stage.whenComplete((value, error) -> {
             if (error == null) {
@@ -97,7 +100,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * @throws TimeoutException if it is not settled in time
      */
     public final T get(Duration timeout) throws TimeoutException, InterruptedException {
-        Waiter.await(this, timeout);
+        Waiter.await(this, Objects.requireNonNull(timeout, "timeout"));
         return valueOrThrow();
     }
 
@@ -198,7 +201,13 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return listen(new Stage.Observe<T>(this, listener));
     }
 
-    /** Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first. */
+    /**
+     * Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first.
+     *
+     * <p><b>Threads.</b> Asked in a space, the limit is one of its timers. Asked outside every space, it needs no turn of the space that this promise comes
+     * from, so it ends in time even if that is stalled, unless its clock is moved by hand.
+     * <p><b>Errors.</b> A failure that comes after the time-out is reported to the error handler of this promise's space, if no other listener is left.
+     */
     public final Promise<T> orTimeout(Duration timeout) {
         return Limited.start(this, Objects.requireNonNull(timeout, "timeout"));
     }
@@ -263,6 +272,12 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /** The outcome of whichever is settled first; rejected with a {@link java.util.NoSuchElementException} if there is none. */
     public static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
         return Gather.race(promises);
+    }
+
+    /** The promise that this one waits for, while it does. */
+    @Nullable
+    Promise<?> source() {
+        return null;
     }
 
     /** How far it has come, to be put behind its name in a message: empty, or beginning with a comma. */

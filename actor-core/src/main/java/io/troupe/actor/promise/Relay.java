@@ -1,9 +1,11 @@
 package io.troupe.actor.promise;
 
+import java.util.function.BooleanSupplier;
+
 /** A listener of our own that only passes an outcome on, so that it may run on whichever thread settles the promise. */
 final class Relay extends Node {
     private final Runnable action;
-    private final Promise<?> reader;
+    private final BooleanSupplier isOver;
 
     /**
      * A relay.
@@ -11,8 +13,17 @@ final class Relay extends Node {
      * @param reader the promise for whose sake it listens: settled, it needs nothing any more
      */
     Relay(Runnable action, Promise<?> reader) {
+        this(action, reader::isDone);
+    }
+
+    /**
+     * A relay.
+     *
+     * @param isOver whether it needs nothing any more; asked by any thread
+     */
+    Relay(Runnable action, BooleanSupplier isOver) {
         this.action = action;
-        this.reader = reader;
+        this.isOver = isOver;
     }
 
     @Override
@@ -22,6 +33,6 @@ final class Relay extends Node {
 
     @Override
     boolean isIdle() {
-        return reader.isDone();
+        return isOver.getAsBoolean();
     }
 }

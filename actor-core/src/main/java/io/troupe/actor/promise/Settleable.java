@@ -16,7 +16,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /*
      * One field says everything, so that one compare-and-set decides between "settle" and "register":
      *   null           pending, nobody listens
-     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones
+     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones, or Listeners if there are more than a few
      *   a Settling     settled by another thread than some listener's, which may still be told
      *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for something else)
      */
@@ -236,11 +236,12 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (isSettled(now)) {
             return Claim.REFUSED;
         }
+        Node listeners = now instanceof Listeners many ? many.link() : (Node) now;
         STATE.setRelease(this, outcome);
         if (outcome instanceof Rejection rejection) {
-            noteRejection(rejection, now != null);
+            noteRejection(rejection, listeners);
         }
-        return (Node) now;
+        return listeners;
     }
 
     private @Nullable Node claimFromAfar(Object outcome, Home home) {
@@ -257,29 +258,57 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             if (isSettled(now)) {
                 return Claim.REFUSED;
             }
-            var listeners = (Node) now;
-            Object next = outcome;
-            if (listeners != null && Settling.isNeeded(listeners)) {
-                var settling = new Settling(outcome, listeners);
-                listeners = new Settling.End(settling, listeners);
-                next = settling;
-            }
-            if (STATE.compareAndSet(this, now, next)) {
-                if (outcome instanceof Rejection rejection) {
-                    noteRejection(rejection, now != null);
+            if (now instanceof Listeners many) {
+                synchronized (many) {
+                    if (many.isClosed()) {
+                        continue; // another thread has settled it
+                    }
+                    Node listeners = many.link();
+                    Settling settling = settlingFor(outcome, listeners);
+                    many.close();
+                    STATE.setVolatile(this, settling == null ? outcome : settling);
+                    return claimed(outcome, listeners, settling);
                 }
-                return listeners;
+            }
+            var listeners = (Node) now;
+            Settling settling = settlingFor(outcome, listeners);
+            if (STATE.compareAndSet(this, now, settling == null ? outcome : settling)) {
+                return claimed(outcome, listeners, settling);
             }
         }
     }
 
-    private void noteRejection(Rejection rejection, boolean heard) {
+    private static @Nullable Settling settlingFor(Object outcome, @Nullable Node listeners) {
+        return listeners != null && Settling.isNeeded(listeners) ? new Settling(outcome, listeners) : null;
+    }
+
+    private @Nullable Node claimed(Object outcome, @Nullable Node listeners, @Nullable Settling settling) {
+        if (outcome instanceof Rejection rejection) {
+            noteRejection(rejection, listeners);
+        }
+        return settling == null || listeners == null ? listeners : new Settling.End(settling, listeners);
+    }
+
+    private void noteRejection(Rejection rejection, @Nullable Node listeners) {
         Home place = home();
-        if (heard) {
+        if (isHeardBy(listeners)) {
             rejection.hear();
         } else if (place != null && !(rejection.error() instanceof CancellationException)) {
-            place.rejected((Promise<?>) this, rejection.error());
+            if (listeners == null) {
+                place.rejected((Promise<?>) this, rejection.error());
+            } else {
+                place.rejectedTooLate((Promise<?>) this, rejection.error());
+            }
         }
+    }
+
+    private static boolean isHeardBy(@Nullable Node listeners) {
+        for (Node node = listeners; node != null; node = node.next) {
+            if (!node.hasTimedOut()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -298,7 +327,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             listener.next = null;
             if (listener instanceof Follower follower) {
                 follower.beforeSettling();
-                Node more = follower.promise.claim(handedOn(outcome));
+                Node more = follower.isIdle() ? Claim.REFUSED : follower.promise.claim(handedOn(outcome));
                 waiting = more == Claim.REFUSED ? waiting : reverse(more, waiting);
             } else if (listener instanceof Settling.End end) {
                 waiting = reverse(end.tryToEnd(), waiting);
@@ -347,11 +376,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     private void registerAtHome(Node listener) {
         Object now = state;
-        if (isSettled(now)) {
-            tellLate(listener, now);
-        } else {
-            listener.next = firstWithUse((Node) now);
+        if (now == null) {
+            listener.next = null;
             STATE.setRelease(this, listener);
+        } else if (isSettled(now)) {
+            tellLate(listener, now);
+        } else if (now instanceof Listeners many) {
+            many.add(listener);
+        } else {
+            STATE.setRelease(this, with((Node) now, listener));
         }
     }
 
@@ -369,14 +402,26 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 tellLate(listener, now);
                 return;
             }
-            listener.next = firstWithUse((Node) now);
-            if (STATE.compareAndSet(this, now, listener)) {
+            if (now instanceof Listeners many) {
+                if (many.add(listener)) {
+                    return;
+                } // else it is settled now
+            } else if (STATE.compareAndSet(this, now, with((Node) now, listener))) {
                 return;
             }
         }
     }
 
-    /** Listeners of those who have given up are left out when a new one comes, so that a promise that lives long collects none. */
+    /** Listeners and one more; those at the head that have given up are left out, so that a promise that lives long collects none. */
+    private static Node with(@Nullable Node newest, Node listener) {
+        Node first = firstWithUse(newest);
+        if (Listeners.isMany(first)) {
+            return new Listeners(first, listener);
+        }
+        listener.next = first;
+        return listener;
+    }
+
     private static @Nullable Node firstWithUse(@Nullable Node newest) {
         Node node = newest;
         while (node != null && node.isIdle()) {

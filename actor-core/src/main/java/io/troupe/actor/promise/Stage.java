@@ -10,7 +10,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A listener and the promise of what it makes, in one object: {@code S} is the value it waits for, {@code T} the one it promises.
- * Remembers the space and the actor that registered it, and runs there.
+ * Remembers the space and the actor that registered it, and runs there. Forgets its source and its function when it runs, so that a promise that is kept keeps
+ * no more than its outcome.
  */
 abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> extends Promise<T> {
     private @Nullable Promise<S> source;
@@ -123,15 +124,13 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     @Override
-    protected String progress() {
-        Promise<S> from = source;
-        return from == null ? "" : from.progress();
+    final @Nullable Promise<?> source() {
+        return source;
     }
 
     @Override
     public String toString() {
-        Promise<S> from = source;
-        return from == null ? "promise" : "promise after " + from;
+        return PromiseText.describe(this);
     }
 
     /** A null where the type parameter says whether null is allowed: the caller of {@code settleValue} has decided that. */
@@ -147,7 +146,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
     /** Value in, value out; an error passes by. */
     static final class Transform<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
-        private final Function<? super S, ? extends T> function;
+        private @Nullable Function<? super S, ? extends T> function;
 
         Transform(Promise<S> source, Function<? super S, ? extends T> function) {
             super(source);
@@ -156,18 +155,20 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         @Override
         protected void run() {
+            var apply = Objects.requireNonNull(function);
+            function = null;
             Object outcome = begin();
             if (outcome instanceof Rejection rejection) {
                 settleErrorAtHome(rejection.error());
             } else if (outcome != null) {
-                settleValueAtHome(function.apply(sourceValue(outcome)));
+                settleValueAtHome(apply.apply(sourceValue(outcome)));
             }
         }
     }
 
     /** Looks at a value and passes it on; an error passes by. */
     static final class Look<S extends @Nullable Object> extends Stage<S, S> {
-        private final Consumer<? super S> listener;
+        private @Nullable Consumer<? super S> listener;
 
         Look(Promise<S> source, Consumer<? super S> listener) {
             super(source);
@@ -176,11 +177,13 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         @Override
         protected void run() {
+            var look = Objects.requireNonNull(listener);
+            listener = null;
             Object outcome = begin();
             if (outcome instanceof Rejection rejection) {
                 settleErrorAtHome(rejection.error());
             } else if (outcome != null) {
-                listener.accept(sourceValue(outcome));
+                look.accept(sourceValue(outcome));
                 settleAtHome(outcome);
             }
         }
@@ -188,7 +191,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
     /** Value or error in, value out. */
     static final class Handle<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
-        private final BiFunction<? super @Nullable S, @Nullable Throwable, ? extends T> function;
+        private @Nullable BiFunction<? super @Nullable S, @Nullable Throwable, ? extends T> function;
 
         Handle(Promise<S> source, BiFunction<? super @Nullable S, @Nullable Throwable, ? extends T> function) {
             super(source);
@@ -197,18 +200,20 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         @Override
         protected void run() {
+            var apply = Objects.requireNonNull(function);
+            function = null;
             Object outcome = begin();
             if (outcome instanceof Rejection rejection) {
-                settleValueAtHome(function.apply(null, rejection.error()));
+                settleValueAtHome(apply.apply(null, rejection.error()));
             } else if (outcome != null) {
-                settleValueAtHome(function.apply(sourceValue(outcome), null));
+                settleValueAtHome(apply.apply(sourceValue(outcome), null));
             }
         }
     }
 
     /** Looks, and passes the outcome on; an error of the listener is added to the one that is there. */
     static final class Observe<S extends @Nullable Object> extends Stage<S, S> {
-        private final BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener;
+        private @Nullable BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener;
 
         Observe(Promise<S> source, BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener) {
             super(source);
@@ -217,18 +222,20 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         @Override
         protected void run() {
+            var look = Objects.requireNonNull(listener);
+            listener = null;
             Object outcome = begin();
             if (outcome instanceof Rejection rejection) {
-                observe(rejection.error());
+                observe(look, rejection.error());
             } else if (outcome != null) {
-                listener.accept(sourceValue(outcome), null);
+                look.accept(sourceValue(outcome), null);
                 settleAtHome(outcome);
             }
         }
 
-        private void observe(Throwable error) {
+        private void observe(BiConsumer<? super @Nullable S, ? super @Nullable Throwable> look, Throwable error) {
             try {
-                listener.accept(null, error);
+                look.accept(null, error);
             } catch (Throwable thrown) {
                 if (error != thrown) {
                     thrown.addSuppressed(error);
@@ -241,8 +248,8 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
     /** Value (or, if asked for, error) in, promise out, followed. */
     static final class Compose<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
-        private final Function<? super S, ? extends Promise<? extends T>> function;
-        private final @Nullable Function<Throwable, ? extends Promise<? extends T>> rescue;
+        private @Nullable Function<? super S, ? extends Promise<? extends T>> function;
+        private @Nullable Function<Throwable, ? extends Promise<? extends T>> rescue;
 
         Compose(
                 Promise<S> source,
@@ -255,15 +262,19 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         @Override
         protected void run() {
+            var apply = Objects.requireNonNull(function);
+            var rescueBy = rescue;
+            function = null;
+            rescue = null;
             Object outcome = begin();
             if (!(outcome instanceof Rejection rejection)) {
                 if (outcome != null) {
-                    followAnswer(function.apply(sourceValue(outcome)));
+                    followAnswer(apply.apply(sourceValue(outcome)));
                 }
-            } else if (rescue == null) {
+            } else if (rescueBy == null) {
                 settleErrorAtHome(rejection.error());
             } else {
-                followAnswer(rescue.apply(rejection.error()));
+                followAnswer(rescueBy.apply(rejection.error()));
             }
         }
 

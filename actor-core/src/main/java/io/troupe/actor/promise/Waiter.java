@@ -48,4 +48,9 @@ final class Waiter extends Node {
     boolean isIdle() {
         return gone;
     }
+
+    @Override
+    boolean hasTimedOut() {
+        return gone;
+    }
 }

@@ -8,25 +8,32 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> The wheel's thread.
  */
 public final class Timer {
+    /** The place of a timer that is neither on the wheel nor in its heap. */
+    static final int NOWHERE = -1;
+
     final Runnable task;
     final long periodNanos;
+    final Schedule schedule;
     final long sequence;
     long deadlineNanos;
-    boolean waiting;
+    boolean waiting = true;
+    int place = NOWHERE; // in the heap if it is near, else the number of its slot
+    boolean near;
 
     @Nullable
-    Timer before;
+    Timer before; // in its slot
 
     @Nullable
     Timer after;
 
     private final TimerWheel wheel;
 
-    Timer(TimerWheel wheel, Runnable task, long deadlineNanos, long periodNanos, long sequence) {
+    Timer(TimerWheel wheel, Runnable task, long deadlineNanos, long periodNanos, Schedule schedule, long sequence) {
         this.wheel = wheel;
         this.task = task;
         this.deadlineNanos = deadlineNanos;
         this.periodNanos = periodNanos;
+        this.schedule = schedule;
         this.sequence = sequence;
     }
 

@@ -9,25 +9,37 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Timers in slots of one millisecond that come round every 512 milliseconds.
+ * The timers of one thread, on wheels: in slots of about a millisecond, of 64 milliseconds, of 64 times that, and so on.
  *
- * <p><b>Role.</b> Each actor space has one. <b>Threads.</b> The space's thread only.
+ * <p><b>Role.</b> Each actor space has one; for the rooms of this library. <b>Threads.</b> The space's thread only.
  * <p><b>Order.</b> By deadline, then by the order in which they were set; a task never runs before its deadline.
- * <p><b>Cost.</b> Setting and cancelling take constant time; running takes time in the slots passed (512 at most) and the tasks run.
- * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 6 (1987).
+ * <p><b>Cost.</b> Setting and cancelling take constant time. A timer moves to a finer wheel up to seven times before it runs, and takes time in the logarithm of
+ * the number of those that are due in the same millisecond, or overdue. Timers that are due later cost nothing meanwhile.
+ * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 7 (1987).
  */
 public final class TimerWheel {
-    private static final int SLOTS = 512;
-    private static final long SLOT_NANOS = 1_000_000;
+    /*
+     * Time is counted in ticks of 2^20 ns. Those that are due up to the tick "position" are near: in a heap, in the exact order. All others are on the wheel of the
+     * highest digit (of six bits) in which their tick differs from the position, in the slot of that digit. So on each wheel only slots ahead of the position's
+     * own digit are occupied, all of them come before those of the next coarser wheel, and the next one is found by its bit.
+     */
+    private static final int TICK_BITS = 20;
+    private static final int DIGIT_BITS = 6;
+    private static final int SLOTS = 1 << DIGIT_BITS;
+    private static final int WHEELS = (Long.SIZE - TICK_BITS + DIGIT_BITS - 1) / DIGIT_BITS;
+    private static final int NONE = -1;
+    private static final int FEW = 16;
+    private static final long MADE_UP_FOR_NANOS = 1_000_000_000;
     private static final Comparator<Timer> IN_TURN =
             Comparator.<Timer>comparingLong(timer -> timer.deadlineNanos).thenComparingLong(timer -> timer.sequence);
 
     private final Clock clock;
     private final BooleanSupplier onThread;
-    private final @Nullable Timer[] slots = new Timer[SLOTS];
-    private final List<Timer> due = new ArrayList<>();
-    private long doneSlot;
-    private long next = Long.MAX_VALUE;
+    private final TimerHeap near;
+    private final @Nullable Timer[] slots = new Timer[WHEELS * SLOTS];
+    private final long[] occupied = new long[WHEELS]; // a bit for each slot
+    private final List<Timer> periodic = new ArrayList<>(); // those that have run in this pass
+    private long position; // a tick, unsigned
     private long sequence;
     private int size;
 
@@ -41,9 +53,19 @@ public final class TimerWheel {
      * @param onThread whether the calling thread is the wheel's
      */
     public TimerWheel(Clock clock, BooleanSupplier onThread) {
+        this(clock, onThread, new TimerHeap());
+    }
+
+    TimerWheel(Clock clock, BooleanSupplier onThread, TimerHeap near) {
         this.clock = clock;
         this.onThread = onThread;
-        this.doneSlot = slotNumber(clock.nanos());
+        this.near = near;
+        this.position = tick(clock.nanos());
+    }
+
+    /** Sets a timer with the schedule {@link Schedule#FIXED_RATE}; see {@link #set(Runnable, long, long, Schedule)}. */
+    public Timer set(Runnable task, long delayNanos, long periodNanos) {
+        return set(task, delayNanos, periodNanos, Schedule.FIXED_RATE);
     }
 
     /**
@@ -52,14 +74,20 @@ public final class TimerWheel {
      * @param delayNanos from now; nothing and less means as soon as possible
      * @param periodNanos from then on again and again; 0 = once
      */
-    public Timer set(Runnable task, long delayNanos, long periodNanos) {
+    public Timer set(Runnable task, long delayNanos, long periodNanos, Schedule schedule) {
         Objects.requireNonNull(task, "task");
+        Objects.requireNonNull(schedule, "schedule");
         if (periodNanos < 0) {
             throw new IllegalArgumentException("a timer's period is " + periodNanos + " ns, expected 0 (once) or more");
         }
-        var timer =
-                new Timer(this, task, saturatedSum(clock.nanos(), Math.max(0, delayNanos)), periodNanos, sequence++);
+        long now = clock.nanos();
+        if (size == 0) {
+            position = Math.max(position, tick(now)); // else it moves when timers are run
+        }
+        long deadline = saturatedSum(now, Math.max(0, delayNanos));
+        var timer = new Timer(this, task, deadline, periodNanos, schedule, sequence++);
         insert(timer);
+        size++;
         return timer;
     }
 
@@ -74,11 +102,16 @@ public final class TimerWheel {
 
     /** Takes all timers back; answers their tasks, in the order in which they would have run. */
     public List<Runnable> clear() {
-        var waiting = new ArrayList<Timer>();
+        insertPeriodicOnes();
+        var waiting = new ArrayList<Timer>(size);
         for (Timer first : slots) {
             for (Timer timer = first; timer != null; timer = timer.after) {
                 waiting.add(timer);
             }
+        }
+        for (Timer first = near.first(); first != null; first = near.first()) {
+            waiting.add(first);
+            remove(first);
         }
         waiting.forEach(this::remove);
         waiting.sort(IN_TURN);
@@ -87,76 +120,103 @@ public final class TimerWheel {
 
     /** Whether the next deadline is over. */
     public boolean isDue() {
-        return size > 0 && next <= clock.nanos();
+        if (size == 0) {
+            return false;
+        }
+        Timer first = near.first();
+        long now = clock.nanos();
+        if (first != null && first.deadlineNanos <= now) {
+            return true;
+        }
+        int slot = nextSlot();
+        if (slot == NONE || start(slot) > tick(now)) {
+            return false;
+        }
+        return earliestIn(slot, Integer.MAX_VALUE) <= now;
     }
 
-    /**
-     * A moment until which nothing happens here: the next deadline, an earlier one that was cancelled, or, when that is more than a
-     * round away, the end of this round; {@link Long#MAX_VALUE} when there is no timer.
-     */
+    /** A moment until which nothing happens here: the next deadline, or an earlier moment; {@link Long#MAX_VALUE} when there is no timer. */
     public long nextDeadline() {
-        return size == 0 ? Long.MAX_VALUE : next;
+        Timer first = near.first();
+        if (first != null) {
+            return first.deadlineNanos;
+        }
+        int slot = nextSlot();
+        return slot == NONE ? Long.MAX_VALUE : earliestIn(slot, FEW);
     }
 
     /**
-     * Runs what is due, each timer once: one whose next period is over too is due again at once, so that others have their turn in between.
+     * Runs what is due, each timer once: one whose next period is over too, and one that was set meanwhile, is due again at once, so that others have their turn
+     * in between.
      *
      * @param runner calls the task and deals with what it throws
      * @return how many tasks were run
      */
     public int runDue(Consumer<Runnable> runner) {
-        if (!isDue()) {
+        if (size == 0) {
             return 0;
         }
         long now = clock.nanos();
-        long lastSlot = slotNumber(now);
-        long firstSlot = Math.max(doneSlot, lastSlot - SLOTS + 1);
-        for (long slot = firstSlot; slot <= lastSlot; slot++) {
-            for (Timer timer = slots[index(slot)]; timer != null; timer = timer.after) {
-                if (timer.deadlineNanos <= now) {
-                    due.add(timer);
-                }
-            }
-        }
-        doneSlot = lastSlot;
-        int count = runCollected(now, runner);
-        next = findNext();
-        return count;
-    }
-
-    private long findNext() {
-        for (long slot = doneSlot; slot < doneSlot + SLOTS; slot++) {
-            long earliest = Long.MAX_VALUE;
-            for (Timer timer = slots[index(slot)]; timer != null; timer = timer.after) {
-                if (slotNumber(timer.deadlineNanos) <= slot) {
-                    earliest = Math.min(earliest, timer.deadlineNanos);
-                }
-            }
-            if (earliest != Long.MAX_VALUE) {
-                return earliest;
-            }
-        }
-        return size == 0 ? Long.MAX_VALUE : (doneSlot + SLOTS) * SLOT_NANOS;
-    }
-
-    private int runCollected(long now, Consumer<Runnable> runner) {
+        moveTo(tick(now));
+        long firstNew =
+                sequence; // set from now on: behind all others that are due, for it has no earlier deadline than now
         int count = 0;
-        while (!due.isEmpty()) {
-            due.sort(IN_TURN);
-            Timer timer = due.removeFirst();
-            if (!timer.waiting) {
-                continue; // cancelled by one that ran before
+        try {
+            for (Timer timer = near.first(); timer != null; timer = near.first()) {
+                if (timer.deadlineNanos > now || timer.sequence >= firstNew) {
+                    break;
+                }
+                run(timer, now, runner);
+                count++;
             }
-            remove(timer);
-            if (timer.periodNanos > 0) {
-                timer.deadlineNanos += timer.periodNanos;
-                insert(timer);
-                doneSlot = Math.min(doneSlot, slotNumber(timer.deadlineNanos));
-            }
-            runner.accept(timer.task);
-            count++;
+        } finally {
+            insertPeriodicOnes();
         }
         return count;
+    }
+
+    private void run(Timer timer, long now, Consumer<Runnable> runner) {
+        if (timer.periodNanos == 0) {
+            remove(timer);
+            runner.accept(timer.task);
+            return;
+        }
+        periodic.add(timer); // before it leaves its place, so that it cannot get lost
+        unlink(timer);
+        timer.deadlineNanos = nextDeadline(timer, now);
+        try {
+            runner.accept(timer.task);
+        } finally {
+            if (timer.schedule == Schedule.FIXED_DELAY) {
+                timer.deadlineNanos = saturatedSum(clock.nanos(), timer.periodNanos);
+            }
+        }
+    }
+
+    private long nextDeadline(Timer timer, long now) {
+        long next = saturatedSum(timer.deadlineNanos, timer.periodNanos);
+        return switch (timer.schedule) {
+            case FIXED_RATE ->
+                clock.runsByItself() ? notBefore(next, now - MADE_UP_FOR_NANOS, timer.periodNanos) : next;
+            case SKIP_MISSED -> notBefore(next, now + 1, timer.periodNanos);
+            case FIXED_DELAY -> next; // until the run has ended
+        };
+    }
+
+    /** The first of these deadlines that is not before a moment. */
+    private static long notBefore(long deadline, long momentNanos, long periodNanos) {
+        return deadline >= momentNanos
+                ? deadline
+                : deadline + Math.ceilDiv(momentNanos - deadline, periodNanos) * periodNanos;
+    }
+
+    private void insertPeriodicOnes() {
+        for (Timer timer : periodic) {
+            if (timer.waiting && timer.place == Timer.NOWHERE) {
+                insert(timer);
+            }
+        }
+        periodic.clear();
     }
 
     /** Takes a timer back, on the wheel's thread. */
@@ -172,48 +232,114 @@ public final class TimerWheel {
         if (!timer.waiting) {
             return false;
         }
-        if (timer.before == null) {
-            slots[index(slotNumber(timer.deadlineNanos))] = timer.after;
-        } else {
-            timer.before.after = timer.after;
-        }
-        if (timer.after != null) {
-            timer.after.before = timer.before;
-        }
-        timer.before = null;
-        timer.after = null;
         timer.waiting = false;
         size--;
+        if (timer.place != Timer.NOWHERE) {
+            unlink(timer);
+        }
         return true;
     }
 
+    // ---- where they are
+
     private void insert(Timer timer) {
-        if (size == 0) {
-            doneSlot = slotNumber(Math.min(clock.nanos(), timer.deadlineNanos));
-            next = Long.MAX_VALUE;
+        long tick = tick(timer.deadlineNanos);
+        long difference = tick ^ position;
+        if (tick <= position) { // as signed numbers, for a tick has fewer than 64 bits
+            timer.near = true;
+            near.add(timer);
+            return;
         }
-        next = Math.min(next, timer.deadlineNanos);
-        int index = index(slotNumber(timer.deadlineNanos));
-        Timer first = slots[index];
+        int wheel = (Long.SIZE - 1 - Long.numberOfLeadingZeros(difference)) / DIGIT_BITS;
+        int digit = (int) (tick >>> wheel * DIGIT_BITS) & (SLOTS - 1);
+        int slot = wheel * SLOTS + digit;
+        Timer first = slots[slot];
+        timer.near = false;
+        timer.place = slot;
         timer.after = first;
         if (first != null) {
             first.before = timer;
         }
-        slots[index] = timer;
-        timer.waiting = true;
-        size++;
+        slots[slot] = timer;
+        occupied[wheel] |= 1L << digit;
+    }
+
+    private void unlink(Timer timer) {
+        if (timer.near) {
+            near.remove(timer);
+            return;
+        }
+        int slot = timer.place;
+        Timer after = timer.after;
+        if (timer.before != null) {
+            timer.before.after = after;
+        } else {
+            slots[slot] = after;
+            if (after == null) {
+                occupied[slot / SLOTS] &= ~(1L << slot % SLOTS);
+            }
+        }
+        if (after != null) {
+            after.before = timer.before;
+        }
+        timer.before = null;
+        timer.after = null;
+        timer.place = Timer.NOWHERE;
+    }
+
+    /** What is due up to that tick becomes near, and what is due soon after it comes to finer wheels. */
+    private void moveTo(long tick) {
+        for (int slot = nextSlot(); slot != NONE && start(slot) <= tick; slot = nextSlot()) {
+            position = start(slot);
+            for (Timer timer = slots[slot]; timer != null; timer = slots[slot]) {
+                unlink(timer);
+                insert(timer);
+            }
+        }
+        position = Math.max(position, tick);
+    }
+
+    /** The first slot that is occupied, or {@link #NONE}. */
+    private int nextSlot() {
+        for (int wheel = 0; wheel < WHEELS; wheel++) {
+            if (occupied[wheel] != 0) {
+                return wheel * SLOTS + Long.numberOfTrailingZeros(occupied[wheel]);
+            }
+        }
+        return NONE;
+    }
+
+    /** The first tick of a slot. */
+    private long start(int slot) {
+        int wheel = slot / SLOTS;
+        long coarser = position >>> (wheel + 1) * DIGIT_BITS << DIGIT_BITS;
+        return (coarser | slot % SLOTS) << wheel * DIGIT_BITS;
+    }
+
+    /** The earliest deadline in a slot; or the slot's beginning, if there are more timers than may be looked at. */
+    private long earliestIn(int slot, int limit) {
+        long earliest = Long.MAX_VALUE;
+        int looks = 0;
+        for (Timer timer = slots[slot]; timer != null; timer = timer.after) {
+            if (looks++ == limit) {
+                return nanos(start(slot));
+            }
+            earliest = Math.min(earliest, timer.deadlineNanos);
+        }
+        return earliest;
+    }
+
+    /** Of any moment, in order, and never negative. */
+    private static long tick(long nanos) {
+        return (nanos ^ Long.MIN_VALUE) >>> TICK_BITS;
+    }
+
+    private static long nanos(long tick) {
+        return (tick << TICK_BITS) ^ Long.MIN_VALUE;
     }
 
     private static long saturatedSum(long nanos, long more) {
         long sum = nanos + more;
         return sum < nanos ? Long.MAX_VALUE : sum;
-    }
-
-    private static long slotNumber(long nanos) {
-        return Math.floorDiv(nanos, SLOT_NANOS);
-    }
-
-    private static int index(long slot) {
-        return (int) Math.floorMod(slot, (long) SLOTS);
     }
 }

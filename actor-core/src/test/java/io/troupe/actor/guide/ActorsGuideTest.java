@@ -8,6 +8,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Schedule;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -161,6 +162,57 @@ class ActorsGuideTest {
             listener.rest();
             test.advance(Duration.ofSeconds(9));
             assertThat(log).hasSize(1);
+        }
+    }
+
+    static class Loops extends Actor {
+        private final List<String> log;
+
+        Loops(List<String> log) {
+            this.log = log;
+        }
+
+        @Override
+        protected void started() {
+            every(
+                    Duration.ofMillis(10),
+                    this::count); // Schedule.FIXED_RATE: makes up for missed runs, of the last second
+            every(
+                    Duration.ofMillis(10),
+                    Schedule.SKIP_MISSED,
+                    this::control); // leaves missed runs out: for control loops
+            every(
+                    "poll",
+                    Duration.ofSeconds(1),
+                    Schedule.FIXED_DELAY,
+                    this::poll); // one second after the end of the last run
+        }
+
+        private void count() {
+            log.add("count");
+        }
+
+        private void control() {
+            log.add("control");
+        }
+
+        private void poll() {
+            log.add("poll");
+        }
+    }
+
+    @Test
+    void periodicTimer_thatIsLate_goesByItsSchedule() {
+        var log = new ArrayList<String>();
+        try (var test = new TestSpace()) {
+            test.spawn(Loops.class, () -> new Loops(log));
+            test.advance(Duration.ofMillis(1_500));
+            assertThat(log).hasSize(150 + 1 + 1);
+            assertThat(log).filteredOn("count"::equals).hasSize(150);
+            test.advance(Duration.ofMillis(999));
+            assertThat(log).filteredOn("poll"::equals).hasSize(1);
+            test.advance(Duration.ofMillis(1));
+            assertThat(log).filteredOn("poll"::equals).hasSize(2);
         }
     }
 }

@@ -1,6 +1,7 @@
 package io.troupe.actor.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.testkit.TestSpace;
@@ -159,5 +160,48 @@ class PromiseHomeTest {
         test.crank();
         assertThat(inside.isCancelled()).isTrue();
         assertThat(inside.cancel()).isFalse();
+    }
+
+    @Test
+    void failure_thatComesAfterTheTimeLimit_isReported_unlessAnotherListenerHeardIt() {
+        for (boolean another : new boolean[] {false, true}) {
+            var late = new Deferred<String>(test.space());
+            test.run(() -> {
+                late.orTimeout(Duration.ofSeconds(1)).exceptionally(error -> "too late");
+                if (another) {
+                    late.exceptionally(error -> "heard");
+                }
+            });
+            test.advance(Duration.ofSeconds(1));
+            assertThat(test.takeProblems()).isEmpty();
+            test.run(() -> late.reject(new IllegalStateException("broken")));
+            test.advance(Duration.ofSeconds(2));
+            assertThat(test.takeProblems())
+                    .extracting(problem -> problem.error().getMessage())
+                    .isEqualTo(another ? List.of() : List.of("broken"));
+        }
+    }
+
+    @Test
+    void failure_thatComesAfterAGetThatTimedOut_isReported() throws InterruptedException {
+        var late = new Deferred<String>(test.space());
+        assertThatThrownBy(() -> late.get(Duration.ZERO)).isInstanceOf(TimeoutException.class);
+        late.reject(new IllegalStateException("broken"));
+        test.crank();
+        test.advance(Duration.ofSeconds(2));
+        assertThat(test.takeProblems())
+                .extracting(problem -> problem.error().getMessage())
+                .containsExactly("broken");
+    }
+
+    @Test
+    void failure_thatLosesARace_isNotReported() {
+        var first = new Deferred<String>(test.space());
+        var second = new Deferred<String>(test.space());
+        test.run(() -> Promise.race(List.of(first, second)));
+        first.resolve("first");
+        second.reject(new IllegalStateException("second"));
+        test.advance(Duration.ofSeconds(2));
+        assertThat(test.takeProblems()).isEmpty();
     }
 }

@@ -6,10 +6,12 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeoutException;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
@@ -197,25 +199,36 @@ class PromiseTest {
         assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
     }
 
+    /** Calls a method with nothing where something is expected. */
+    private static void refuses(String parameter, ThrowingCallable call) {
+        assertThatThrownBy(call).isInstanceOf(NullPointerException.class).hasMessageStartingWith(parameter);
+    }
+
     @Test
-    @SuppressWarnings("NullAway") // nulls where none may be
-    void nullArguments_areRefusedWhereTheyArePassed() {
-        var promise = new Deferred<String>();
-        for (ThrowingCallable call : List.<ThrowingCallable>of(
-                () -> promise.then((Consumer<String>) null),
-                () -> promise.thenApply(null),
-                () -> promise.thenAccept(null),
-                () -> promise.thenRun(null),
-                () -> promise.thenCompose(null),
-                () -> promise.thenCombine(null, (one, other) -> one),
-                () -> promise.thenCombine(Promise.done(), null),
-                () -> promise.exceptionally(null),
-                () -> promise.exceptionallyCompose(null),
-                () -> promise.handle(null),
-                () -> promise.whenComplete(null),
-                () -> promise.orTimeout(null))) {
-            assertThatThrownBy(call).isInstanceOf(NullPointerException.class);
-        }
-        promise.resolve("nothing was registered");
+    @SuppressWarnings("NullAway") // that is the point
+    void nullArgument_isRefusedAtRegistration_byName() {
+        Promise<Integer> promise = new Deferred<>();
+        refuses("listener", () -> promise.then((Consumer<Integer>) null));
+        refuses("listener", () -> promise.then((BiConsumer<Integer, Throwable>) null));
+        refuses("listener", () -> promise.whenComplete(null));
+        refuses("function", () -> promise.thenApply(null));
+        refuses("consumer", () -> promise.thenAccept(null));
+        refuses("action", () -> promise.thenRun(null));
+        refuses("function", () -> promise.thenCompose(null));
+        refuses("other", () -> promise.thenCombine(null, (mine, theirs) -> mine));
+        refuses("function", () -> promise.thenCombine(promise, null));
+        refuses("function", () -> promise.exceptionally(null));
+        refuses("function", () -> promise.exceptionallyCompose(null));
+        refuses("function", () -> promise.handle(null));
+        refuses("timeout", () -> promise.orTimeout(null));
+        refuses("timeout", () -> promise.get(null));
+        refuses("error", () -> Promise.failed(null));
+        refuses("stage", () -> Promise.from(null));
+        refuses("promises", () -> Promise.all(null));
+        refuses("promises[1]", () -> Promise.allSettled(Arrays.asList(promise, null)));
+        refuses("promises[0]", () -> Promise.any(Arrays.asList(null, promise)));
+        refuses("promises", () -> Promise.race(null));
+        refuses("other", () -> new Deferred<Integer>().resolveFrom(null));
+        refuses("error", () -> new Deferred<Integer>().reject(null));
     }
 }

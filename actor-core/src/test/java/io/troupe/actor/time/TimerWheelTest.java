@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
 class TimerWheelTest {
@@ -99,48 +100,255 @@ class TimerWheelTest {
         assertThatThrownBy(() -> wheel.set(() -> {}, 0, -1)).hasMessageContaining("-1 ns");
     }
 
+    /** Counts how often two timers are compared: the work that remains when slots are found by their bits. */
+    private static final class CountingHeap extends TimerHeap {
+        private long comparisons;
+
+        @Override
+        boolean isEarlier(Timer timer, Timer other) {
+            comparisons++;
+            return super.isEarlier(timer, other);
+        }
+    }
+
+    @Test
+    void manyTimers_dueTogether_costTheLogarithmEach() {
+        int count = 30_000;
+        var heap = new CountingHeap();
+        var myWheel = new TimerWheel(clock, () -> true, heap);
+        var ran = new ArrayList<Integer>();
+        for (int number = 0; number < count; number++) {
+            int id = number;
+            myWheel.set(() -> ran.add(id), 1_000 * MILLI - number % 7, 0);
+        }
+        clock.advance(Duration.ofSeconds(1));
+        assertThat(myWheel.runDue(Runnable::run)).isEqualTo(count);
+        assertThat(ran)
+                .containsExactlyElementsOf(IntStream.range(0, count)
+                        .boxed()
+                        .sorted(Comparator.<Integer>comparingInt(id -> -(id % 7))
+                                .thenComparing(id -> id))
+                        .toList());
+        int levels = 8; // of a heap with four children each
+        assertThat(heap.comparisons).isGreaterThan(count).isLessThan(count * (levels + 4L * levels));
+    }
+
+    @Test
+    void latePeriodicTimer_besideManyFarOnes_costsNothingForThem() {
+        var heap = new CountingHeap();
+        var myWheel = new TimerWheel(clock, () -> true, heap);
+        for (int number = 0; number < 100_000; number++) {
+            myWheel.set(() -> log.add("far"), 10_000 * MILLI + number * 1_000L, 0);
+        }
+        myWheel.set(() -> log.add("tick"), MILLI, MILLI);
+        clock.advance(Duration.ofMillis(600));
+        int passes = 0;
+        while (myWheel.isDue()) {
+            assertThat(myWheel.runDue(Runnable::run)).isEqualTo(1);
+            passes++;
+        }
+        assertThat(passes).isEqualTo(600);
+        assertThat(log).hasSize(600).containsOnly("tick");
+        assertThat(heap.comparisons).isLessThan(10);
+        assertThat(myWheel.size()).isEqualTo(100_001);
+    }
+
+    @Test
+    void timersThatAreCancelled_leaveNothingBehind() {
+        var timers = new ArrayList<Timer>();
+        for (int number = 0; number < 1_000; number++) {
+            timers.add(wheel.set(() -> log.add("never"), number * 700_000L, 0));
+        }
+        timers.forEach(timer -> assertThat(timer.cancel()).isTrue());
+        assertThat(wheel.isEmpty()).isTrue();
+        assertThat(wheel.nextDeadline()).isEqualTo(Long.MAX_VALUE);
+        advanceMillis(2_000);
+        assertThat(log).isEmpty();
+    }
+
+    @Test
+    void timerSetByARunningOne_andDueAtOnce_runsBehindTheOthersThatAreDue() {
+        wheel.set(
+                () -> {
+                    log.add("first");
+                    wheel.set(() -> log.add("new"), 0, 0);
+                },
+                MILLI,
+                0);
+        wheel.set(() -> log.add("second"), 2 * MILLI, 0);
+        wheel.set(() -> log.add("third"), 5 * MILLI, 0);
+        advanceMillis(5);
+        assertThat(log).containsExactly("first", "second", "third", "new");
+    }
+
+    @Test
+    void skipMissed_runsOnceForAllThatItMissed_andKeepsItsPhase() {
+        wheel.set(() -> log.add("at " + clock.nanos() / MILLI), 100 * MILLI, 100 * MILLI, Schedule.SKIP_MISSED);
+        advanceMillis(350);
+        advanceMillis(49);
+        advanceMillis(1);
+        advanceMillis(100);
+        assertThat(log).containsExactly("at 350", "at 400", "at 500");
+    }
+
+    @Test
+    void fixedDelay_countsFromTheEndOfARun() {
+        wheel.set(
+                () -> {
+                    log.add("from " + clock.nanos() / MILLI);
+                    clock.advance(Duration.ofMillis(30)); // so long it takes
+                },
+                100 * MILLI,
+                100 * MILLI,
+                Schedule.FIXED_DELAY);
+        advanceMillis(250);
+        assertThat(log).containsExactly("from 250");
+        advanceMillis(99);
+        assertThat(log).hasSize(1);
+        advanceMillis(1);
+        assertThat(log).containsExactly("from 250", "from 380");
+    }
+
+    @Test
+    void fixedDelay_ofATaskThatThrows_goesOn() {
+        wheel.set(
+                () -> {
+                    log.add("run");
+                    throw new IllegalStateException("broken");
+                },
+                100 * MILLI,
+                100 * MILLI,
+                Schedule.FIXED_DELAY);
+        for (int run = 0; run < 2; run++) {
+            clock.advance(Duration.ofMillis(100));
+            assertThatThrownBy(() -> wheel.runDue(Runnable::run)).hasMessage("broken");
+        }
+        assertThat(log).hasSize(2);
+        assertThat(wheel.size()).isEqualTo(1);
+    }
+
+    /** A clock that claims to run by itself, so that being late means something. */
+    private static final class RunningClock implements Clock {
+        private long nanos;
+
+        @Override
+        public long nanos() {
+            return nanos;
+        }
+
+        @Override
+        public Runnable onMove(Runnable wake) {
+            return () -> {};
+        }
+
+        @Override
+        public boolean runsByItself() {
+            return true;
+        }
+    }
+
+    @Test
+    void fixedRate_onAClockThatRunsByItself_makesUpForOneSecondAtMost() {
+        var running = new RunningClock();
+        var myWheel = new TimerWheel(running);
+        myWheel.set(() -> log.add("tick"), 10 * MILLI, 10 * MILLI);
+        running.nanos += 60_000 * MILLI + 5 * MILLI;
+        while (myWheel.isDue()) {
+            myWheel.runDue(Runnable::run);
+        }
+        assertThat(log).hasSize(101); // the one that was due, and those of the last second
+        assertThat(myWheel.nextDeadline()).isEqualTo(60_010 * MILLI);
+    }
+
+    @Test
+    void wheelOfAClockThatBeganBelowZero_runsItsTimers() {
+        var running = new RunningClock();
+        running.nanos = -5 * MILLI;
+        var myWheel = new TimerWheel(running);
+        for (long millis : new long[] {1, 4, 5, 6, 500, 100_000, 10_000_000}) {
+            myWheel.set(() -> log.add("at " + running.nanos / MILLI), millis * MILLI, 0);
+        }
+        while (!myWheel.isEmpty()) {
+            running.nanos = Math.max(running.nanos, myWheel.nextDeadline());
+            myWheel.runDue(Runnable::run);
+        }
+        assertThat(log).containsExactly("at -4", "at -1", "at 0", "at 1", "at 495", "at 99995", "at 9999995");
+    }
+
     @Test
     void randomTimers_runExactlyAsASortedListWould() {
-        for (long seed = 1; seed <= 50; seed++) {
-            var random = new Random(seed);
-            var myClock = new ManualClock();
-            var myWheel = new TimerWheel(myClock);
-            record Due(long deadline, int number) {}
-            var expected = new ArrayList<Due>();
-            var actual = new ArrayList<Integer>();
+        for (long seed = 1; seed <= 200; seed++) {
+            new RandomTimers(seed).play();
+        }
+    }
+
+    /** A wheel beside a list that is sorted by deadline and number. */
+    private static final class RandomTimers {
+        private final long seed;
+        private final Random random;
+        private final ManualClock clock = new ManualClock();
+        private final TimerWheel wheel = new TimerWheel(clock);
+        private final List<Expected> expected = new ArrayList<>();
+        private final List<Integer> actual = new ArrayList<>();
+
+        private record Expected(long deadline, int number, Timer timer) {}
+
+        private RandomTimers(long seed) {
+            this.seed = seed;
+            this.random = new Random(seed);
+        }
+
+        private void play() {
             int number = 0;
-            for (int round = 0; round < 40; round++) {
-                for (int i = random.nextInt(4); i > 0; i--) {
-                    int id = number++;
-                    long delay = random.nextLong(3_000 * MILLI);
-                    expected.add(new Due(myClock.nanos() + delay, id));
-                    Timer timer = myWheel.set(() -> actual.add(id), delay, 0);
-                    if (random.nextInt(5) == 0) {
-                        timer.cancel();
-                        expected.removeLast();
-                    }
+            for (int round = 0; round < 60; round++) {
+                for (int more = random.nextInt(8); more > 0; more--) {
+                    set(number++);
                 }
-                assertThat(myWheel.nextDeadline())
-                        .as("seed %d", seed)
-                        .isLessThanOrEqualTo(expected.stream()
-                                .filter(due -> !actual.contains(due.number))
-                                .mapToLong(Due::deadline)
-                                .min()
-                                .orElse(Long.MAX_VALUE));
-                myClock.advanceTo(myClock.nanos() + random.nextLong(1_000 * MILLI));
-                myWheel.runDue(Runnable::run);
-                long now = myClock.nanos();
-                assertThat(actual)
-                        .as("seed %d", seed)
-                        .containsExactlyInAnyOrderElementsOf(expected.stream()
-                                .filter(due -> due.deadline <= now)
-                                .map(Due::number)
-                                .toList());
+                for (int fewer = random.nextInt(3); fewer > 0 && !expected.isEmpty(); fewer--) {
+                    assertThat(expected.remove(random.nextInt(expected.size()))
+                                    .timer
+                                    .cancel())
+                            .isTrue();
+                }
+                checkNextDeadline();
+                clock.advanceTo(clock.nanos() + random.nextLong(1L << random.nextInt(1, 45)));
+                runDue();
             }
-            myClock.advance(Duration.ofSeconds(10));
-            myWheel.runDue(Runnable::run);
-            expected.sort(Comparator.comparingLong(Due::deadline).thenComparing(Due::number));
-            assertThat(actual).as("seed %d", seed).hasSameSizeAs(expected);
+            var rest = expected.stream().map(Expected::number).toList();
+            clock.advanceTo(Long.MAX_VALUE);
+            actual.clear();
+            wheel.runDue(Runnable::run);
+            assertThat(actual).as("seed %d", seed).isEqualTo(rest);
+            assertThat(wheel.isEmpty()).isTrue();
+        }
+
+        private void set(int number) {
+            long delay = random.nextInt(4) == 0
+                    ? random.nextInt(5) * MILLI // so that some are equal
+                    : random.nextLong(1L << random.nextInt(1, 50));
+            Timer timer = wheel.set(() -> actual.add(number), delay, 0);
+            expected.add(new Expected(clock.nanos() + delay, number, timer));
+            expected.sort(Comparator.comparingLong(Expected::deadline).thenComparing(Expected::number));
+        }
+
+        private void checkNextDeadline() {
+            long deadline = expected.isEmpty() ? Long.MAX_VALUE : expected.getFirst().deadline;
+            assertThat(wheel.nextDeadline()).as("seed %d", seed).isLessThanOrEqualTo(deadline);
+            assertThat(wheel.isDue()).as("seed %d", seed).isEqualTo(deadline <= clock.nanos());
+            assertThat(wheel.size()).as("seed %d", seed).isEqualTo(expected.size());
+        }
+
+        private void runDue() {
+            var due = expected.stream()
+                    .filter(each -> each.deadline <= clock.nanos())
+                    .toList();
+            actual.clear();
+            assertThat(wheel.isDue()).as("seed %d", seed).isEqualTo(!due.isEmpty());
+            wheel.runDue(Runnable::run);
+            assertThat(actual)
+                    .as("seed %d", seed)
+                    .isEqualTo(due.stream().map(Expected::number).toList());
+            expected.removeAll(due);
         }
     }
 }

@@ -1,0 +1,58 @@
+package io.troupe.actor.promise;
+
+/** What a promise is called in messages. Loops, for a chain of promises may be of any length; and stops, for a message may not. */
+final class PromiseText {
+    private static final int SPELLED_OUT = 8;
+    private static final int COUNTED = 100;
+
+    private PromiseText() {}
+
+    /** The promise that this chain of stages and time limits waits for, if it is not too long, with the words for each of the last few links. */
+    static String describe(Promise<?> last) {
+        var before = new StringBuilder();
+        var behind = new StringBuilder();
+        int more = 0;
+        Promise<?> first = last;
+        for (Promise<?> source = first.source(); source != null; source = first.source()) {
+            if (before.length() + behind.length() > 0 && ++more >= SPELLED_OUT) {
+                return before + "promise after " + origin(source, more) + behind;
+            }
+            if (first instanceof Limited<?> limited) {
+                behind.insert(0, " within " + limited.timeout());
+            } else {
+                before.append("promise after ");
+            }
+            first = source;
+        }
+        return before + nameOf(first) + behind;
+    }
+
+    private static String origin(Promise<?> from, int linksBefore) {
+        int links = 1;
+        Promise<?> first = from;
+        for (Promise<?> source = first.source(); source != null; source = first.source()) {
+            if (linksBefore + ++links > COUNTED) {
+                return "more than " + (links - 1) + " others";
+            }
+            first = source;
+        }
+        return links + " others after " + nameOf(first);
+    }
+
+    /** How far the promise that this chain waits for has come; see {@link Promise#progress}. */
+    static String progress(Promise<?> last) {
+        Promise<?> first = last;
+        int links = 0;
+        for (Promise<?> source = first.source(); source != null; source = first.source()) {
+            if (++links > COUNTED) {
+                return "";
+            }
+            first = source;
+        }
+        return first.progress();
+    }
+
+    private static String nameOf(Promise<?> first) {
+        return first instanceof Stage ? "promise" : first.toString();
+    }
+}
