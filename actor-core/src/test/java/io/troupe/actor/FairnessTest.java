@@ -104,7 +104,7 @@ class FairnessTest {
         try (var space = spaceOn(clock)) {
             var served = new int[1];
             var servedBefore = new ArrayList<Integer>();
-            space.delay(Duration.ofMillis(1)).thenRun(() -> servedBefore.add(served[0]));
+            space.execute(() -> space.delay(Duration.ofMillis(1)).thenRun(() -> servedBefore.add(served[0])));
             space.crank();
             for (int mail = 0; mail < 200; mail++) {
                 boolean hundredth = mail == 99;
@@ -128,9 +128,11 @@ class FairnessTest {
         try (var space = spaceOn(clock)) {
             var servedBefore = new ArrayList<Integer>();
             var served = new int[1];
-            for (int millis = 100; millis < 300; millis += 10) {
-                space.delay(Duration.ofMillis(millis)).thenRun(() -> servedBefore.add(served[0]));
-            }
+            space.execute(() -> {
+                for (int millis = 100; millis < 300; millis += 10) {
+                    space.delay(Duration.ofMillis(millis)).thenRun(() -> servedBefore.add(served[0]));
+                }
+            });
             space.crank();
             for (int mail = 0; mail < 200; mail++) {
                 space.execute(() -> {

@@ -175,11 +175,11 @@ class SupervisionTest {
         assertThat(instances).isEqualTo(2);
         test.advance(Duration.ofMillis(1));
         assertThat(instances).isEqualTo(3);
-        for (int pause = 0; pause < 10; pause++) {
-            test.advance(Duration.ofSeconds(10)); // no pause is longer
-        }
-        assertThat(instances).isEqualTo(13);
-        assertThat(test.takeProblems()).hasSizeGreaterThan(13);
+        test.advance(Duration.ofMillis(80 + 160 + 320 + 640 + 1_280 + 2_560 + 5_120));
+        assertThat(instances).isEqualTo(3 + 7);
+        test.advance(Duration.ofSeconds(100)); // no pause is longer than 10 s
+        assertThat(instances).isEqualTo(10 + 10);
+        assertThat(test.takeProblems()).hasSizeGreaterThan(20);
     }
 
     @Test
