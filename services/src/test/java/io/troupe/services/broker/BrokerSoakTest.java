@@ -94,7 +94,8 @@ class BrokerSoakTest {
 
             private Promise<@Nullable Void> answer(String what, boolean mayFail, Runnable effect) {
                 int manner = ending ? 0 : random.nextInt(8);
-                bench.diary.add(this + ": " + what + (manner < 3 ? " at once" : manner < 5 && mayFail ? " fails" : " later"));
+                bench.diary.add(
+                        this + ": " + what + (manner < 3 ? " at once" : manner < 5 && mayFail ? " fails" : " later"));
                 if (manner < 3) {
                     effect.run();
                     return Promise.done();
