@@ -49,23 +49,29 @@ class BrokerSoakTest {
 
         /** Alive from when a start is fulfilled until it dies, or a stop is fulfilled. */
         private final class Moody implements Provider {
-            private Deferred<@Nullable Void> end = new Deferred<>(null);
+            private final int number = providers.size();
+            private Deferred<@Nullable Void> end = new Deferred<>(null); // of the newest start
+            private Deferred<@Nullable Void> endOfLife = end; // of the newest start that was fulfilled
             boolean alive;
 
             @Override
             public Promise<@Nullable Void> start() {
-                end = new Deferred<>(null);
-                return answer(true, () -> alive = true);
+                var mine = new Deferred<@Nullable Void>(null);
+                end = mine;
+                return answer("start", true, () -> {
+                    endOfLife = mine;
+                    alive = true;
+                });
             }
 
             @Override
             public Promise<@Nullable Void> stop() {
-                return answer(false, () -> alive = false);
+                return answer("stop", false, () -> alive = false);
             }
 
             @Override
             public Promise<@Nullable Void> check() {
-                return answer(true, () -> {});
+                return answer("check", true, () -> {});
             }
 
             @Override
@@ -76,12 +82,20 @@ class BrokerSoakTest {
             void die() {
                 if (alive) {
                     alive = false;
-                    end.reject(new IllegalStateException("died"));
+                    bench.diary.add(this + ": dies");
+                    endOfLife.reject(new IllegalStateException("died"));
                 }
             }
 
-            private Promise<@Nullable Void> answer(boolean mayFail, Runnable effect) {
+            @Override
+            public String toString() {
+                return "provider " + number;
+            }
+
+            private Promise<@Nullable Void> answer(String what, boolean mayFail, Runnable effect) {
                 int manner = ending ? 0 : random.nextInt(8);
+                bench.diary.add(
+                        this + ": " + what + (manner < 3 ? " at once" : manner < 5 && mayFail ? " fails" : " later"));
                 if (manner < 3) {
                     effect.run();
                     return Promise.done();
@@ -91,6 +105,7 @@ class BrokerSoakTest {
                 }
                 var later = new Deferred<@Nullable Void>(null);
                 owed.add(() -> {
+                    bench.diary.add(this + ": now " + what);
                     effect.run();
                     later.resolve(null);
                 });
@@ -114,7 +129,9 @@ class BrokerSoakTest {
                 bench.test.crank();
             }
             bench.seconds(20);
-            assertThat(providers).as("alive after shutDown").noneMatch(each -> each.alive);
+            assertThat(providers.stream().filter(each -> each.alive))
+                    .as(() -> "alive after shutDown; what they did:\n" + String.join("\n", bench.diary))
+                    .isEmpty();
             assertThat(promises).as("pending after shutDown").allMatch(Promise::isDone);
             statistics.started += bench.events(BrokerEvent.Started.class).size();
             statistics.lateStarts += bench.events(BrokerEvent.Late.class).stream()
