@@ -47,7 +47,7 @@ public class SonarInterface extends PlayerDevice {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Switches the sonars on (1) or off (0). */
+    /** Switches the sonars on (1) or off (0). Simulated ones cannot be switched off, as in Stage: that leaves a warning in the log. */
     public void setSonarPower(int state) {
         ask(new DeviceRequest.Power(state != 0));
     }

@@ -12,7 +12,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a lock cannot be interrupted
 class OutboxTest {
     private static final DeviceAddress POSITION = new DeviceAddress(1, 2, 4, 0);
     private static final DeviceAddress SONAR = new DeviceAddress(1, 2, 5, 0);
