@@ -4,7 +4,6 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayDeque;
-import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
