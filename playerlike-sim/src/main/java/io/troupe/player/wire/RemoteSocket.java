@@ -1,5 +1,6 @@
 package io.troupe.player.wire;
 
+import io.troupe.actor.time.Clock;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InterruptedIOException;
@@ -25,6 +26,8 @@ import org.jspecify.annotations.Nullable;
  * the socket usable: what a message that was sent in part lacks goes out before the next one.
  */
 final class RemoteSocket implements AutoCloseable {
+    private static final Clock CLOCK = Clock.system();
+
     private final SocketChannel channel = SocketChannel.open();
     private final Selector readable = Selector.open();
     private final ReentrantLock sending = new ReentrantLock();
@@ -45,7 +48,7 @@ final class RemoteSocket implements AutoCloseable {
 
     /** From now on all reading together may take so long. */
     void limitReading(Duration limit) {
-        readDeadlineNanos = System.nanoTime() + limit.toNanos();
+        readDeadlineNanos = CLOCK.nanos() + limit.toNanos();
         limited = true;
     }
 
@@ -91,7 +94,7 @@ final class RemoteSocket implements AutoCloseable {
 
     /** Sends a message, after the rest of the one before. */
     void send(byte[] message, Duration limit) throws IOException {
-        long deadline = System.nanoTime() + limit.toNanos();
+        long deadline = CLOCK.nanos() + limit.toNanos();
         try {
             if (!sending.tryLock() && !sending.tryLock(limit.toNanos(), TimeUnit.NANOSECONDS)) {
                 throw new SocketTimeoutException("another thread is still sending");
@@ -133,7 +136,7 @@ final class RemoteSocket implements AutoCloseable {
     }
 
     private static void await(Selector ready, boolean hasDeadline, long deadlineNanos) throws IOException {
-        long leftNanos = deadlineNanos - System.nanoTime();
+        long leftNanos = deadlineNanos - CLOCK.nanos();
         if (hasDeadline && leftNanos <= 0) {
             throw new SocketTimeoutException("the limit is over");
         }

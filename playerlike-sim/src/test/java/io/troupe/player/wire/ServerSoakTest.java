@@ -110,7 +110,7 @@ class ServerSoakTest {
 
     private static void report(long frames, long longestNanos, List<Kind> kinds) {
         var runtime = Runtime.getRuntime();
-        Logger.getLogger(ServerSoakTest.class.getName())
+        Logger.getLogger("soak") // the loggers of this package are silent
                 .info(() -> frames + " frames, at most " + longestNanos / 1_000_000 + " ms between two, "
                         + (runtime.totalMemory() - runtime.freeMemory()) / (1 << 20) + " MiB of heap in use; "
                         + String.join(
