@@ -111,6 +111,10 @@ class ProcessTreeTest {
         var tree = ProcessTree.start(shell(directory, PATIENCE, "sleep 1000 & echo $!; exec sleep 1000"));
         try {
             var child = firstLine(tree);
+            while (!List.of(tree.root().info().arguments().orElse(new String[0]))
+                    .equals(List.of("1000"))) {
+                Thread.sleep(1); // the shell would collect it
+            }
             child.destroyForcibly();
             while (!Files.readString(Path.of("/proc/" + child.pid() + "/stat")).contains(") Z ")) {
                 Thread.sleep(1);
