@@ -87,6 +87,17 @@ final class ProcessTree {
 
     /** Its processes that have not ended. */
     synchronized List<ProcessHandle> alive() {
+        boolean sawSome;
+        do {
+            sawSome = look();
+            known.removeIf(this::hasEnded);
+        } while (sawSome && known.isEmpty()); // one may have started another, unseen, before it ended
+        return List.copyOf(known);
+    }
+
+    /** Whether any of them was alive while it looked. */
+    private boolean look() {
+        known.removeIf(this::hasEnded);
         if (root.isAlive()) {
             known.add(root.toHandle());
         }
@@ -95,8 +106,15 @@ final class ProcessTree {
         } else {
             List.copyOf(known).forEach(each -> each.descendants().forEach(known::add));
         }
-        known.removeIf(each -> each.pid() == root.pid() ? !root.isAlive() : !isAlive(each));
-        return List.copyOf(known);
+        return !known.isEmpty();
+    }
+
+    private boolean hasEnded(ProcessHandle process) {
+        if (process.pid() == root.pid()) {
+            return !root.isAlive();
+        }
+        return !process.isAlive()
+                || leadsSession && entry(String.valueOf(process.pid())).isEmpty();
     }
 
     /** Those in the session, and all that descend from them or from a known one. */
@@ -146,11 +164,6 @@ final class ProcessTree {
         return over
                 ? Optional.empty()
                 : Optional.of(new Entry(Long.parseLong(pid), Long.parseLong(fields[1]), Long.parseLong(fields[3])));
-    }
-
-    private boolean isAlive(ProcessHandle process) {
-        return process.isAlive()
-                && (!leadsSession || entry(String.valueOf(process.pid())).isPresent());
     }
 
     /**
