@@ -125,6 +125,9 @@ class PythonComponentTest {
                         .isGreaterThan(0.5);
             }
             kill();
+            while (events.stream().noneMatch(event -> event.startsWith("problem: snake has failed"))) {
+                Thread.onSpinWait(); // simulated time passes faster than the machine notices the end of a process
+            }
             for (int tick = 0; tick < 6; tick++) {
                 simulation.tick();
             }
