@@ -78,7 +78,7 @@ final class RemoteSocket implements AutoCloseable {
     }
 
     private int receive(ByteBuffer into) throws IOException {
-        long beganNanos = System.nanoTime();
+        long beganNanos = CLOCK.nanos();
         try {
             for (int count = channel.read(into); ; count = channel.read(into)) {
                 if (count != 0) {
