@@ -1,0 +1,55 @@
+package io.troupe.actor.race;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.time.Clock;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Real threads and real spaces in random rounds, each of one {@link Scenario}: promises, calls, ends, bounds, chains, streams, timers and errors. What was sent must equal what was served,
+ * rejected and dropped, and at the end of a round every space is closed and its threads have ended.
+ *
+ * <p>Each scenario a few times in every build; {@code -Dsoak.minutes=10} goes on for so long, {@code -Dsoak.first=17} begins with that round, and {@code -Dsoak.seed=17} runs that round alone.
+ * The threads are not scheduled by the seed, so a round may have to be repeated to fail again: {@code -Dsoak.seed=17 -Dsoak.minutes=1} repeats it for a minute.
+ */
+@Tag("threads")
+class ActorSoakTest {
+    private static final int ROUNDS_OF_EACH = 2;
+
+    @Test
+    void randomRounds_addUp_andLeaveNoThread() {
+        Long only = Long.getLong("soak.seed");
+        Long given = Long.getLong("soak.first");
+        long first = only != null ? only : given != null ? given : new Random().nextInt(1_000_000_000);
+        int atLeast = only != null ? 1 : ROUNDS_OF_EACH * Scenario.values().length;
+        long endNanos = Clock.system().nanos() + Long.getLong("soak.minutes", 0L) * 60_000_000_000L;
+        var rounds = new EnumMap<Scenario, Integer>(Scenario.class);
+        for (long i = 0; i < atLeast || endNanos - Clock.system().nanos() > 0; i++) {
+            long seed = only != null ? only : first + i;
+            rounds.merge(run(seed), 1, Integer::sum);
+        }
+        report(rounds);
+        if (only == null) {
+            assertThat(rounds).hasSize(Scenario.values().length);
+        }
+    }
+
+    /** The scenarios take turns, so that a few rounds in a row have all of them. */
+    private static Scenario run(long seed) {
+        var scenario = Scenario.values()[(int) Math.floorMod(seed, (long) Scenario.values().length)];
+        try (var round = new Round(seed)) {
+            scenario.play(round);
+        } catch (Exception | Error failure) {
+            throw new AssertionError("-Dsoak.seed=" + seed + " (" + scenario + "): " + failure.getMessage(), failure);
+        }
+        return scenario;
+    }
+
+    private static void report(Map<Scenario, Integer> rounds) {
+        System.getLogger("soak").log(System.Logger.Level.INFO, "rounds: " + rounds);
+    }
+}

@@ -1,0 +1,190 @@
+package io.troupe.actor.race;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.Leftovers;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Clock;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.SplittableRandom;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.CyclicBarrier;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** The spaces and threads of one round, and what was reported. On the thread of the test, but for what its threads and handlers are given. */
+final class Round implements AutoCloseable {
+    static final Duration LONG = Duration.ofSeconds(60);
+    private static final int HELPERS = 200; // more than the bodies that wait at a time in any round
+
+    final SplittableRandom random;
+    final Queue<Throwable> errors = new ConcurrentLinkedQueue<>();
+    final Queue<String> wrong = new ConcurrentLinkedQueue<>();
+    private final String prefix;
+    private final List<ActorSpace> spaces = new ArrayList<>();
+    private final Map<ActorSpace, Leftovers> leftovers = new LinkedHashMap<>();
+    private final List<Thread> threads = new ArrayList<>();
+    private boolean ended;
+
+    Round(long seed) {
+        random = new SplittableRandom(seed);
+        prefix = "soak" + seed + "-";
+    }
+
+    /** What one of several threads does; its random numbers are its own. */
+    interface Body {
+        void run(int number, SplittableRandom random) throws Exception;
+    }
+
+    ActorSpace space(String name) {
+        return space(name, mark -> {});
+    }
+
+    /** A space whose dead letters are given to their marks. */
+    ActorSpace space(String name, Consumer<String> onDeadLetter) {
+        var space = ActorSpace.create(SpaceSettings.named(prefix + name)
+                .withOnStall(Duration.ZERO, stall -> {})
+                .withOnError((where, error) -> errors.add(error))
+                .withOnDeadLetter(letter -> onDeadLetter.accept(letter.message())));
+        spaces.add(space);
+        return space;
+    }
+
+    /** Begins all threads at once. */
+    void start(int count, Body body) {
+        var together = new CyclicBarrier(count);
+        for (int i = 0; i < count; i++) {
+            int number = i;
+            var own = random.split();
+            threads.add(Thread.ofPlatform().daemon().name("caller" + i).start(() -> {
+                try {
+                    together.await();
+                    body.run(number, own);
+                } catch (Throwable thrown) {
+                    wrong.add("thread " + number + " threw " + thrown + " at " + List.of(thrown.getStackTrace()));
+                }
+            }));
+        }
+    }
+
+    void join() throws InterruptedException {
+        for (var thread : threads) {
+            if (!thread.join(LONG)) {
+                throw new AssertionError(
+                        "thread " + thread.getName() + " does not end: " + List.of(thread.getStackTrace()));
+            }
+        }
+        threads.clear();
+        assertThat(wrong).isEmpty();
+    }
+
+    /** Some time or none, so that threads meet at different points. */
+    static void pause(SplittableRandom random) {
+        switch (random.nextInt(4)) {
+            case 0 -> Thread.yield();
+            case 1 -> LockSupport.parkNanos(random.nextInt(200_000));
+            case 2 -> {
+                for (int i = random.nextInt(500); i > 0; i--) {
+                    Thread.onSpinWait();
+                }
+            }
+            default -> {}
+        }
+    }
+
+    static <T extends @Nullable Object> T get(Promise<T> promise) throws Exception {
+        return promise.get(LONG);
+    }
+
+    /** Waits until it is settled. */
+    static <P extends Promise<?>> P settled(P promise) throws InterruptedException {
+        try {
+            promise.get(LONG);
+        } catch (InterruptedException interrupted) {
+            throw interrupted;
+        } catch (Throwable rejected) {
+            // as some are
+        }
+        if (!promise.isDone()) {
+            throw new AssertionError(promise + " is not settled");
+        }
+        return promise;
+    }
+
+    /** Waits for what must come, however long it takes; fails when it has not come within a time that says that it never will. */
+    static void until(String what, BooleanSupplier condition) {
+        long endNanos = Clock.system().nanos() + LONG.toNanos();
+        while (!condition.getAsBoolean()) {
+            if (endNanos - Clock.system().nanos() < 0) {
+                throw new AssertionError("not within " + LONG + ": " + what);
+            }
+            LockSupport.parkNanos(500_000);
+        }
+    }
+
+    /** Closes all spaces that are open and waits for their threads. After it nothing runs any more. */
+    void end() throws InterruptedException {
+        ended = true;
+        for (var space : spaces) {
+            leftovers.put(space, space.close(LONG));
+        }
+        for (var thread : ofSpaces()) {
+            until(
+                    thread + " has ended or does something else",
+                    () -> !thread.isAlive() || !thread.getName().startsWith(prefix));
+        }
+        for (var space : spaces) {
+            check(space, leftovers.get(space));
+        }
+        assertThat(ofSpaces()).isEmpty();
+        assertThat(alive().filter(thread -> thread.getName().equals("troupe-helper"))
+                        .count())
+                .as("helper threads")
+                .isLessThan(HELPERS);
+        assertThat(wrong).isEmpty();
+    }
+
+    Leftovers leftovers(ActorSpace space) {
+        return leftovers.get(space);
+    }
+
+    private static void check(ActorSpace space, Leftovers left) {
+        assertThat(space.whenClosed().isDone()).isTrue();
+        assertThat(space.metrics().actors()).as("actors of " + space).isZero();
+        assertThat(space.metrics().timers()).as("timers of " + space).isZero();
+        assertThatThrownBy(() -> space.spawn(Runnable.class, () -> () -> {})).isInstanceOf(ActorStoppedException.class);
+        assertThat(space.close(LONG)).isEqualTo(left);
+        assertThat(left.examples())
+                .as(left.toString())
+                .hasSize(Math.min(20, left.messages() + left.requests() + left.openRequests()));
+    }
+
+    private List<Thread> ofSpaces() {
+        return alive().filter(thread -> thread.getName().startsWith(prefix)).toList();
+    }
+
+    private static java.util.stream.Stream<Thread> alive() {
+        return Thread.getAllStackTraces().keySet().stream();
+    }
+
+    /** Closes what a scenario that failed has left open. */
+    @Override
+    public void close() {
+        if (!ended) {
+            for (var space : spaces) {
+                space.close();
+            }
+        }
+    }
+}
