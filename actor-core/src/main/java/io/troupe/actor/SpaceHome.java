@@ -26,7 +26,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
     private final Lifeline lifeline = new Lifeline();
-    private @Nullable Thread thread; // the one that serves now; only ever equal to a reader that set it itself
+    private @Nullable Thread thread; // the one that serves now; a thread finds itself here only while it has the baton
 
     final SpaceSettings settings;
     final Dispatcher dispatcher;
@@ -177,19 +177,14 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return thread;
     }
 
-    /** The sequence's thread is this space's until it gives the baton back. */
-    final void lendThreadTo(Sequence<?> sequence) {
-        Thread mine = thread;
-        try {
-            sequence.go();
-        } finally {
-            thread = mine;
-        }
-    }
-
     /** The calling thread has the baton. */
     final void takeThread() {
         thread = Thread.currentThread();
+    }
+
+    /** The calling thread, which has the baton, is about to pass it to that one. */
+    final void handThreadTo(@Nullable Thread next) {
+        thread = next;
     }
 
     /** Runs something on a thread that holds the baton. */
