@@ -98,20 +98,19 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** If this throws and the space is not closed, nothing was queued. */
+    /** If this throws, nothing was queued. */
     private void offer(Node node, NodeQueue queue) {
+        if (lifeline.phase == Lifeline.CLOSED) {
+            closing.checkStack(); // for this caller has to turn the node away itself
+        }
         queue.offer(node);
         try {
-            if (lifeline.wake()) {
-                return;
+            if (!lifeline.wake()) {
+                closing.refuseLeftovers();
             }
         } catch (StackOverflowError endOfTheCallersStack) {
-            if (lifeline.phase != Lifeline.CLOSED) {
-                return; // it is queued, and the space looks at its queues by itself within a second
-            }
-            throw endOfTheCallersStack;
+            // it is queued: the space looks at its queues by itself within a second; if it is closed, the next caller does
         }
-        closing.refuseLeftovers();
     }
 
     // ---- what promises ask of their home
