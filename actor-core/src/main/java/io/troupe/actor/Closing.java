@@ -44,7 +44,8 @@ final class Closing {
     private final List<Runnable> steps; // all made before, so that the end needs little memory
     private int bodies;
     private volatile @Nullable Leftovers leftovers;
-    private final List<String> openRequests = new ArrayList<>();
+    private int openRequests;
+    private final List<String> openExamples = new ArrayList<>();
 
     /**
      * The end of a space that lives.
@@ -98,11 +99,17 @@ final class Closing {
 
     /** A request had begun and was rejected when its actor was stopped; on the space's thread. */
     void noteOpenRequest(Request<?> request) {
-        openRequests.add(request.toString());
+        if (openRequests++ < Leftovers.EXAMPLES) {
+            openExamples.add(request.toString());
+        }
     }
 
-    List<String> openRequests() {
+    int openRequests() {
         return openRequests;
+    }
+
+    List<String> openExamples() {
+        return openExamples;
     }
 
     /** What was not done; when it is over. */
