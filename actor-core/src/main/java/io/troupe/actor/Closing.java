@@ -3,6 +3,8 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Promise;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -19,19 +21,31 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any.
  */
 final class Closing {
+    private static final int FRAMES_FOR_REFUSING = 128;
+    private static final VarHandle REFUSING;
+
+    static {
+        try {
+            REFUSING = MethodHandles.lookup().findVarHandle(Closing.class, "refusing", boolean.class);
+        } catch (ReflectiveOperationException e) {
+            throw new ExceptionInInitializerError(e);
+        }
+    }
+
     private final SpaceHome space;
     private final Dispatcher dispatcher;
     private final Lifeline lifeline;
     private final Rejections rejections;
     private final AtomicBoolean begun = new AtomicBoolean();
-    private final AtomicBoolean refusing = new AtomicBoolean();
+    private volatile boolean refusing; // whether a thread turns leftovers away
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
     private final Refusal last;
     private final List<Runnable> steps; // all made before, so that the end needs little memory
     private int bodies;
     private volatile @Nullable Leftovers leftovers;
-    private final List<String> openRequests = new ArrayList<>();
+    private int openRequests;
+    private final List<String> openExamples = new ArrayList<>();
 
     /**
      * The end of a space that lives.
@@ -85,11 +99,17 @@ final class Closing {
 
     /** A request had begun and was rejected when its actor was stopped; on the space's thread. */
     void noteOpenRequest(Request<?> request) {
-        openRequests.add(request.toString());
+        if (openRequests++ < Leftovers.EXAMPLES) {
+            openExamples.add(request.toString());
+        }
     }
 
-    List<String> openRequests() {
+    int openRequests() {
         return openRequests;
+    }
+
+    List<String> openExamples() {
+        return openExamples;
     }
 
     /** What was not done; when it is over. */
@@ -99,7 +119,7 @@ final class Closing {
 
     /** Whatever one step throws, the others are done, and the space is closed after. */
     void shut() {
-        refusing.set(true); // nobody else turns leftovers away before this thread has
+        refusing = true; // nobody else turns leftovers away before this thread has
         bodies = space.sequences().count();
         try {
             for (int step = 0; step < steps.size(); step++) { // an iterator might find no memory
@@ -112,7 +132,7 @@ final class Closing {
         } finally {
             lifeline.close();
             space.giveUpThread();
-            refusing.set(false);
+            refusing = false;
             ended.countDown();
         }
         refuseLeftovers();
@@ -144,18 +164,41 @@ final class Closing {
         leftovers = last.leftovers(bodies);
     }
 
-    /** After the end: whoever finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. */
+    /** Throws a StackOverflowError if the caller's stack is too short for {@link #refuseLeftovers}. */
+    void checkStack() {
+        descend(FRAMES_FOR_REFUSING, Home.current());
+    }
+
+    private static void descend(int frames, @Nullable Home current) {
+        if (frames > 0) {
+            descend(frames - 1, current);
+        } else {
+            SpaceHome.leave(current); // changes nothing: what has to succeed at the end succeeds here, further down
+        }
+    }
+
+    /**
+     * After the end: a caller that finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. One whose stack is too short
+     * throws before it begins, and leaves them to the next.
+     */
     void refuseLeftovers() {
         Home before = Home.current();
-        while (dispatcher.hasArrivals() && refusing.compareAndSet(false, true)) {
-            try { // from the first step on: the caller's stack may end anywhere
+        while (dispatcher.hasArrivals()) {
+            checkStack();
+            if (!REFUSING.compareAndSet(this, false, true)) {
+                return;
+            }
+            try {
                 space.enter();
                 new Refusal(space, dispatcher).refuseAll();
                 rejections.report();
             } finally {
-                space.giveUpThread();
-                SpaceHome.leave(before);
-                refusing.set(false);
+                try {
+                    space.giveUpThread();
+                    SpaceHome.leave(before);
+                } finally {
+                    refusing = false; // by no call: whatever was thrown, the next caller can go on
+                }
             }
         }
     }

@@ -94,8 +94,7 @@ final class Refusal {
     }
 
     Leftovers leftovers(int sequences) {
-        List<String> openRequests = space.closing.openRequests();
-        openRequests.forEach(this::note);
-        return new Leftovers(messages, requests, openRequests.size(), tasks, timers, sequences, examples);
+        space.closing.openExamples().forEach(this::note);
+        return new Leftovers(messages, requests, space.closing.openRequests(), tasks, timers, sequences, examples);
     }
 }

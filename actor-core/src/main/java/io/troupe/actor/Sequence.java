@@ -81,6 +81,7 @@ final class Sequence<T extends @Nullable Object> {
         LockSupport.unpark(
                 mine); // if the stack is too short for waiting, that shows here, while the body still has the baton
         LockSupport.park(this);
+        space.handThreadTo(giver);
         given = false;
         try {
             LockSupport.unpark(giver);
@@ -112,7 +113,7 @@ final class Sequence<T extends @Nullable Object> {
         }
     }
 
-    private void live() {
+    void live() {
         thread = Thread.currentThread();
         try {
             space.takeThread();
@@ -121,6 +122,7 @@ final class Sequence<T extends @Nullable Object> {
             space.reports().error("a sequential body", space, broken, null);
         } finally {
             over = true;
+            space.handThreadTo(giver); // this thread may run a body of another space before the giver wakes
             given = false;
             LockSupport.unpark(giver);
         }

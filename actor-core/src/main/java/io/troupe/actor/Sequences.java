@@ -37,7 +37,7 @@ final class Sequences {
         running = sequence;
         space.beginTurnOf(sequence.owner());
         try {
-            space.lendThreadTo(sequence);
+            sequence.go();
         } finally {
             running = null;
         }

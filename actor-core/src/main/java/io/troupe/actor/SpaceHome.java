@@ -26,7 +26,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     private final NodeRing callbacks = new NodeRing();
     private final NodeRing mails = new NodeRing();
     private final Lifeline lifeline = new Lifeline();
-    private @Nullable Thread thread; // the one that serves now; only ever equal to a reader that set it itself
+    private @Nullable Thread thread; // the one that serves now; a thread finds itself here only while it has the baton
 
     final SpaceSettings settings;
     final Dispatcher dispatcher;
@@ -98,20 +98,19 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** If this throws and the space is not closed, nothing was queued. */
+    /** If this throws, nothing was queued. */
     private void offer(Node node, NodeQueue queue) {
+        if (lifeline.phase == Lifeline.CLOSED) {
+            closing.checkStack(); // for this caller has to turn the node away itself
+        }
         queue.offer(node);
         try {
-            if (lifeline.wake()) {
-                return;
+            if (!lifeline.wake()) {
+                closing.refuseLeftovers();
             }
         } catch (StackOverflowError endOfTheCallersStack) {
-            if (lifeline.phase != Lifeline.CLOSED) {
-                return; // it is queued, and the space looks at its queues by itself within a second
-            }
-            throw endOfTheCallersStack;
+            // it is queued: the space looks at its queues by itself within a second; if it is closed, the next caller does
         }
-        closing.refuseLeftovers();
     }
 
     // ---- what promises ask of their home
@@ -177,19 +176,14 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return thread;
     }
 
-    /** The sequence's thread is this space's until it gives the baton back. */
-    final void lendThreadTo(Sequence<?> sequence) {
-        Thread mine = thread;
-        try {
-            sequence.go();
-        } finally {
-            thread = mine;
-        }
-    }
-
     /** The calling thread has the baton. */
     final void takeThread() {
         thread = Thread.currentThread();
+    }
+
+    /** The calling thread, which has the baton, is about to pass it to that one. */
+    final void handThreadTo(@Nullable Thread next) {
+        thread = next;
     }
 
     /** Runs something on a thread that holds the baton. */

@@ -39,7 +39,7 @@ final class SpaceLoop {
         @Nullable Runnable watch = null;
         try {
             before = space.enter();
-            watch = Watchdog.watch(space, settings, lifeline, dispatcher);
+            watch = watch();
             while (!stopping) {
                 passAndSleep();
             }
@@ -49,6 +49,16 @@ final class SpaceLoop {
                 watch.run();
             }
             SpaceHome.leave(before);
+        }
+    }
+
+    /** Without a thread for the watchdog the space goes on unwatched. */
+    private @Nullable Runnable watch() {
+        try {
+            return Watchdog.watch(space, settings, lifeline, dispatcher);
+        } catch (Throwable noThread) {
+            space.reports().error("the watchdog of space", space, noThread, null);
+            return null;
         }
     }
 

@@ -20,6 +20,7 @@ final class Watchdog {
 
     private static final System.Logger LOG = System.getLogger(Watchdog.class.getName());
     private static final ScheduledThreadPoolExecutor LOOKS = looks();
+    private static final boolean CAN_RECORD = loadEvents();
 
     private final SpaceHome space;
     private final Lifeline lifeline;
@@ -31,6 +32,7 @@ final class Watchdog {
     private long since = clock.nanos();
     private boolean reported;
     private boolean failed;
+    private volatile boolean recording = CAN_RECORD;
 
     private Watchdog(
             SpaceHome space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
@@ -55,6 +57,18 @@ final class Watchdog {
         return looks;
     }
 
+    /** Before the first look, not when memory is short. */
+    private static boolean loadEvents() {
+        try {
+            new SpaceFiguresEvent();
+            new StallEvent(new Stall("", Duration.ZERO, List.of()));
+            return true;
+        } catch (Throwable broken) {
+            LOG.log(System.Logger.Level.ERROR, "the flight recorder gets no figures and no stalls", broken);
+            return false;
+        }
+    }
+
     /**
      * Watches a space.
      *
@@ -73,7 +87,6 @@ final class Watchdog {
     /** Throws nothing: that would end the watch. */
     private void look() {
         try {
-            recordFigures();
             long served = dispatcher.served();
             long now = clock.nanos();
             if (served != seen || lifeline.isAsleep()) {
@@ -87,8 +100,17 @@ final class Watchdog {
         } catch (Throwable broken) { // no memory, say: the next look may do better
             if (!failed) {
                 failed = true;
-                LOG.log(System.Logger.Level.ERROR, "the watchdog of space " + space + " failed", broken);
+                log("the watchdog of space " + space + " failed", broken);
             }
+        }
+        startRecording();
+    }
+
+    private static void log(String what, Throwable broken) {
+        try {
+            LOG.log(System.Logger.Level.ERROR, what, broken);
+        } catch (Throwable again) {
+            // the log fails too, or there is no memory
         }
     }
 
@@ -103,16 +125,17 @@ final class Watchdog {
         }
         reported = true; // once for each message
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
-        new StallEvent(stall).commit();
-        HelperThreads.run(
-                space + "-stall", () -> tell(stall)); // the listener may take its time, others are watched too
+        HelperThreads.run(space + "-stall", () -> tell(stall)); // which may take its time, others are watched too
     }
 
     private void tell(Stall stall) {
         try {
             listener.accept(stall);
         } catch (Throwable broken) {
-            LOG.log(System.Logger.Level.ERROR, "the stall listener of space " + space + " threw", broken);
+            log("the stall listener of space " + space + " threw", broken);
+        }
+        if (recording) {
+            record(() -> new StallEvent(stall).commit());
         }
     }
 
@@ -131,11 +154,29 @@ final class Watchdog {
     }
 
     /** For the flight recorder, if it is on. */
+    private void startRecording() {
+        if (recording) {
+            record(() -> {
+                if (new SpaceFiguresEvent().isEnabled()) {
+                    HelperThreads.run(space + "-figures", () -> record(this::recordFigures));
+                }
+            });
+        }
+    }
+
     private void recordFigures() {
         var event = new SpaceFiguresEvent();
-        if (event.isEnabled()) {
-            event.fill(space);
-            event.commit();
+        event.fill(space);
+        event.commit();
+    }
+
+    /** The watch does not depend on the recorder: after an error nothing of this space is recorded any more. */
+    private void record(Runnable step) {
+        try {
+            step.run();
+        } catch (Throwable broken) {
+            recording = false;
+            log("space " + space + " records no more figures and stalls", broken);
         }
     }
 }

@@ -7,6 +7,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -142,6 +143,57 @@ class EndOfTheStackTest {
                 assertThat(body.get(LONG)).isTrue();
                 assertThat(space.sequential(() -> 7).get(LONG)).isEqualTo(7);
             }
+        }
+    }
+
+    private static ActorSpace quietSpace(String name) {
+        return ActorSpace.create(
+                SpaceSettings.named(name).withOnError((where, error) -> {}).withOnDeadLetter(letter -> {}));
+    }
+
+    @Test
+    void callOfAClosedSpace_atTheEndOfTheCallersStack_leavesItRejectingTheNext() throws Exception {
+        var space = quietSpace("closed");
+        Counter counter = space.spawn(Counter.class, Counting::new);
+        assertThat(counter.count().get(LONG)).isZero();
+        space.close(LONG);
+        assertThat(counter.count().isDone()).isTrue(); // and everything is linked
+        for (int round = 0; round < 80; round++) {
+            var deep = new Deep(counter::count);
+            onASmallStack(deep::recurse);
+            assertThat(deep.done).isTrue();
+            Promise<Integer> next = counter.count();
+            assertThat(next.isDone())
+                    .as("the request of the next caller, in round %s", round)
+                    .isTrue();
+            assertThat(next.error()).isInstanceOf(ActorStoppedException.class);
+        }
+    }
+
+    @Test
+    void queueingInAClosedSpace_atTheEndOfTheCallersStack_throwsOnlyIfNothingWasQueued() throws Exception {
+        var space = quietSpace("closed-too");
+        space.close(LONG);
+        int most = 4_000;
+        var refusals = new int[most];
+        var returned = new boolean[most];
+        var entries = IntStream.range(0, most)
+                .mapToObj(number -> new Entry(() -> {}, () -> refusals[number]++))
+                .toArray(Entry[]::new);
+        space.enqueueMail(entries[0]);
+        assertThat(refusals[0]).isEqualTo(1);
+        var attempts = new int[] {1};
+        var deep = new Deep(() -> {
+            int attempt = attempts[0]++;
+            space.enqueueMail(entries[attempt]);
+            returned[attempt] = true;
+        });
+        onASmallStack(deep::recurse);
+        assertThat(deep.done).isTrue();
+        assertThat(attempts[0]).isGreaterThan(2); // else the stack did not end within a call
+        space.enqueueMail(new Entry(() -> {}, () -> {})); // finds what was left
+        for (int attempt = 1; attempt < attempts[0]; attempt++) {
+            assertThat(refusals[attempt]).as("attempt %s", attempt).isEqualTo(returned[attempt] ? 1 : 0);
         }
     }
 }

@@ -200,4 +200,30 @@ class SequentialTest {
             assertThat(counter[0]).isEqualTo(2000);
         }
     }
+
+    @Test
+    void threadOfABody_thatHasEnded_isNotTheSpacesAnyMore() throws Exception {
+        SpaceHome space = test.space();
+        var end = new Deferred<Boolean>();
+        new Sequence<>(space, space.currentOwner(), space::isCurrent, end).live();
+        assertThat(end.get(Duration.ofSeconds(50))).isTrue();
+        assertThat(space.isCurrent()).isFalse(); // though no other thread has taken it
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void bodiesOfTwoSpaces_onTheSameThreads_eachBelongToTheirOwnSpace() throws Exception {
+        try (var first = ActorSpace.create(SpaceSettings.named("first"));
+                var second = ActorSpace.create(SpaceSettings.named("second"))) {
+            for (int round = 0; round < 100; round++) {
+                var own = new ArrayList<Promise<Boolean>>();
+                for (int body = 0; body < 20; body++) {
+                    first.sequential(() -> true);
+                    own.add(second.sequential(() -> !((SpaceHome) first).isCurrent()));
+                }
+                assertThat(Promise.all(own).get(Duration.ofSeconds(50))).containsOnly(true);
+            }
+        }
+    }
 }
