@@ -9,12 +9,15 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Delays that other threads than a space's own have asked of it, so that they end in time even if the space does not serve. They run on one daemon thread, which is
- * started by the first of them and ends with the space.
+ * Delays that other threads than a space's own have asked of it, so that they end in time even if the space does not serve. They run on one daemon thread for each
+ * space, which is started when there are some and ends {@value #IDLE_SECONDS} seconds after the last one, or with the space.
  *
- * <p><b>Threads.</b> Any thread. <b>Cost.</b> Setting and taking back take time in the logarithm of the number of delays.
+ * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the thread of the timers: one that blocks delays the others of its space.
+ * <b>Cost.</b> Setting and taking back take time in the logarithm of the number of delays.
  */
 final class OutsideTimers {
+    private static final long IDLE_SECONDS = 10;
+
     private final SpaceHome space;
     private final Set<Delay> pending = ConcurrentHashMap.newKeySet(); // whoever removes a delay deals with it
     private @Nullable ScheduledThreadPoolExecutor executor; // guarded by this
@@ -52,8 +55,14 @@ final class OutsideTimers {
         if (executor == null) {
             executor = new ScheduledThreadPoolExecutor(
                     1,
-                    task -> Thread.ofPlatform().daemon().name(space + "-timers").unstarted(task));
+                    Thread.ofPlatform()
+                            .daemon()
+                            .inheritInheritableThreadLocals(false)
+                            .name(space + "-timers")
+                            .factory());
             executor.setRemoveOnCancelPolicy(true); // a promise that is settled keeps nothing here
+            executor.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
+            executor.allowCoreThreadTimeOut(true);
         }
         return executor;
     }

@@ -234,7 +234,10 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /** A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else waits. */
     protected void timedOut() {}
 
-    /** A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. */
+    /**
+     * A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. Its own continuations run on the thread that settles the promise, a space's
+     * or that of its time limits, and must not block it.
+     */
     public final CompletableFuture<T> toCompletableFuture() {
         var future = new CompletableFuture<T>();
         register(new Relay(
