@@ -222,9 +222,7 @@ class FairnessTest {
             answered += more;
         }
         test.crank();
-        assertThat(log)
-                .hasSize(5)
-                .allSatisfy(entry -> assertThat(entry).isEqualTo("poked after 2000 callbacks"));
+        assertThat(log).hasSize(5).allSatisfy(entry -> assertThat(entry).isEqualTo("poked after 2000 callbacks"));
     }
 
     @Test
@@ -240,14 +238,16 @@ class FairnessTest {
                 Promise.done().thenRun(() -> callbacks++);
             }
         })));
-        test.space().execute(() -> onAnotherThread(() -> {
-            answers.forEach(answer -> answer.resolve(1));
-            worker.poke();
-        }));
+        test.space()
+                .execute(() -> onAnotherThread(() -> {
+                    answers.forEach(answer -> answer.resolve(1));
+                    worker.poke();
+                }));
         test.crank();
-        assertThat(log).singleElement().satisfies(entry -> assertThat(
-                        Integer.parseInt(entry.replaceAll("\\D", "")))
-                .isGreaterThanOrEqualTo(400));
+        assertThat(log)
+                .singleElement()
+                .satisfies(entry -> assertThat(Integer.parseInt(entry.replaceAll("\\D", "")))
+                        .isGreaterThanOrEqualTo(400));
     }
 
     @Test
@@ -258,10 +258,12 @@ class FairnessTest {
             space.crank();
             var requests = new ArrayList<Promise<Integer>>();
             var failures = new ArrayList<String>();
-            space.execute(() -> requests.getFirst().orTimeout(Duration.ofMillis(1)).exceptionally(late -> {
-                failures.add(String.valueOf(late.getMessage()));
-                return 0;
-            }));
+            space.execute(() -> requests.getFirst()
+                    .orTimeout(Duration.ofMillis(1))
+                    .exceptionally(late -> {
+                        failures.add(String.valueOf(late.getMessage()));
+                        return 0;
+                    }));
             for (int mail = 0; mail < 60; mail++) {
                 space.execute(() -> clock.nanos += 200_000);
             }

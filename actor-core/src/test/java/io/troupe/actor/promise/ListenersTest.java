@@ -115,6 +115,7 @@ class ListenersTest {
         test.run(() -> answer.thenAccept(value -> {}));
         answer.resolve(new byte[1_000]);
         test.crank();
-        assertThat(Reachable.from(test.space()).stream().filter(Stage.class::isInstance)).isEmpty();
+        assertThat(Reachable.from(test.space()).stream().filter(Stage.class::isInstance))
+                .isEmpty();
     }
 }
