@@ -3,6 +3,7 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Timer;
 import java.util.ArrayDeque;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -32,7 +33,9 @@ public final class ActorCell {
     private Life life;
     private @Nullable ArrayDeque<Node>
             held; // since a restart has to wait, until those calls are served that came meanwhile
+    private @Nullable Timer revival; // of the last pause before a restart
     private boolean releasing;
+    private boolean stopHeld; // a stop waits among the calls held back
     private boolean starting;
     private int failedStarts; // in a row
     private boolean begun;
@@ -191,9 +194,22 @@ public final class ActorCell {
         }
     }
 
+    /** After the calls that came before; in the pause before a restart at once, for it may never start again. */
+    void stopBehindCalls() {
+        if (held != null && instance != null) {
+            stopHeld = true;
+            held.add(new Entry(this::stop));
+        } else {
+            stop();
+        }
+    }
+
     void stop() {
         if (stopped) {
             return;
+        }
+        if (revival != null) {
+            revival.cancel();
         }
         space.actors().remove(this);
         Deferred<@Nullable Void> watched;
@@ -245,9 +261,13 @@ public final class ActorCell {
         if (held == null) {
             held = new ArrayDeque<>();
         }
+        if (stopHeld) {
+            stop();
+            return;
+        }
         long pauseNanos =
                 Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(failedStarts - 2, MOST_DOUBLINGS));
-        space.dispatcher.timers.set(this::revive, pauseNanos, 0);
+        revival = space.dispatcher.timers.set(this::revive, pauseNanos, 0);
     }
 
     private void revive() {
@@ -271,7 +291,9 @@ public final class ActorCell {
             return; // it has stopped, or waits again
         }
         Node ticket = held.poll();
-        if (ticket != null) {
+        if (ticket instanceof Entry) { // see stopBehindCalls()
+            stop();
+        } else if (ticket != null) {
             deliver(ticket);
         }
         if (held == null) {
@@ -402,6 +424,12 @@ public final class ActorCell {
             failures = new FailureCount(settings.supervision());
         }
         Supervision.Directive directive = failures.note(space.clock().nanos());
+        if (failedStarts > settings.supervision().limit()) { // the pauses between them may be longer than the window
+            directive = Supervision.Directive.STOP;
+        }
+        if (starting && directive != Supervision.Directive.RESUME && held == null) {
+            held = new ArrayDeque<>(); // the call that has led to the start does not reach this instance
+        }
         if (directive != Supervision.Directive.RESUME || implementation == null) {
             endedBy = thrown;
         }

@@ -95,10 +95,13 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         return proxy;
     }
 
-    /** Stops the actor behind a proxy of this space after the messages already in its mailbox. */
+    /**
+     * Stops the actor behind a proxy of this space after the messages already in its mailbox. One that waits for its restart is stopped without another start, and those
+     * messages are turned away, as at each end of an actor: messages become dead letters, requests are rejected.
+     */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
-        enqueueMail(new Entry(cell::stop, cell::stop));
+        enqueueMail(new Entry(cell::stopBehindCalls, cell::stop));
     }
 
     /**

@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
  * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
  * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
- * timers have their turn. What an entry asked for {@link #afterTurn} comes before everything else.
+ * timers have their turn; a mail from the inbox only if no callback is left that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
  * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
  * millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass is soon enough.
@@ -37,12 +37,14 @@ final class Dispatcher {
     private final Consumer<Runnable> runTask = this::runTask; // made once: a pass must not need memory
     private final NodeRing callbacks;
     private final NodeRing mails;
+    private final Precedence precedence = new Precedence();
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
     private final Progress progress = new Progress();
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
+    private long owed = Long.MAX_VALUE; // so many callbacks come before the first mail, though their quota was used up
     private int stride = STRIDE;
     private long lastLookNanos;
 
@@ -86,7 +88,16 @@ final class Dispatcher {
         boolean worked = drainInbox();
         worked |= drainRings();
         worked |= quota > 0 && timers.runDue(runTask) > 0;
+        if (!worked && space.isCrankedByHand()) { // one with a thread does so before it sleeps
+            forgetServed();
+        }
         return worked;
+    }
+
+    /** Lets go of what was served last; to be called when nothing waits. */
+    void forgetServed() {
+        inbox.forgetLast();
+        callbackInbox.forgetLast();
     }
 
     /** What is written at every turn must not grow old: see {@link NodeRing#renew}. */
@@ -223,6 +234,7 @@ final class Dispatcher {
                 boolean behind = takeCallbacks() || !callbacks.isEmpty() || !mails.isEmpty();
                 if (behind) {
                     mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
+                    precedence.note(mails.added(), callbacks.added(), mails.taken());
                 }
                 last = inbox.takeAfter(last);
                 worked = true;
@@ -231,6 +243,7 @@ final class Dispatcher {
                 } else {
                     serve(last);
                     if (--untilLook == 0) {
+                        inbox.endBatch(last); // a timer's task may look at what waits
                         untilLook = lookAtTimers();
                     }
                 }
@@ -278,11 +291,7 @@ final class Dispatcher {
                 takeCallbacks();
             }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
-            Node mail = mails.poll();
-            if (mail == null && more) {
-                drainInbox(); // for a mail that waits there
-                mail = mails.poll();
-            }
+            Node mail = more ? mailAfterQuota() : mails.poll();
             if (mail != null) {
                 serve(mail);
                 if (--untilLook == 0) {
@@ -299,11 +308,29 @@ final class Dispatcher {
         return worked;
     }
 
+    /** The mail that has its turn though callbacks wait; null if there is none, or if one of them came before it. */
+    private @Nullable Node mailAfterQuota() {
+        owed = Long.MAX_VALUE;
+        if (mails.isEmpty()) {
+            drainInbox(); // for a mail that waits there
+        }
+        if (mails.isEmpty() || quota == 0) {
+            return null;
+        }
+        long before = precedence.callbacksBefore(mails.taken()) - callbacks.taken();
+        if (before > 0) {
+            owed = before;
+            return null;
+        }
+        return mails.poll();
+    }
+
     /** True if there may be more than were served. */
     private boolean drainCallbacks() {
-        for (int count = 0; count < quota; count++) {
+        for (int count = 0; count < quota && count < owed; count++) {
             Node callback = callbacks.poll();
             if (callback == null) {
+                owed = Long.MAX_VALUE;
                 return false;
             }
             serve(callback);

@@ -32,6 +32,8 @@ final class Lifeline extends LifelinePhase {
     private static final int AWAKE = 0;
     private static final int ASLEEP = 1;
     static final int CLOSED = 2;
+    /** Its waker could not unpark it; unlike {@link #ASLEEP} it does not say that the space does nothing, for it may have gone on by itself. */
+    private static final int NOT_WOKEN = 3;
     /** A waker whose stack ends within the unpark wakes nobody: the sleeper does not depend on it. */
     static final long LONGEST_SLEEP_NANOS = 1_000_000_000;
     /*
@@ -58,14 +60,19 @@ final class Lifeline extends LifelinePhase {
     /** Wakes the space if it sleeps; false if it is closed and will not look at its queues any more. */
     boolean wake() {
         int now = phase;
-        if (now == ASLEEP && PHASE.compareAndSet(this, ASLEEP, AWAKE)) {
+        if ((now & ASLEEP) != 0 && PHASE.compareAndSet(this, now, AWAKE)) { // NOT_WOKEN, too
             try {
                 LockSupport.unpark(sleeper);
             } catch (StackOverflowError endOfTheCallersStack) {
-                PHASE.compareAndSet(this, AWAKE, ASLEEP); // the next caller tries again, or the sleeper looks by itself
+                noteNotWoken();
             }
         }
         return now != CLOSED;
+    }
+
+    /** The unpark has failed: the next caller tries again, or the sleeper looks by itself. */
+    void noteNotWoken() {
+        PHASE.compareAndSet(this, AWAKE, NOT_WOKEN);
     }
 
     /** Sleeps until it is woken or a timer is due, {@value #LONGEST_SLEEP_NANOS} ns at most; returns early without harm. */
@@ -79,14 +86,16 @@ final class Lifeline extends LifelinePhase {
             }
         }
         if (fallAsleep(dispatcher)) {
-            dispatcher.inbox.forgetLast();
+            dispatcher.forgetServed();
             long deadline = dispatcher.timers.nextDeadline();
             long nanos = deadline == Long.MAX_VALUE || !clock.runsByItself()
                     ? LONGEST_SLEEP_NANOS
                     : Math.min(LONGEST_SLEEP_NANOS, deadline - clock.nanos());
             LockSupport.parkNanos(this, nanos);
         }
-        PHASE.compareAndSet(this, ASLEEP, AWAKE);
+        if (!PHASE.compareAndSet(this, ASLEEP, AWAKE)) {
+            PHASE.compareAndSet(this, NOT_WOKEN, AWAKE);
+        }
         Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping
     }
 

@@ -9,18 +9,18 @@ final class NodeRing {
     private static final int SMALL = 256;
 
     private @Nullable Node[] entries = new Node[SMALL];
-    private int head; // both count on and on; the lower bits are the place
-    private int tail;
+    private long head; // both count on and on; the lower bits are the place
+    private long tail;
 
     void add(Node node) {
         @Nullable Node[] places = entries;
-        int place = tail;
+        long place = tail;
         if (place - head == places.length) {
             moveTo(new Node[places.length * 2]);
             places = entries;
             place = tail;
         }
-        places[place & (places.length - 1)] = node;
+        places[indexOf(place, places)] = node;
         tail = place + 1;
     }
 
@@ -33,12 +33,12 @@ final class NodeRing {
 
     @Nullable
     Node poll() {
-        int place = head;
+        long place = head;
         if (place == tail) {
             return null;
         }
         @Nullable Node[] places = entries;
-        int index = place & (places.length - 1);
+        int index = indexOf(place, places);
         Node node = places[index];
         places[index] = null;
         head = place + 1;
@@ -50,12 +50,26 @@ final class NodeRing {
     }
 
     int size() {
-        return tail - head;
+        return (int) (tail - head);
+    }
+
+    /** How many nodes have been taken since the ring was made. */
+    long taken() {
+        return head;
+    }
+
+    /** How many nodes have been added since the ring was made. */
+    long added() {
+        return tail;
+    }
+
+    private static int indexOf(long place, @Nullable Node[] places) {
+        return (int) place & (places.length - 1);
     }
 
     /** The node that is so many places behind the first one. */
     Node get(int index) {
-        return Objects.requireNonNull(entries[(head + index) & (entries.length - 1)]);
+        return Objects.requireNonNull(entries[indexOf(head + index, entries)]);
     }
 
     /**
@@ -71,10 +85,8 @@ final class NodeRing {
     private void moveTo(@Nullable Node[] fresh) {
         int size = size();
         for (int index = 0; index < size; index++) {
-            fresh[index] = get(index);
+            fresh[indexOf(head + index, fresh)] = get(index);
         }
         entries = fresh;
-        head = 0;
-        tail = size;
     }
 }

@@ -42,7 +42,7 @@ final class Repetition {
             if (step == null) {
                 nextTurn(() -> end.reject(new CancellationException("the actor of this loop has stopped")));
             } else {
-                await(step);
+                Retrial.next(space, step, this::next, end);
             }
         } catch (Throwable thrown) {
             end.reject(thrown);
@@ -61,17 +61,6 @@ final class Repetition {
                     }
                 },
                 ifStopped));
-    }
-
-    /** The listener is not called if the actor of this loop stops meanwhile; then its promise says so. */
-    private void await(Promise<?> step) {
-        Promise<?> listener = step.handle((value, error) -> next(error));
-        space.whenPromiseSettled(listener, end::isDone, () -> {
-            Throwable error = listener.error();
-            if (error != null) {
-                end.reject(error);
-            }
-        });
     }
 
     private @Nullable Void next(@Nullable Throwable error) {

@@ -41,7 +41,7 @@ final class Retrial<T extends @Nullable Object> {
 
     private void tryNow() {
         Promise<T> trial = Promise.done().thenCompose(begin -> attempt.get());
-        next(trial, failure -> ended(trial, failure));
+        next(space, trial, failure -> ended(trial, failure), end);
     }
 
     private @Nullable Void ended(Promise<T> trial, @Nullable Throwable failure) {
@@ -52,7 +52,7 @@ final class Retrial<T extends @Nullable Object> {
         } else if (!end.isDone()) {
             Promise<?> delay = space.delay(pause);
             pausing = delay;
-            next(delay, this::paused);
+            next(space, delay, this::paused, end);
             if (end.isDone()) {
                 delay.cancel(); // it was cancelled while the pause began
             }
@@ -69,8 +69,12 @@ final class Retrial<T extends @Nullable Object> {
         return null;
     }
 
-    /** The listener is not called if the actor on whose behalf it is registered stops meanwhile; then the promise of its result is rejected. */
-    private void next(Promise<?> step, Function<@Nullable Throwable, @Nullable Void> listener) {
+    /** The next step of a loop. The listener is not called if the actor on whose behalf it is registered stops meanwhile; then the loop's promise is rejected. */
+    static void next(
+            ActorSpace space,
+            Promise<?> step,
+            Function<@Nullable Throwable, @Nullable Void> listener,
+            Deferred<?> end) {
         Promise<?> result = step.handle((value, error) -> listener.apply(error));
         space.whenPromiseSettled(result, end::isDone, () -> {
             Throwable error = result.error();

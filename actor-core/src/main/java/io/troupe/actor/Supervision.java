@@ -7,7 +7,7 @@ import java.time.Duration;
  * that {@code then} answered.) The error is reported in any case.
  *
  * @param directive what to do
- * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor
+ * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor, and so does one more failed start in a row, within the window or not
  * @param window by the space's clock
  */
 public record Supervision(Directive directive, int limit, Duration window) {

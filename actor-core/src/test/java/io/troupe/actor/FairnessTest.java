@@ -204,4 +204,79 @@ class FairnessTest {
         test.crank();
         assertThat(log).containsExactly("answer", "poked after 0 callbacks");
     }
+
+    @Test
+    void mailOfAnotherThread_doesNotOvertakeMoreCallbacksOfThatThreadThanRunInARow() {
+        Worker worker = test.spawn(Worker.class, () -> new Worker(this));
+        var answers = new ArrayList<Deferred<Integer>>();
+        for (int count = 0; count < 2_000; count++) {
+            answers.add(new Deferred<>(test.space()));
+        }
+        test.run(() -> answers.forEach(answer -> answer.then(value -> ++callbacks)));
+        int answered = 0;
+        for (int more : List.of(300, 1, 256, 700, 743)) {
+            for (var answer : answers.subList(answered, answered + more)) {
+                answer.resolve(1);
+            }
+            worker.poke();
+            answered += more;
+        }
+        test.crank();
+        assertThat(log).hasSize(5).allSatisfy(entry -> assertThat(entry).isEqualTo("poked after 2000 callbacks"));
+    }
+
+    @Test
+    void mailsOfAnotherThread_amongItsCallbacks_runWhenThoseBeforeThemHaveRun() {
+        Worker worker = test.spawn(Worker.class, () -> new Worker(this));
+        var answers = new ArrayList<Deferred<Integer>>();
+        for (int count = 0; count < 400; count++) {
+            answers.add(new Deferred<>(test.space()));
+        }
+        test.run(() -> answers.forEach(answer -> answer.then(value -> {
+            callbacks++;
+            if (callbacks < 300) { // while it runs, more come
+                Promise.done().thenRun(() -> callbacks++);
+            }
+        })));
+        test.space()
+                .execute(() -> onAnotherThread(() -> {
+                    answers.forEach(answer -> answer.resolve(1));
+                    worker.poke();
+                }));
+        test.crank();
+        assertThat(log)
+                .singleElement()
+                .satisfies(entry -> assertThat(Integer.parseInt(entry.replaceAll("\\D", "")))
+                        .isGreaterThanOrEqualTo(400));
+    }
+
+    @Test
+    void timeOut_amongManyMails_saysThatTheRequestBehindThemHasNotBegun() {
+        var clock = new SteppedClock();
+        try (var space = spaceOn(clock)) {
+            Desk desk = space.spawn(Desk.class, () -> () -> Promise.of(1));
+            space.crank();
+            var requests = new ArrayList<Promise<Integer>>();
+            var failures = new ArrayList<String>();
+            space.execute(() -> requests.getFirst()
+                    .orTimeout(Duration.ofMillis(1))
+                    .exceptionally(late -> {
+                        failures.add(String.valueOf(late.getMessage()));
+                        return 0;
+                    }));
+            for (int mail = 0; mail < 60; mail++) {
+                space.execute(() -> clock.nanos += 200_000);
+            }
+            requests.add(desk.ask());
+            space.crank();
+            assertThat(failures)
+                    .singleElement()
+                    .satisfies(text -> assertThat(text).contains("which has not begun it: "));
+        }
+    }
+
+    /** Answers at once. */
+    public interface Desk {
+        Promise<Integer> ask();
+    }
 }

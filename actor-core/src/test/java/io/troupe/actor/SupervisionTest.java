@@ -9,6 +9,7 @@ import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -263,5 +264,110 @@ class SupervisionTest {
     void settingsThatMakeNoSense_areRefused() {
         assertThatThrownBy(() -> Supervision.restart(-1, Duration.ofSeconds(1))).hasMessageContaining("limit is -1");
         assertThatThrownBy(() -> Supervision.restart(1, Duration.ZERO)).hasMessageContaining("window is PT0S");
+    }
+
+    @Test
+    @Timeout(30)
+    void stopInThePauseBeforeARestart_leavesNoTimer() {
+        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        assertThat(test.space().metrics().timers()).isOne();
+        test.space().stop(stubborn);
+        test.crank();
+        assertThat(test.space().metrics().timers()).isZero();
+        test.takeProblems();
+    }
+
+    @Test
+    @Timeout(30)
+    void callsThatWereHeldBack_areServedBeforeTheStopThatCameAfterThem() {
+        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        for (int number = 1; number <= 400; number++) {
+            stubborn.note(number);
+        }
+        test.crank();
+        refuses = false;
+        test.run(() -> test.space().delay(Duration.ofMillis(10)).thenRun(() -> {
+            test.space().stop(stubborn); // has its turn after 256 callbacks
+            stubborn.note(401);
+        }));
+        test.advance(Duration.ofMillis(10));
+        assertThat(log).hasSize(400).endsWith("note 400");
+        assertThat(test.takeDeadLetters()).hasSize(1);
+        test.takeProblems();
+    }
+
+    @Test
+    @Timeout(30)
+    void failureAmongCallsThatWereHeldBack_beforeAStop_letsItStopInsteadOfWaitingForARestart() {
+        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        for (int number = 1; number <= 300; number++) {
+            stubborn.note(number);
+        }
+        stubborn.fail();
+        test.crank();
+        refuses = false;
+        var stopped = test.space().whenStopped(stubborn);
+        test.run(() -> test.space().delay(Duration.ofMillis(10)).thenRun(() -> {
+            refuses = true;
+            test.space().stop(stubborn); // has its turn after 256 callbacks
+        }));
+        test.advance(Duration.ofMillis(10));
+        assertThat(stopped.isDone()).isTrue();
+        assertThat(log).hasSize(300);
+        assertThat(test.space().metrics().timers()).isZero();
+        test.takeProblems();
+    }
+
+    @Test
+    @Timeout(30)
+    void failedStartsInARow_reachTheLimit_thoughThePausesExceedTheWindow() {
+        refuses = true;
+        Stubborn stubborn = test.spawn(
+                Stubborn.class,
+                () -> new Stubborn(this),
+                ActorSettings.DEFAULT.withSupervision(Supervision.restart(5, Duration.ofMillis(15))));
+        var stopped = test.space().whenStopped(stubborn);
+        test.advance(Duration.ofSeconds(60));
+        assertThat(stopped.isDone()).isTrue();
+        assertThat(instances).isEqualTo(1 + 5);
+        assertThat(test.takeProblems()).hasSize(1 + 5);
+    }
+
+    /** Spawned on another thread within a turn, so that the caller's call comes before the entry that starts the actor. */
+    private void callBeforeTheSpawnEntry(Supervision supervision) {
+        refuses = true;
+        var settings = ActorSettings.DEFAULT.withSupervision(supervision);
+        test.run(() -> {
+            var spawned = new AtomicReference<Stubborn>();
+            try {
+                Thread.ofPlatform()
+                        .start(() ->
+                                spawned.set(test.space().spawn(Stubborn.class, () -> new Stubborn(this), settings)))
+                        .join();
+            } catch (InterruptedException interrupted) {
+                throw new IllegalStateException(interrupted);
+            }
+            spawned.get().note(7);
+            spawned.get().note(8);
+        });
+        test.takeProblems();
+    }
+
+    @Test
+    void callBeforeTheSpawnEntry_doesNotReachAnInstanceWhoseStartThrows() {
+        callBeforeTheSpawnEntry(Supervision.STOP);
+        assertThat(log).isEmpty();
+        assertThat(test.takeDeadLetters()).hasSize(2);
+    }
+
+    @Test
+    @Timeout(30)
+    void callBeforeTheSpawnEntry_waitsForTheRestart_ifTheStartThrows() {
+        callBeforeTheSpawnEntry(Supervision.restart(100, Duration.ofSeconds(10)));
+        assertThat(log).isEmpty();
+        refuses = false;
+        test.advance(Duration.ofMillis(10));
+        assertThat(log).containsExactly("note 7", "note 8");
+        assertThat(instances).isEqualTo(3);
     }
 }

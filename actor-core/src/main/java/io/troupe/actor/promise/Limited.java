@@ -48,10 +48,13 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     }
 
     private void expire() {
-        expired = settleError(new TimeoutException(
-                "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source)));
-        if (expired) {
+        var error = new TimeoutException(
+                "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source));
+        expired = true; // before, so that a failure of the source is reported from the moment this is settled
+        if (settleError(error)) {
             source.timedOut();
+        } else {
+            expired = false;
         }
     }
 

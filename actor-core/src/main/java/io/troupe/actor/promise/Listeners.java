@@ -38,6 +38,28 @@ final class Listeners extends Node {
         return count == FEW;
     }
 
+    /** Whether no listener of a linked list that is not yet {@link #isMany} needs the outcome; of use only if the list was not settled meanwhile. */
+    static boolean areGivenUp(Node newest) {
+        Node node = newest;
+        for (int count = 0; count < FEW && node != null; count++) { // a list that is being settled may lead elsewhere
+            if (!isGivenUp(node)) {
+                return false;
+            }
+            node = node.next;
+        }
+        return true;
+    }
+
+    /** A thread whose wait is over may wait again. */
+    private static boolean isGivenUp(Node listener) {
+        return listener.isIdle() && !(listener instanceof Waiter);
+    }
+
+    /** Whether no listener needs the outcome, or the promise has been settled. */
+    synchronized boolean areGivenUp() {
+        return closed || nodes.stream().allMatch(Listeners::isGivenUp);
+    }
+
     /** False if the promise has been settled. */
     synchronized boolean add(Node listener) {
         if (closed) {

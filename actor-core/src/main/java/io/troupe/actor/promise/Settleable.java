@@ -109,16 +109,17 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * local.
      */
     protected final boolean isGivenUp() {
-        Object now = STATE.getAcquire(this);
-        if (!(now instanceof Node newest)) {
-            return now != null;
-        }
-        for (Node node = newest; node != null; node = node.next) {
-            if (!node.isIdle() || node instanceof Waiter) {
-                return false;
+        while (true) {
+            Object now = STATE.getAcquire(this);
+            if (!(now instanceof Node newest)) {
+                return now != null;
             }
+            boolean givenUp = newest instanceof Listeners many ? many.areGivenUp() : Listeners.areGivenUp(newest);
+            VarHandle.acquireFence();
+            if (STATE.getAcquire(this) == now) {
+                return givenUp;
+            } // else another thread may have changed the links meanwhile
         }
-        return true;
     }
 
     /** Somebody has seen how it ended. */
@@ -259,16 +260,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 return Claim.REFUSED;
             }
             if (now instanceof Listeners many) {
+                Node listeners;
+                Settling settling;
                 synchronized (many) {
                     if (many.isClosed()) {
                         continue; // another thread has settled it
                     }
-                    Node listeners = many.link();
-                    Settling settling = settlingFor(outcome, listeners);
+                    listeners = many.link();
+                    settling = settlingFor(outcome, listeners);
                     many.close();
                     STATE.setVolatile(this, settling == null ? outcome : settling);
-                    return claimed(outcome, listeners, settling);
                 }
+                return claimed(outcome, listeners, settling); // without the lock: it may call users' handlers
             }
             var listeners = (Node) now;
             Settling settling = settlingFor(outcome, listeners);

@@ -1,8 +1,10 @@
 package io.troupe.actor.model;
 
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
@@ -18,6 +20,8 @@ final class ModelSpace {
     private final List<ModelTask> callbackInbox = new ArrayList<>();
     private final List<ModelTask> callbacks = new ArrayList<>();
     private final List<ModelTask> mails = new ArrayList<>();
+    private final Map<ModelTask, ModelTask> lastCallbackBefore = new IdentityHashMap<>();
+    private int owed = QUOTA;
     private final List<Runnable> ends = new ArrayList<>();
     private final List<Runnable> idle = new ArrayList<>();
     private final List<Runnable> detached = new ArrayList<>();
@@ -145,6 +149,9 @@ final class ModelSpace {
                 turn(mail.action());
             } else {
                 mails.add(mail);
+                if (!callbacks.isEmpty()) {
+                    lastCallbackBefore.put(mail, callbacks.getLast());
+                }
             }
         }
         return worked;
@@ -158,28 +165,45 @@ final class ModelSpace {
         return worked;
     }
 
-    /** After a quota of callbacks one mail has its turn, and then everybody else. */
+    /** After a quota of callbacks one mail has its turn, unless a callback is left that came before it, and then everybody else. */
     private boolean drainQueues() {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
             worked = true;
             takeCallbacks();
+            int limit = Math.min(QUOTA, owed);
+            owed = QUOTA;
             int served = 0;
-            while (served < QUOTA && !callbacks.isEmpty() && !stopping) {
+            while (served < limit && !callbacks.isEmpty() && !stopping) {
                 turn(callbacks.removeFirst().action());
                 served++;
             }
-            if (served == QUOTA && mails.isEmpty()) {
+            if (served == limit && mails.isEmpty()) {
                 drainInbox();
             }
             if (!mails.isEmpty() && !stopping) {
+                int before = callbacksBefore(mails.getFirst());
+                if (before > 0) {
+                    owed = before;
+                    return true;
+                }
                 turn(mails.removeFirst().action());
             }
-            if (served == QUOTA) {
+            if (served == limit) {
                 return true;
             }
         }
         return worked;
+    }
+
+    private int callbacksBefore(ModelTask mail) {
+        ModelTask last = lastCallbackBefore.get(mail);
+        for (int index = 0; index < callbacks.size(); index++) {
+            if (callbacks.get(index) == last) {
+                return index + 1;
+            }
+        }
+        return 0;
     }
 
     private void turn(Runnable action) {

@@ -1,0 +1,19 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class LifelineTest {
+    @Test
+    void runningSpace_whoseWakerCouldNotUnparkIt_isNotTakenForAsleep_andIsWokenAgain() {
+        var lifeline = new Lifeline();
+        lifeline.noteNotWoken();
+        assertThat(lifeline.isAsleep()).isFalse();
+        assertThat(lifeline.wake()).isTrue();
+        assertThat(lifeline.phase).isZero();
+        lifeline.close();
+        lifeline.noteNotWoken();
+        assertThat(lifeline.isClosed()).isTrue();
+    }
+}
