@@ -19,8 +19,9 @@ import org.jspecify.annotations.Nullable;
  * {@link Control} just as well.
  * <p><b>Threads.</b> It lives on one actor space, on whose thread it is opened and closed; what {@link Provider} has may be called from any.
  * <p><b>Order.</b> From invocation to termination is one life. A component hears its topics from the moment it is being invoked: what comes before it runs waits in
- * the DCU. What it says while it is being terminated is still published. What it says or does after that is told to the observer and has no other effect.
- * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with what it failed of until it is started again.
+ * the DCU. What it says while {@link #stop} terminates it is still published. What it says or does after that is told to the observer and has no other effect.
+ * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with what it failed of until it is started again. One whose termination fails may still be
+ * alive: {@link #start} and {@link #stop} terminate it again, and are rejected until this succeeds.
  * <p><b>Source.</b> Paper, section 2.2.2 and Figure 6.
  */
 public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
@@ -135,14 +136,16 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         return answer;
     }
 
-    /** Leaves the bus for good; a component that runs is terminated, and calls of {@link #start} are rejected from now on. */
+    /**
+     * Leaves the bus for good, at once, so that its name is free. A component that runs is terminated: what it says while that lasts is reported as not published, and so is a
+     * termination that fails; {@link #stop} first publishes it. Calls of {@link #start} are rejected from now on.
+     */
     @Override
     public void close() {
-        lives.close().handle((ended, error) -> {
-            if (error != null) {
-                observer.problem(address(), "could not be terminated", error);
-            }
-            bus.close();
+        Promise<@Nullable Void> ended = lives.close();
+        bus.close(); // not when it has ended: a termination may hang
+        ended.exceptionally(error -> {
+            observer.problem(address(), "could not be terminated", error);
             return null;
         });
     }

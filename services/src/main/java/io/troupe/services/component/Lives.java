@@ -5,6 +5,10 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.broker.ProviderException;
 import io.troupe.services.bus.Address;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Objects;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -12,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  * The lives of one component, one after the other: which state it is in, and what counts of what it says.
  *
  * <p><b>Threads.</b> The space of its interface, except for the signals of the component.
+ * <p><b>Order.</b> The observer may call the interface: it is notified when the fields have the new state, and nothing is done after that without looking at them again.
+ * <p><b>Errors.</b> A life whose termination fails is kept: no life begins beside it, and each invocation and termination terminates it again, until this succeeds.
  */
 final class Lives<I, O> {
     /** What the interface does at the turns of a life. */
@@ -43,11 +49,14 @@ final class Lives<I, O> {
     /** The invocation that waits until no earlier life is being terminated. */
     private @Nullable Deferred<@Nullable Void> next;
 
-    /** How many lives that failed, or ran too late, are being terminated. */
+    /** The lives that are being terminated, and those whose termination has failed. */
+    private final Set<Life<I, O>> unended = new LinkedHashSet<>();
+
+    /** How many terminations of these have not answered. */
     private int terminations;
 
-    /** Fulfilled when there is none of these any more. */
-    private Deferred<@Nullable Void> terminated = new Deferred<>();
+    /** Why the newest terminations failed, if they did. */
+    private @Nullable Throwable stuck;
 
     private boolean closed;
 
@@ -78,7 +87,7 @@ final class Lives<I, O> {
             case RUNNING -> Promise.done();
             case INVOKING -> change;
             case TERMINATING -> waitForTheLifeBefore();
-            case NOT_INVOKED, TERMINATED, FAILED -> terminations == 0 ? begin() : waitForTheLifeBefore();
+            case NOT_INVOKED, TERMINATED, FAILED -> unended.isEmpty() ? begin() : waitForTheLifeBefore();
         };
     }
 
@@ -86,14 +95,21 @@ final class Lives<I, O> {
         if (next == null) {
             next = new Deferred<>();
         }
-        return next;
+        Deferred<@Nullable Void> waiting = next;
+        terminateUnended();
+        return waiting;
     }
 
     private void beginNext() {
-        var waiting = next;
-        if (waiting != null && terminations == 0) {
-            next = null;
-            waiting.resolveFrom(begin());
+        Deferred<@Nullable Void> waiting = next;
+        if (waiting == null) {
+            return;
+        }
+        next = null;
+        if (unended.isEmpty()) {
+            waiting.resolveFrom(invoke());
+        } else {
+            waiting.reject(new ProviderException(owner + " cannot be invoked: its life before has not ended" + why(stuck), stuck));
         }
     }
 
@@ -105,11 +121,15 @@ final class Lives<I, O> {
         try {
             mine = new Life<>(communication.get());
             life = mine;
-            become(Lifecycle.INVOKING);
+            state = Lifecycle.INVOKING;
             turns.begins();
         } catch (RuntimeException | Error refusal) { // a component's code
             fail(refusal);
             return started;
+        }
+        observer.changed(owner, Lifecycle.INVOKING);
+        if (mine != life || state != Lifecycle.INVOKING) {
+            return started; // the observer has terminated it
         }
         mine.invoke(new LifeSignals<>(mine, space, owner, observer, turns::output, why -> failed(mine, why)))
                 .handle((runs, error) -> {
@@ -118,8 +138,9 @@ final class Lives<I, O> {
                     } else if (error != null) {
                         fail(error);
                     } else {
-                        become(Lifecycle.RUNNING);
+                        state = Lifecycle.RUNNING;
                         started.resolve(null);
+                        observer.changed(owner, Lifecycle.RUNNING);
                         turns.runs();
                     }
                     return null;
@@ -132,7 +153,7 @@ final class Lives<I, O> {
             observer.problem(owner, "failed to be invoked, after it had been given up", error);
         } else {
             observer.told(owner, "ran only after it had been given up, and is terminated again");
-            bury(past);
+            terminate(past);
         }
     }
 
@@ -149,31 +170,29 @@ final class Lives<I, O> {
             given.reject(new ProviderException(owner + " was terminated while it waited to be invoked"));
         }
         Life<I, O> ending = life;
-        if (ending == null) {
-            if (state == Lifecycle.FAILED) {
-                become(Lifecycle.TERMINATED);
-            }
-            return terminations == 0 ? Promise.done() : terminated;
-        }
         if (state == Lifecycle.TERMINATING) {
             return change;
         }
-        if (state == Lifecycle.INVOKING) {
-            change.reject(new ProviderException(owner + " was terminated while it was being invoked"));
+        if (ending == null && unended.isEmpty()) {
+            if (state == Lifecycle.FAILED) {
+                state = Lifecycle.TERMINATED;
+                observer.changed(owner, Lifecycle.TERMINATED);
+            }
+            return Promise.done();
         }
         var stopped = new Deferred<@Nullable Void>();
+        Deferred<@Nullable Void> given = change;
+        boolean invoking = state == Lifecycle.INVOKING;
         change = stopped;
-        become(Lifecycle.TERMINATING);
-        ending.terminate().handle((ended, error) -> {
-            if (error != null) {
-                fail(error);
-            } else {
-                end(Lifecycle.TERMINATED);
-                stopped.resolve(null);
-            }
-            beginNext();
-            return null;
-        });
+        state = Lifecycle.TERMINATING;
+        if (invoking) {
+            given.reject(new ProviderException(owner + " was terminated while it was being invoked"));
+        }
+        observer.changed(owner, Lifecycle.TERMINATING);
+        terminateUnended();
+        if (ending != null) {
+            terminate(ending);
+        }
         return stopped;
     }
 
@@ -194,8 +213,11 @@ final class Lives<I, O> {
 
     /** Why nothing can be had of it now. */
     ProviderException notRunning() {
-        return new ProviderException(
-                owner + " " + state.words() + (failure == null ? "" : ": " + words(failure)), failure);
+        return new ProviderException(owner + " " + state.words() + why(failure), failure);
+    }
+
+    private static String why(@Nullable Throwable error) {
+        return error == null ? "" : ": " + words(error);
     }
 
     /** What an error says, or what it is if it says nothing. */
@@ -224,53 +246,73 @@ final class Lives<I, O> {
     // ---- the end
 
     private void fail(Throwable why) {
-        boolean terminating = state == Lifecycle.TERMINATING;
-        Life<I, O> past = life;
         failure = why;
         end(Lifecycle.FAILED);
-        if (!change.reject(notRunning())) {
-            observer.problem(owner, "has failed", why);
-        }
-        if (past != null && !terminating) {
-            bury(past);
-        }
     }
 
     private void end(Lifecycle last) {
-        become(last);
-        turns.ends();
-        if (life != null) {
-            life.end();
-            life = null;
-        }
-        var asked = end;
+        boolean terminating = state == Lifecycle.TERMINATING;
+        Life<I, O> past = life;
+        Deferred<@Nullable Void> asked = end;
+        Deferred<@Nullable Void> changed = change;
+        state = last;
+        life = null;
         end = null;
-        if (asked != null && last == Lifecycle.FAILED) {
-            asked.reject(notRunning());
-        } else if (asked != null) {
-            asked.resolve(null);
+        ProviderException why = last == Lifecycle.FAILED ? notRunning() : null;
+        if (past != null) {
+            past.end();
+            if (!terminating) {
+                terminate(past);
+            }
+        }
+        turns.ends();
+        if (asked != null) {
+            settle(asked, why);
+        }
+        boolean wasAwaited = settle(changed, why);
+        observer.changed(owner, last);
+        if (why != null && !wasAwaited) {
+            observer.problem(owner, "has failed", why.getCause());
         }
     }
 
-    private void bury(Life<I, O> past) {
-        if (terminations++ == 0) {
-            terminated = new Deferred<>();
-        }
+    private static boolean settle(Deferred<@Nullable Void> promise, @Nullable Throwable error) {
+        return error == null ? promise.resolve(null) : promise.reject(error);
+    }
+
+    private void terminate(Life<I, O> past) {
+        unended.add(past);
+        terminations++;
         past.terminate().handle((ended, error) -> {
-            if (error != null) {
-                observer.problem(owner, "could not be terminated after it had failed", error);
+            if (error == null) {
+                unended.remove(past);
+            } else {
+                unended.add(past);
+                stuck = error;
+                if (past != life) {
+                    observer.problem(owner, "could not be terminated after it had failed", error);
+                }
             }
             if (--terminations == 0) {
-                terminated.resolve(null);
-                beginNext();
+                terminationsAnswered();
             }
             return null;
         });
     }
 
-    private void become(Lifecycle next) {
-        state = next;
-        observer.changed(owner, next);
+    private void terminateUnended() {
+        if (terminations == 0) {
+            List.copyOf(unended).forEach(this::terminate);
+        }
+    }
+
+    private void terminationsAnswered() {
+        if (state == Lifecycle.TERMINATING && unended.isEmpty()) {
+            end(Lifecycle.TERMINATED);
+        } else if (state == Lifecycle.TERMINATING) {
+            fail(Objects.requireNonNull(stuck));
+        }
+        beginNext();
     }
 
     private void failed(Life<I, O> speaker, Throwable why) {

@@ -19,6 +19,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -254,6 +256,87 @@ class ComponentInterfaceTest {
     }
 
     @Test
+    void lifeThatIsNotTerminated_isTerminatedAgain_andNoneBeginsBesideIt() {
+        script.terminate = () -> Promise.failed(new IllegalStateException("process still alive"));
+        var face = running();
+        assertThat(test.error(face.stop())).hasMessage("here/counter has failed: process still alive");
+        assertThat(test.error(face.stop())).hasMessage("here/counter has failed: process still alive");
+        assertThat(test.error(face.start()))
+                .isInstanceOf(ProviderException.class)
+                .hasMessage("here/counter cannot be invoked: its life before has not ended: process still alive");
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
+        script.terminate = Promise::done;
+        test.get(face.start().thenApply(runs -> true));
+        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate", "terminate", "invoke");
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void failedLifeThatIsNotTerminated_isTerminatedByTheNextStop() {
+        script.terminate = () -> Promise.failed(new IllegalStateException("process still alive"));
+        var face = running();
+        test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
+        assertThat(test.error(face.start())).hasMessageEndingWith("has not ended: process still alive");
+        script.terminate = Promise::done;
+        test.get(face.stop().thenApply(ended -> true));
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
+        test.get(face.start().thenApply(runs -> true));
+    }
+
+    private ComponentInterface<String, String> watched(Lifecycle when, Consumer<ComponentInterface<?, ?>> action) {
+        var opened = new ArrayList<ComponentInterface<String, String>>();
+        var once = new AtomicBoolean();
+        var observer = new Notes() {
+            @Override
+            public void changed(Address component, Lifecycle state) {
+                if (state == when && once.compareAndSet(false, true)) {
+                    action.accept(opened.getFirst());
+                }
+            }
+        };
+        test.run(() -> opened.add(ComponentInterface.open(bus, "counter", script.component(), observer)));
+        return opened.getFirst();
+    }
+
+    @Test
+    void observerThatRestartsAFailedComponent_beginsTheNextLifeAfterTheFailedOne() {
+        var face = watched(Lifecycle.FAILED, ComponentInterface::start);
+        test.get(face.start().thenApply(runs -> true));
+        test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
+        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
+        assertThat(face.state()).isEqualTo(Lifecycle.RUNNING);
+        publish(1);
+        assertThat(script.calls).endsWith("invoke", "1");
+    }
+
+    @Test
+    void observerThatRestartsATerminatedComponent_beginsOneLife_alsoIfAStartWaits() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = watched(Lifecycle.TERMINATED, ComponentInterface::start);
+        test.get(face.start().thenApply(runs -> true));
+        var stopped = face.stop();
+        var started = face.start();
+        test.run(() -> slow.resolve(null));
+        assertThat(stopped.isDone() && started.isDone()).isTrue();
+        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
+        assertThat(face.state()).isEqualTo(Lifecycle.RUNNING);
+        publish(1);
+        assertThat(script.calls).endsWith("invoke", "1");
+    }
+
+    @Test
+    void observerThatStopsAComponentThatIsBeingInvoked_leavesNothingThatRuns() {
+        var face = watched(Lifecycle.INVOKING, ComponentInterface::stop);
+        assertThat(test.error(face.start())).hasMessage("here/counter was terminated while it was being invoked");
+        assertThat(script.calls).containsExactly("terminate");
+        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
     void componentThatHangs_isGivenUp_andWhenItRunsAfterAll_isTerminatedAgain() {
         var late = ScriptedComponent.later();
         script.invoke = () -> late;
@@ -321,9 +404,9 @@ class ComponentInterfaceTest {
         assertThat(test.error(started)).hasMessage("here/counter was terminated while it waited to be invoked");
         assertThat(stopped.isDone()).isFalse();
         test.run(() -> slow.reject(new IllegalStateException("stuck")));
-        assertThat(stopped.isDone()).isTrue();
+        assertThat(test.error(stopped)).hasMessage("here/counter has failed: stuck");
         assertThat(script.calls).containsExactly("invoke", "terminate");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
         assertThat(notes.take()).contains("counter could not be terminated after it had failed: stuck");
     }
 
@@ -524,10 +607,22 @@ class ComponentInterfaceTest {
         test.run(face::close);
         var overTheBus = ask(Control.INVOKE, new Control.Invoke("user"));
         assertThat(test.error(face.start())).hasMessage("here/counter has left the bus, expected an open interface");
-        assertThat(test.error(overTheBus)).hasMessageContaining("here/counter has left the bus");
+        assertThat(test.error(overTheBus)).hasMessageContaining("asked here/counter for component/invoke: nobody is there");
         test.run(() -> slow.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate");
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+    }
+
+    @Test
+    void close_freesTheNameAtOnce_andReportsATerminationThatFailsLater() {
+        var slow = ScriptedComponent.later();
+        script.terminate = () -> slow;
+        var face = running();
+        test.run(face::close);
+        open(new ScriptedComponent().component());
+        notes.take();
+        test.run(() -> slow.reject(new IllegalStateException("stuck")));
+        assertThat(notes.take()).contains("counter could not be terminated: here/counter has failed: stuck");
     }
 
     @Test

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Writes down what an observer of components hears. */
-public final class Notes implements ComponentObserver {
+public class Notes implements ComponentObserver {
     private final List<String> notes = new ArrayList<>(); // guarded by this: a process tells from its own threads
 
     @Override

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -35,6 +36,9 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     /** Killed processes end at once, unless the system cannot end them. */
     private static final Duration KILL_LIMIT = Duration.ofSeconds(10);
 
+    /** An application that ends with the virtual machine stops its components in its own order, and has this time for it. */
+    private static final Duration SHUTDOWN_GRACE = Duration.ofSeconds(2);
+
     /** Starts the program. */
     interface Starter {
         ProcessTree start(ProcessComponent.Settings settings) throws IOException;
@@ -43,6 +47,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     private final ProcessComponent.Settings settings;
     private final Starter starter;
     private final Duration killLimit;
+    private final Duration shutdownGrace;
     private final Tail errors = new Tail();
     private final BlockingQueue<String> input = new LinkedBlockingQueue<>(1024);
     private final CompletableFuture<@Nullable Void> firstLine = new CompletableFuture<>();
@@ -50,38 +55,49 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     /** Completed when the process has ended, and those that it had started as well. */
     private final CompletableFuture<@Nullable Void> over = new CompletableFuture<>();
 
-    private final Thread atShutdown;
+    /** Completed when the program has been started, or could not be. */
+    private final CompletableFuture<@Nullable Void> begun = new CompletableFuture<>();
+
+    final Thread atShutdown;
     private volatile @Nullable ProcessTree tree;
     private volatile boolean ending;
     private @Nullable CompletableFuture<@Nullable Void> end; // guarded by this
 
     ExternalProcess(ProcessComponent.Settings settings) {
-        this(settings, ProcessTree::start, KILL_LIMIT);
+        this(settings, ProcessTree::start, KILL_LIMIT, SHUTDOWN_GRACE);
     }
 
-    ExternalProcess(ProcessComponent.Settings settings, Starter starter, Duration killLimit) {
+    ExternalProcess(
+            ProcessComponent.Settings settings, Starter starter, Duration killLimit, Duration shutdownGrace) {
         this.settings = settings;
         this.starter = starter;
         this.killLimit = killLimit;
+        this.shutdownGrace = shutdownGrace;
         this.atShutdown =
                 new Thread(this::endAtShutdown, "end of " + settings.command().getFirst());
     }
 
     @Override
     public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
-        Runtime.getRuntime().addShutdownHook(atShutdown); // Ctrl-C in a terminal does not reach other sessions
-        ProcessTree begun;
         try {
-            begun = starter.start(settings);
-        } catch (IOException e) {
-            forgetShutdown();
-            return Promise.failed(new ProviderException(
-                    words() + " cannot be started: "
-                            + String.valueOf(e.getMessage()).strip(),
-                    e));
+            Runtime.getRuntime().addShutdownHook(atShutdown); // Ctrl-C in a terminal does not reach other sessions
+        } catch (IllegalStateException shuttingDown) {
+            return Promise.failed(notStarted("the virtual machine is shutting down", shuttingDown));
         }
-        tree = begun;
-        Process process = begun.root();
+        ProcessTree started;
+        try {
+            started = starter.start(settings);
+            tree = started;
+        } catch (IOException | RuntimeException | Error e) {
+            forgetShutdown();
+            return Promise.failed(notStarted(String.valueOf(e.getMessage()).strip(), e));
+        } finally {
+            begun.complete(null);
+        }
+        if (ending) {
+            end();
+        }
+        Process process = started.root();
         signals.tell("process " + process.pid() + ": " + words());
         Thread readErrors = thread("stderr", () -> read(process.getErrorStream(), "error", signals, errors::add));
         Thread readOutput = thread(
@@ -91,11 +107,15 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                     signals.data(line);
                 }));
         thread("stdin", () -> write(process, signals));
-        thread("exit", () -> awaitExit(begun, signals, readErrors, readOutput));
+        thread("exit", () -> awaitExit(started, signals, readErrors, readOutput));
         return Promise.from(firstLine
                 .orTimeout(TimeUnit.MILLISECONDS.convert(settings.startLimit()), TimeUnit.MILLISECONDS)
                 .exceptionallyCompose(
                         error -> error instanceof TimeoutException ? giveUp() : CompletableFuture.failedFuture(error)));
+    }
+
+    private ProviderException notStarted(String why, Throwable cause) {
+        return new ProviderException(words() + " cannot be started: " + why, cause);
     }
 
     /** Fails when the process has been ended: what is started instead must not run beside it. */
@@ -112,33 +132,53 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     private void awaitExit(ProcessTree ofProgram, Signals<?> signals, Thread... readers) {
-        int status;
+        final int status;
         try {
             status = ofProgram.root().waitFor();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return;
         }
+        List<Throwable> troubles = new ArrayList<>();
+        attempt(() -> tellOrphans(ofProgram, status, signals), troubles);
+        // what it left is reported by whoever terminates the component
+        attempt(() -> end().handle((ended, left) -> null).join(), troubles);
+        for (Thread reader : readers) {
+            attempt(() -> awaitLastLines(reader, signals), troubles);
+        }
+        attempt(() -> tellUnwritten(signals), troubles);
+        forgetShutdown();
+        var why = new ProviderException(words() + " ended with status " + status + said());
+        troubles.forEach(why::addSuppressed);
+        firstLine.completeExceptionally(why);
+        over.complete(null);
+        if (!ending) {
+            signals.failed(why);
+        }
+    }
+
+    /** The end of the process is reported whatever fails on the way: a start and a health check wait for it. */
+    private static void attempt(Runnable step, List<Throwable> troubles) {
+        try {
+            step.run();
+        } catch (RuntimeException | Error trouble) {
+            troubles.add(trouble);
+        }
+    }
+
+    private void tellOrphans(ProcessTree ofProgram, int status, Signals<?> signals) {
         var orphans = ofProgram.alive();
         if (!orphans.isEmpty() && !ending) {
             signals.tell(words() + " has ended with status " + status
                     + ", before processes that it had started; these are ended too: " + named(orphans));
         }
-        end().handle((ended, left) -> null).join(); // what it left is reported by whoever terminates the component
-        for (Thread reader : readers) {
-            join(reader); // for its last lines
-            if (reader.isAlive()) {
-                signals.tell(words() + " has ended, but a process outside its session keeps its " + reader.getName()
-                        + " open");
-            }
-        }
-        forgetShutdown();
-        var why = new ProviderException(words() + " ended with status " + status + said());
-        firstLine.completeExceptionally(why);
-        tellUnwritten(signals);
-        over.complete(null);
-        if (!ending) {
-            signals.failed(why);
+    }
+
+    private void awaitLastLines(Thread reader, Signals<?> signals) {
+        join(reader);
+        if (reader.isAlive()) {
+            signals.tell(words() + " has ended, but a process outside its session keeps its " + reader.getName()
+                    + " open");
         }
     }
 
@@ -256,10 +296,25 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         return tree == null ? Promise.done() : Promise.from(end());
     }
 
-    private void endAtShutdown() {
+    /** Waits for a start that has begun, and then for an application that stops its components; ends the process if it is alive after that. */
+    void endAtShutdown() {
+        awaitAtShutdown(begun, killLimit);
+        if (tree == null) {
+            ending = true;
+            return;
+        }
+        awaitAtShutdown(over, shutdownGrace);
         ending = true;
-        if (tree != null) {
-            end().handle((ended, left) -> null).join();
+        end().handle((ended, left) -> null).join();
+    }
+
+    private static void awaitAtShutdown(CompletableFuture<?> awaited, Duration limit) {
+        try {
+            awaited.get(TimeUnit.MILLISECONDS.convert(limit), TimeUnit.MILLISECONDS);
+        } catch (TimeoutException | ExecutionException late) {
+            // the process is ended all the same
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
         }
     }
 

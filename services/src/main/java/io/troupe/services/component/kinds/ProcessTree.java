@@ -3,9 +3,12 @@ package io.troupe.services.component.kinds;
 import io.troupe.actor.time.Clock;
 import java.io.File;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.DirectoryIteratorException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -17,6 +20,7 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,11 +32,16 @@ import org.jspecify.annotations.Nullable;
  */
 final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
+
+    /** Process number, name, which may have blanks and brackets, state, parent, group and session; no match for a zombie. */
+    private static final Pattern STAT =
+            Pattern.compile("[^(]*\\(.*\\) [^ZX] (\\d{1,18}) -?\\d+ (\\d{1,18})\\b", Pattern.DOTALL);
+
     private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     /** A line of the process table of Linux; zombies, which only wait for their parents to notice their end, are left out. */
-    private record Entry(long pid, long parent, long session) {}
+    record Entry(long pid, long parent, long session) {}
 
     private final Process root;
     private final boolean leadsSession;
@@ -114,12 +123,12 @@ final class ProcessTree {
             return !root.isAlive();
         }
         return !process.isAlive()
-                || leadsSession && entry(String.valueOf(process.pid())).isEmpty();
+                || leadsSession && entry(PROCESS_TABLE, String.valueOf(process.pid())).isEmpty();
     }
 
     /** Those in the session, and all that descend from them or from a known one. */
     private List<ProcessHandle> inSession() {
-        List<Entry> others = new ArrayList<>(entries());
+        List<Entry> others = new ArrayList<>(entries(PROCESS_TABLE));
         Set<Long> members = new HashSet<>();
         known.forEach(each -> members.add(each.pid()));
         Set<Long> found = new LinkedHashSet<>();
@@ -138,32 +147,51 @@ final class ProcessTree {
         return found.stream().map(ProcessHandle::of).flatMap(Optional::stream).toList();
     }
 
-    private static List<Entry> entries() {
+    /**
+     * All processes.
+     *
+     * @throws UncheckedIOException if the table cannot be read: it is not known then who is alive
+     */
+    static List<Entry> entries(Path table) {
         List<Entry> entries = new ArrayList<>();
-        try (var directories = Files.newDirectoryStream(PROCESS_TABLE, "[0-9]*")) {
+        try (var directories = Files.newDirectoryStream(table, "[0-9]*")) {
             for (var directory : directories) {
-                entry(directory.getFileName().toString()).ifPresent(entries::add);
+                entry(table, directory.getFileName().toString()).ifPresent(entries::add);
             }
-        } catch (IOException | DirectoryIteratorException unreadable) {
-            return List.of(); // the known ones remain
+        } catch (IOException unreadable) {
+            throw unknown(table, unreadable);
+        } catch (DirectoryIteratorException unreadable) {
+            throw unknown(table, unreadable.getCause());
         }
         return entries;
     }
 
-    /** Empty if it has ended. */
-    private static Optional<Entry> entry(String pid) {
+    private static UncheckedIOException unknown(Path what, IOException why) {
+        return new UncheckedIOException(
+                "the process table cannot be read at " + what + ", so it is not known which processes are alive: " + why,
+                why);
+    }
+
+    /** Empty if it has ended, or belongs to another user and is hidden. */
+    private static Optional<Entry> entry(Path table, String pid) {
+        Path directory = table.resolve(pid);
         String line;
         try {
-            byte[] bytes = Files.readAllBytes(PROCESS_TABLE.resolve(pid).resolve("stat"));
+            byte[] bytes = Files.readAllBytes(directory.resolve("stat"));
             line = new String(bytes, StandardCharsets.ISO_8859_1);
-        } catch (IOException gone) {
+        } catch (NoSuchFileException | AccessDeniedException gone) {
             return Optional.empty();
+        } catch (IOException unreadable) {
+            if (Files.notExists(directory)) { // it ended while it was read
+                return Optional.empty();
+            }
+            throw unknown(directory, unreadable);
         }
-        String[] fields = line.substring(line.lastIndexOf(')') + 2).split(" "); // a name may have blanks and brackets
-        boolean over = fields[0].equals("Z") || fields[0].equals("X");
-        return over
-                ? Optional.empty()
-                : Optional.of(new Entry(Long.parseLong(pid), Long.parseLong(fields[1]), Long.parseLong(fields[3])));
+        var fields = STAT.matcher(line);
+        return fields.lookingAt()
+                ? Optional.of(new Entry(
+                        Long.parseLong(pid), Long.parseLong(fields.group(1)), Long.parseLong(fields.group(2))))
+                : Optional.empty();
     }
 
     /**

@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.services.broker.ProviderException;
 import io.troupe.services.component.ComponentCommunication;
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.lang.reflect.Proxy;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -13,8 +15,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -136,7 +140,8 @@ class ProcessTreeTest {
                     tree.add(immortal(kills));
                     return tree;
                 },
-                SHORT);
+                SHORT,
+                Duration.ZERO);
         process.invoke(new Silent()).get(PATIENCE);
         assertThatThrownBy(() -> process.terminate().get(PATIENCE))
                 .isInstanceOf(ProviderException.class)
@@ -165,6 +170,117 @@ class ProcessTreeTest {
                     case "destroyForcibly" -> kills.incrementAndGet() > 0;
                     default -> true;
                 });
+    }
+
+    private static void awaitWaiting(Thread thread) throws InterruptedException {
+        while (thread.getState() != Thread.State.TIMED_WAITING && thread.isAlive()) {
+            Thread.sleep(1);
+        }
+    }
+
+    @Test
+    void shutdownDuringAStart_endsTheProcess() throws Exception {
+        var begun = new CountDownLatch(1);
+        var goOn = new CountDownLatch(1);
+        var tree = new AtomicReference<ProcessTree>();
+        var process = new ExternalProcess(
+                shell(directory, PATIENCE, "echo ready; exec sleep 1000"),
+                settings -> {
+                    begun.countDown();
+                    try {
+                        goOn.await();
+                    } catch (InterruptedException e) {
+                        throw new IOException(e);
+                    }
+                    tree.set(ProcessTree.start(settings));
+                    return tree.get();
+                },
+                PATIENCE,
+                Duration.ZERO);
+        var start = Thread.ofPlatform().start(() -> process.invoke(new Silent()).handle((runs, error) -> null));
+        begun.await();
+        var hook = Thread.ofPlatform().start(process::endAtShutdown);
+        awaitWaiting(hook);
+        goOn.countDown();
+        start.join();
+        hook.join();
+        try {
+            assertThat(tree.get().root().isAlive()).isFalse();
+        } finally {
+            tree.get().end(PATIENCE, PATIENCE);
+        }
+    }
+
+    @Test
+    void shutdown_leavesTheStopToTheApplicationFirst() throws Exception {
+        var tree = new AtomicReference<ProcessTree>();
+        var process = new ExternalProcess(
+                shell(directory, PATIENCE, "echo ready; exec sleep 1000"),
+                settings -> {
+                    tree.set(ProcessTree.start(settings));
+                    return tree.get();
+                },
+                PATIENCE,
+                PATIENCE);
+        process.invoke(new Silent()).get(PATIENCE);
+        var hook = Thread.ofPlatform().start(process::endAtShutdown);
+        awaitWaiting(hook);
+        try {
+            assertThat(tree.get().root().isAlive()).isTrue();
+        } finally {
+            process.terminate().get(PATIENCE);
+        }
+        hook.join();
+    }
+
+    @Test
+    void startThatThrows_leavesNoShutdownHook() {
+        var process = new ExternalProcess(
+                shell(directory, PATIENCE, "echo ready"),
+                settings -> {
+                    throw new IllegalArgumentException("a null character in the command");
+                },
+                PATIENCE,
+                Duration.ZERO);
+        assertThatThrownBy(() -> process.invoke(new Silent()).get(PATIENCE))
+                .isInstanceOf(ProviderException.class)
+                .hasMessageEndingWith("cannot be started: a null character in the command");
+        assertThat(Runtime.getRuntime().removeShutdownHook(process.atShutdown)).isFalse();
+    }
+
+    @Test
+    void listenerThatThrowsAtTheEnd_leavesNoStartThatWaits() throws Exception {
+        assumeTrue(hasSessions(), "there is no setsid on this machine");
+        var process = new ExternalProcess(shell(directory, PATIENCE, "sleep 1000 & exit 7"));
+        var started = process.invoke(new Silent() {
+            @Override
+            public void tell(String what) {
+                if (what.contains("has ended with status")) {
+                    throw new IllegalStateException("no room for a message");
+                }
+            }
+        });
+        assertThatThrownBy(() -> started.get(PATIENCE)).hasMessageContaining("ended with status 7");
+        assertThatThrownBy(() -> process.health().get(PATIENCE)).hasMessageContaining("does not run");
+    }
+
+    @Test
+    void lineOfTheProcessTable_thatMakesNoSense_isOfNoProcess() throws Exception {
+        var lines = List.of(
+                "1 (sh) S 0 1 1 0 -1", "2 (a) Z) b) R 1 2 1 0", "3 (gone) Z 1 3 3 0", "", "5", "6 (x", "7 (x) S one 2 3");
+        for (int i = 0; i < lines.size(); i++) {
+            Path process = Files.createDirectory(directory.resolve(String.valueOf(i + 1)));
+            Files.writeString(process.resolve("stat"), lines.get(i));
+        }
+        assertThat(ProcessTree.entries(directory))
+                .containsExactlyInAnyOrder(new ProcessTree.Entry(1, 0, 1), new ProcessTree.Entry(2, 1, 1));
+    }
+
+    @Test
+    void processTableThatCannotBeRead_isNotTakenForAnEmptyOne() {
+        assertThatThrownBy(() -> ProcessTree.entries(directory.resolve("none")))
+                .isInstanceOf(UncheckedIOException.class)
+                .hasMessageStartingWith("the process table cannot be read at ");
     }
 
     @Test
