@@ -13,6 +13,7 @@ import io.troupe.sim.scenario.Scenario;
 import java.io.FilterWriter;
 import java.io.IOException;
 import java.net.InetAddress;
+import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -104,22 +105,49 @@ final class Serving implements AutoCloseable {
     }
 
     void record(Path file) throws IOException {
-        simulation.record(new NamedWriter(file));
+        simulation.record(new NamedWriter(file, Files.newBufferedWriter(file)));
     }
 
     /** A file whose errors say its name. */
-    private static final class NamedWriter extends FilterWriter {
+    static final class NamedWriter extends FilterWriter {
         private final Path file;
 
-        NamedWriter(Path file) throws IOException {
-            super(Files.newBufferedWriter(file));
+        NamedWriter(Path file, Writer out) {
+            super(out);
             this.file = file;
+        }
+
+        @Override
+        public void write(int character) throws IOException {
+            try {
+                super.write(character);
+            } catch (IOException e) {
+                throw named(e);
+            }
+        }
+
+        @Override
+        public void write(char[] text, int offset, int length) throws IOException {
+            try {
+                super.write(text, offset, length);
+            } catch (IOException e) {
+                throw named(e);
+            }
         }
 
         @Override
         public void write(String text, int offset, int length) throws IOException {
             try {
                 super.write(text, offset, length);
+            } catch (IOException e) {
+                throw named(e);
+            }
+        }
+
+        @Override
+        public void flush() throws IOException {
+            try {
+                super.flush();
             } catch (IOException e) {
                 throw named(e);
             }

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  */
 public interface Broker extends AutoCloseable {
     /**
-     * Offers a service. It is started when somebody needs it, and, if another was withdrawn from that address, when that has stopped or its limit is over; those who are
-     * connected and have no provider are connected to it.
+     * Offers a service. It is started when somebody needs it. If one at that address, or with the same {@code provider}, was withdrawn or replaced before, that is stopped at once when this one is needed, and this
+     * one is started when it has stopped or its limit is over. Those who are connected and have no provider are connected to it.
      *
      * @param capabilities may be empty
      * @return rejected with an {@link IllegalArgumentException} if something is registered at that address already
@@ -23,7 +23,7 @@ public interface Broker extends AutoCloseable {
     Promise<ServiceRecord> register(String service, List<String> capabilities, Address address, Provider provider);
 
     /**
-     * Withdraws an offer: those who use it get another provider, or hear that there is none; then it is stopped.
+     * Withdraws an offer: those who use it get another provider, or hear that there is none; then it is stopped. A start that has not begun, since it waits for the stop of another, is not begun.
      *
      * @return fulfilled when it has stopped; rejected with a {@link ProviderException} if it does not, and with an {@link IllegalArgumentException} if nothing is
      *     registered at that address
@@ -32,7 +32,7 @@ public interface Broker extends AutoCloseable {
 
     /**
      * Puts a provider in another's place while the application runs: the new one is started, users are told, the old one is stopped. It has the old one's
-     * place in the order of registration, and may have its address.
+     * place in the order of registration, and may have its address. The replaced provider can be given its place back at any time: it is stopped and started again, as {@link #register} says.
      *
      * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started, and then the old one stays in use; with an
      *     {@link IllegalStateException} while another one is being started in its place

@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** Keeps the registry, and sees to it that everybody who needs something gets it. */
@@ -24,7 +25,7 @@ final class BrokerActor extends Actor implements Registry {
     BrokerActor(ActorSpace space, BrokerSettings settings) {
         var limits = new Limits(this::after);
         this.events = new Events(settings.observer(), space);
-        this.lifecycle = new Lifecycle(settings, limits, events, this::hasStarted, this::hasFailed);
+        this.lifecycle = new Lifecycle(settings, limits, events, roster::predecessors, this::hasStarted, this::hasFailed);
         this.users = new Users(this::choose, limits, settings, events);
         this.restarts = new Restarts(settings, limits, lifecycle, it -> roster.has(it) && users.waitFor(it));
     }
@@ -43,20 +44,26 @@ final class BrokerActor extends Actor implements Registry {
         checkOpen();
         Registration it = roster.known(provider);
         roster.remove(it);
-        it.cancelTimers();
         events.tell(new BrokerEvent.Withdrawn(it.toRecord()));
+        return leave(it, () -> users.leave(it));
+    }
+
+    /**
+     * Stops one that has lost its place.
+     *
+     * @param tellUsers it is stopped when they have been notified, or before that if a successor is to be started
+     */
+    private Promise<@Nullable Void> leave(Registration it, Supplier<Promise<?>> tellUsers) {
         var leaving = new Deferred<@Nullable Void>();
+        Promise<@Nullable Void> stopped = leaving.thenCompose(notified -> lifecycle.stop(it));
         it.leaving = leaving;
-        users.leave(it).handle((heard, error) -> leaving.resolve(null));
-        Promise<@Nullable Void> stopped = leaving.thenCompose(heard -> lifecycle.stop(it));
-        var gone = new Deferred<@Nullable Void>();
-        it.gone = gone;
-        stopped.handle((nothing, error) -> null)
-                .thenCompose(over -> it.before == null ? Promise.done() : it.before.gone)
-                .handle((over, error) -> {
-                    roster.forget(it);
-                    return gone.resolve(null);
-                });
+        it.gone = stopped.handle((nothing, error) -> {
+            roster.forget(it);
+            return null;
+        }); // before its users look for another provider, which may be a successor
+        it.cancelTimers();
+        lifecycle.rejectWaitingStart(it);
+        tellUsers.get().handle((notified, error) -> leaving.resolve(null));
         return stopped;
     }
 
@@ -88,12 +95,13 @@ final class BrokerActor extends Actor implements Registry {
     }
 
     private Promise<@Nullable Void> takeOver(Registration before, Registration by) {
+        Promise<@Nullable Void> withdrawn = before.gone;
         roster.put(by, before);
-        before.cancelTimers();
         events.tell(new BrokerEvent.Replaced(before.toRecord(), by.toRecord()));
-        Promise<?> heard = users.move(before, by);
+        Promise<@Nullable Void> stopped =
+                withdrawn != null ? withdrawn : leave(before, () -> users.move(before, by));
         users.retry(by::meets);
-        return heard.thenCompose(all -> lifecycle.stop(before));
+        return stopped;
     }
 
     @Override

@@ -4,8 +4,10 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /** Starts, watches and stops providers. On the broker's space. */
@@ -13,6 +15,7 @@ final class Lifecycle {
     private final BrokerSettings settings;
     private final Limits limits;
     private final Events events;
+    private final Function<Registration, List<Registration>> predecessors;
     private final Consumer<Registration> onStarted;
     private final Consumer<Registration> onFailed;
     private final Set<Registration> begun = new LinkedHashSet<>(); // those that may run, in the order of their starts
@@ -22,11 +25,13 @@ final class Lifecycle {
             BrokerSettings settings,
             Limits limits,
             Events events,
+            Function<Registration, List<Registration>> predecessors,
             Consumer<Registration> onStarted,
             Consumer<Registration> onFailed) {
         this.settings = settings;
         this.limits = limits;
         this.events = events;
+        this.predecessors = predecessors;
         this.onStarted = onStarted;
         this.onFailed = onFailed;
     }
@@ -46,14 +51,19 @@ final class Lifecycle {
     }
 
     private void beginWhenStopped(Registration it, Deferred<@Nullable Void> done) {
-        Registration before = it.before;
-        if (before != null && before.gone != null) {
-            before.hurry();
-            before.gone.handle((stopped, error) -> {
-                it.before = null;
-                beginWhenStopped(it, done);
-                return null;
-            });
+        if (it.starting != done) {
+            return; // rejected while it waited
+        }
+        List<Registration> before = predecessors.apply(it);
+        if (!before.isEmpty()) {
+            before.forEach(Registration::hurry);
+            Promise.allSettled(before.stream()
+                            .map(each -> Objects.requireNonNull(each.gone))
+                            .toList())
+                    .handle((stopped, error) -> {
+                        beginWhenStopped(it, done);
+                        return null;
+                    });
             return;
         }
         if (it.startedLate) {
@@ -66,6 +76,16 @@ final class Lifecycle {
                 beginWhenStopped(it, done);
                 return null;
             });
+        }
+    }
+
+    /** It has lost its place: a start that waits for a stop is not begun any more. */
+    void rejectWaitingStart(Registration it) {
+        Deferred<@Nullable Void> waiting = it.starting;
+        if (waiting != null && it.health != Health.STARTING) {
+            it.starting = null;
+            waiting.reject(
+                    new ProviderException(it + " was not started: it was withdrawn or replaced before that", null));
         }
     }
 

@@ -29,25 +29,22 @@ final class Registration {
     /** Whether another is being started in its place. */
     boolean isBeingReplaced;
 
-    /** Who was withdrawn from this address before, and may still run; this one is started after it. */
-    @Nullable
-    Registration before;
-
-    /** It was withdrawn; to be stopped when this is settled. */
+    /** It was withdrawn or replaced; to be stopped when this is settled. */
     @Nullable
     Deferred<@Nullable Void> leaving;
 
-    /** It was withdrawn; settled when it, and who was here before, have stopped or their limits are over. */
+    /** It was withdrawn or replaced; fulfilled when it has stopped, or its limit is over. */
     @Nullable
-    Promise<?> gone;
+    Promise<@Nullable Void> gone;
 
     int missedChecks;
 
     @Nullable
     Throwable why; // it failed
 
+    /** A start that was asked for, which may wait for a stop. */
     @Nullable
-    Promise<@Nullable Void> starting;
+    Deferred<@Nullable Void> starting;
 
     @Nullable
     Promise<@Nullable Void> stopping;
@@ -95,13 +92,10 @@ final class Registration {
         };
     }
 
-    /** Stops waiting for users to hear that it leaves: somebody needs who comes after it. */
+    /** Stops waiting until users have been notified that it leaves: a successor is to be started. */
     void hurry() {
         if (leaving != null) {
             leaving.resolve(null);
-        }
-        if (before != null) {
-            before.hurry();
         }
     }
 

@@ -4,8 +4,8 @@ import io.troupe.services.bus.Address;
 import io.troupe.services.text.Suggestions;
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -22,13 +22,11 @@ final class Roster {
     private static final int MOST_LISTED = 20; // in a message
 
     private final List<Registration> all = new ArrayList<>();
-    private final Map<Address, Registration> leaving =
-            new HashMap<>(); // those that were withdrawn and are being stopped
+    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not yet stopped
     private final Set<Address> reserved = new HashSet<>(); // by those that are being started in another's place
 
     void add(Registration it) {
         checkFree(it.address, null);
-        it.before = leaving.get(it.address);
         all.add(it);
     }
 
@@ -43,7 +41,6 @@ final class Roster {
     }
 
     void reserve(Registration it) {
-        it.before = leaving.get(it.address);
         reserved.add(it.address);
     }
 
@@ -51,11 +48,12 @@ final class Roster {
         reserved.remove(address);
     }
 
-    /** Puts one in another's place, or at the end if that is gone. */
+    /** Puts one in another's place, or at the end if that is gone. The other may run until it is {@link #forget}ten. */
     void put(Registration it, Registration old) {
         int place = all.indexOf(old);
         if (place >= 0) {
             all.set(place, it);
+            leaving.add(old);
         } else {
             all.add(it);
         }
@@ -64,11 +62,18 @@ final class Roster {
     /** It is withdrawn, and may run until it is {@link #forget}ten. */
     void remove(Registration it) {
         all.remove(it);
-        leaving.put(it.address, it);
+        leaving.add(it);
     }
 
     void forget(Registration it) {
-        leaving.remove(it.address, it);
+        leaving.remove(it);
+    }
+
+    /** Those that have lost their place and may still run, with its address or its provider: it is started after them. */
+    List<Registration> predecessors(Registration it) {
+        return leaving.stream()
+                .filter(each -> each.address.equals(it.address) || each.provider == it.provider)
+                .toList();
     }
 
     boolean has(Registration it) {

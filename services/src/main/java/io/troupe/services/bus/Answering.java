@@ -54,16 +54,29 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     /** False if there are too many already. One whose asker has given up is answered, and not remembered. */
     private boolean begin(Message question) {
+        Message evicted = null;
         synchronized (begun) {
             if (begun.size() >= node.settings.capacity() && node.isAwaited(question)) {
-                return false;
+                evicted = oldestOfAnotherNode();
+                if (evicted == null) {
+                    return false;
+                }
+                begun.remove(Asked.of(evicted));
             }
             begun.put(Asked.of(question), question);
+        }
+        if (evicted != null) {
+            refuseBusy(evicted, "are being answered");
         }
         if (!node.isAwaited(question)) { // looked at afterwards, so that either this or the asker's end sees the other
             forget(question);
         }
         return true;
+    }
+
+    /** Its asker may have given up long ago, which is not known here. */
+    private @Nullable Message oldestOfAnotherNode() {
+        return begun.values().stream().filter(node::isFromAnother).findFirst().orElse(null);
     }
 
     private void settle(Message question, @Nullable A value, @Nullable Throwable error) {

@@ -80,8 +80,7 @@ final class BusNode implements Bus {
         directory.remove(port);
     }
 
-    <T extends Record> void publish(Port from, Topic<T> topic, T value) {
-        var payload = detached(topic.type().cast(Objects.requireNonNull(value, "value")));
+    void publish(Port from, Topic<?> topic, Record payload) {
         counters.published.increment();
         route(new DataMessage(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload));
     }
@@ -118,7 +117,12 @@ final class BusNode implements Bus {
 
     /** Whether its asker waits for the answer, as far as is known here: of an asker on another node it is not. */
     boolean isAwaited(Message question) {
-        return !question.from().node().equals(name) || questions.isAwaited(question);
+        return isFromAnother(question) || questions.isAwaited(question);
+    }
+
+    /** Whether it was sent by another node. */
+    boolean isFromAnother(Message message) {
+        return !message.from().node().equals(name);
     }
 
     // ---- messages

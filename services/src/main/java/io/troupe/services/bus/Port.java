@@ -35,13 +35,14 @@ final class Port implements BusPort {
 
     @Override
     public <T extends Record> void publish(Topic<T> topic, T value) {
+        Record payload = node.detached(topic.type().cast(Objects.requireNonNull(value, "value")));
         synchronized (lock) {
             if (closed != null) {
                 throw refusal("publish on " + topic.name(), closed);
             }
-            use(topic);
+            use(topic); // after the value was checked: one that is refused does not set the topic's type
         }
-        node.publish(this, topic, value);
+        node.publish(this, topic, payload);
     }
 
     @Override

@@ -27,6 +27,19 @@ class ReadingTimeTest {
     }
 
     @Test
+    void stampsThatJitter_areTheSameTime_andNoCycle() {
+        double seconds = time.at(100);
+        for (int i = 0; i < 1000; i++) {
+            assertThat(time.at(99.999)).isEqualTo(seconds);
+            assertThat(time.at(100)).isEqualTo(seconds);
+        }
+        assertThat(time.at(99.95)).isEqualTo(seconds);
+        assertThat(time.at(100.05)).as("no cycle was added").isEqualTo(100.05);
+        assertThat(time.at(100.02)).isEqualTo(100.05);
+        assertThat(time.at(99.9)).as("set back by more than a cycle, in two steps").isCloseTo(100.15, within(1e-9));
+    }
+
+    @Test
     void cycle_isAHundredMilliseconds_orAStepOfTheClock() {
         assertThat(ReadingTime.isCycle(Double.NEGATIVE_INFINITY, 0)).isTrue();
         assertThat(ReadingTime.isCycle(1, 1.0996)).isTrue();

@@ -3,10 +3,14 @@ package io.troupe.services.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Replacing, withdrawing and closing, while everything runs. */
 class ReplaceTest {
@@ -228,6 +232,124 @@ class ReplaceTest {
             assertThat(bench.diary)
                     .containsExactly(
                             "start a", "robot 1 hears of a", "start b", "stop a", "start a2", "robot 1 hears of a");
+        }
+    }
+
+    /** A provider that is running already when it is started again, as a component's interface: a stop ends all. */
+    private static FakeProvider startedOnce(BrokerBench bench, String name, AtomicBoolean runs) {
+        var provider = bench.provider(name);
+        provider.start = () -> {
+            runs.set(true);
+            return Promise.done();
+        };
+        provider.stop = () -> {
+            runs.set(false);
+            return Promise.done();
+        };
+        return provider;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"a", "elsewhere"})
+    void placeThatIsGivenBack_beforeTheUserIsNotified_isServedByANewLife(String address) {
+        var runs = new AtomicBoolean();
+        var turns = new ManualTurns();
+        try (var bench = new BrokerBench();
+                var busy = new TestSpace()) {
+            var a = startedOnce(bench, "a", runs);
+            bench.test.get(bench.broker.register("player", List.of(), BrokerBench.at("a"), a));
+            busy.space().execute(() -> turns.connect(bench.broker));
+            turns.crank(busy, bench);
+            bench.test.get(bench.broker.registered());
+            assertThat(turns.heard).containsExactly("use a");
+
+            replace(bench, "a", bench.provider("b"), "b"); // the user's space is busy until further notice
+            bench.test.crank();
+            assertThat(bench.diary).containsExactly("start a", "start b");
+            var givenBack = replace(bench, "b", a, address);
+            bench.test.crank();
+            turns.crank(busy, bench);
+            bench.test.get(givenBack);
+            assertThat(bench.diary).containsExactly("start a", "start b", "stop a", "start a", "stop b");
+            assertThat(runs).isTrue();
+            assertThat(turns.heard).containsExactly("use a", "use b", "use " + address);
+            assertThat(bench.health(address)).isEqualTo(Health.WELL);
+            bench.test.get(bench.broker.disconnect(turns.connection)); // it is not cranked any more
+        }
+    }
+
+    /** A user on a space that is cranked apart from the broker's. */
+    private static final class ManualTurns {
+        final List<String> heard = new ArrayList<>();
+        final Broker.Connection connection = new Broker.Connection() {
+            @Override
+            public void use(ServiceRecord provider) {
+                heard.add("use " + provider.provider().name());
+            }
+
+            @Override
+            public void lost(MissingServiceException why) {
+                heard.add("lost");
+            }
+        };
+
+        void connect(ServiceBroker broker) {
+            broker.connect(Need.ofService("robot 1", "player"), connection).handle((record, error) -> null);
+        }
+
+        void crank(TestSpace user, BrokerBench bench) {
+            for (int i = 0; i < 5; i++) { // there and back again, some times
+                user.crank();
+                bench.test.crank();
+            }
+        }
+    }
+
+    @Test
+    void providerAtTheAddressOfAReplacedOne_isStartedWhenThatHasStopped() {
+        try (var bench = new BrokerBench()) {
+            var a = bench.offer("player", "a");
+            bench.require("player");
+            a.stop = a::hang;
+            replace(bench, "a", bench.provider("b"), "b");
+            bench.broker.register("second", List.of(), BrokerBench.at("a"), bench.provider("a2"));
+            var required = bench.broker.require(Need.ofService("x", "second"));
+            bench.seconds(2);
+            assertThat(bench.diary).containsExactly("start a", "start b", "stop a");
+            assertThat(required.isDone()).isFalse();
+            a.unanswered.remove().resolve(null);
+            bench.test.get(required);
+            assertThat(bench.diary).containsExactly("start a", "start b", "stop a", "start a2");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void manyThatAreWithdrawn_whileTheFirstAtTheirAddressStops_takeNoStack(boolean needed) {
+        try (var bench = new BrokerBench()) {
+            var a = bench.offer("player", "a");
+            bench.require("player");
+            a.stop = a::hang;
+            bench.broker.withdraw(BrokerBench.at("a"));
+            int many = needed ? 2_000 : 20_000;
+            int refused = 0;
+            for (int i = 0; i < many; i++) {
+                bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("passing"));
+                var need = needed ? bench.broker.require(Need.ofService("x", "player")) : null;
+                bench.broker.withdraw(BrokerBench.at("a"));
+                if (need != null) {
+                    refused += bench.test.error(need) instanceof MissingServiceException ? 1 : 0;
+                }
+            }
+            assertThat(refused).isEqualTo(needed ? many : 0);
+            bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("last"));
+            var required = bench.broker.require(Need.ofService("x", "player"));
+            bench.test.crank();
+            assertThat(required.isDone()).isFalse();
+            a.unanswered.remove().resolve(null);
+            bench.test.get(required);
+            assertThat(bench.diary).containsExactly("start a", "stop a", "start last");
+            assertThat(bench.test.takeProblems()).isEmpty();
         }
     }
 

@@ -34,6 +34,17 @@ class InProcessBusTest {
         assertThat(losses).isEmpty();
     }
 
+    /** Values as they come from code that knows no types. */
+    @Test
+    @SuppressWarnings({"unchecked", "rawtypes", "NullAway"})
+    void valueThatIsRefused_leavesTheTypeOfItsTopicOpen() {
+        var port = bus.attach("a");
+        Topic counts = new Topic<>("open", Count.class);
+        assertThatThrownBy(() -> port.publish(counts, new Text("no count"))).isInstanceOf(ClassCastException.class);
+        assertThatThrownBy(() -> port.publish(counts, null)).isInstanceOf(NullPointerException.class);
+        bus.attach("b").publish(new Topic<>("open", Text.class), new Text("a text"));
+    }
+
     @Test
     void registrationOutsideEverySpace_meansOnTheSpaceOfTheSettings() {
         var here = new ArrayList<ActorSpace>();

@@ -2,6 +2,7 @@ package io.troupe.services.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
@@ -123,6 +124,37 @@ class TwoNodesTest extends BusContract {
         node.receive(new DataMessage(asked, ofAnother, 3, new Text("b")));
         assertThat(test.get(answer)).isEqualTo(new Text("b"));
         node.close();
+    }
+
+    @Test
+    void questionsWhoseAskersHaveGivenUp_makeRoomAtTheirAnswerer_theOldestFirst() {
+        var answerer = far().attach("a");
+        var kept = new ArrayList<Deferred<Text>>();
+        answerer.answer(SPELL, count -> {
+            kept.add(new Deferred<>(test.space()));
+            return kept.getLast();
+        });
+        var here = far().attach("near-by");
+        var ownAnswer = heard(here.ask(answerer.address(), SPELL, new Count(0), SECOND.multipliedBy(100)));
+        var asker = near().attach("b");
+        for (int round = 0; round < 3; round++) {
+            for (int i = 0; i < CAPACITY - 1; i++) {
+                var unanswered = heard(asker.ask(answerer.address(), SPELL, new Count(i), SECOND));
+                test.crank();
+                assertThat(unanswered.isDone()).isFalse();
+                test.advance(SECOND);
+                assertThat(test.error(unanswered)).isInstanceOf(BusTimeoutException.class);
+            }
+        }
+        assertThat(kept).hasSize(1 + 3 * (CAPACITY - 1));
+        take(losses); // six that were refused to make room, and the refusals, which are late
+        var answer = heard(asker.ask(answerer.address(), SPELL, new Count(7), SECOND));
+        test.crank();
+        take(losses);
+        kept.forEach(each -> each.resolve(new Text("at last")));
+        assertThat(test.get(answer)).isEqualTo(new Text("at last"));
+        assertThat(test.get(ownAnswer)).as("of the node itself").isEqualTo(new Text("at last"));
+        assertThat(take(losses)).hasSize(3 * (CAPACITY - 1)).allMatch(Loss.Late.class::isInstance);
     }
 
     @Test

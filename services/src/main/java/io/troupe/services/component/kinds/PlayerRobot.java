@@ -16,7 +16,10 @@ import org.jspecify.annotations.Nullable;
  * program hangs.
  */
 final class PlayerRobot {
-    /** Readings without a command at which a robot that was driven is stopped: half a second in the worlds of the paper. */
+    /**
+     * Readings without a command at which a robot that was driven is stopped: half a second in the worlds of the paper. This is for foreign servers: ours stops it before that, at
+     * {@link DriverLimits#COMMAND_LIMIT}.
+     */
     static final int PATIENCE_READINGS = 5;
 
     private final int index;
