@@ -123,19 +123,19 @@ final class Watchdog {
         if (served != dispatcher.served() || lifeline.isAsleep() || !isInATurn(stack)) {
             return; // it was just about to go on, or it waits for a processor, which is nobody's fault here
         }
-        reported = true; // once for each message
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
         HelperThreads.run(space + "-stall", () -> tell(stall)); // which may take its time, others are watched too
+        reported = true; // once for each message
     }
 
     private void tell(Stall stall) {
+        if (recording) {
+            record(() -> new StallEvent(stall).commit());
+        }
         try {
             listener.accept(stall);
         } catch (Throwable broken) {
             log("the stall listener of space " + space + " threw", broken);
-        }
-        if (recording) {
-            record(() -> new StallEvent(stall).commit());
         }
     }
 
