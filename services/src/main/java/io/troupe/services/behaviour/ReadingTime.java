@@ -4,7 +4,7 @@ package io.troupe.services.behaviour;
  * The time of one robot's readings, made so that it only goes on: what a robot's clock says may be set while services run, by a person or by a time server.
  *
  * <p><b>Role.</b> A time stamp that is older than the newest by a cycle or more counts as the next cycle, {@value #CYCLE_SECONDS} s later; by less, as time stamps that jitter
- * are, it counts as the same time. As long as no clock is set back it is the time stamp itself. A clock that is set forward cannot be told from a gap in the readings, and counts as one.
+ * are, it counts as the same time, which goes on when the time stamps have made up for it. As long as no clock is set back it is the time stamp itself. A clock that is set forward cannot be told from a gap in the readings, and counts as one.
  * <p><b>Threads.</b> One thread at a time.
  */
 public final class ReadingTime {

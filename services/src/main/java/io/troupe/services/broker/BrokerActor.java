@@ -25,7 +25,8 @@ final class BrokerActor extends Actor implements Registry {
     BrokerActor(ActorSpace space, BrokerSettings settings) {
         var limits = new Limits(this::after);
         this.events = new Events(settings.observer(), space);
-        this.lifecycle = new Lifecycle(settings, limits, events, roster::predecessors, this::hasStarted, this::hasFailed);
+        this.lifecycle =
+                new Lifecycle(settings, limits, events, roster::predecessors, this::hasStarted, this::hasFailed);
         this.users = new Users(this::choose, limits, settings, events);
         this.restarts = new Restarts(settings, limits, lifecycle, it -> roster.has(it) && users.waitFor(it));
     }
@@ -98,8 +99,7 @@ final class BrokerActor extends Actor implements Registry {
         Promise<@Nullable Void> withdrawn = before.gone;
         roster.put(by, before);
         events.tell(new BrokerEvent.Replaced(before.toRecord(), by.toRecord()));
-        Promise<@Nullable Void> stopped =
-                withdrawn != null ? withdrawn : leave(before, () -> users.move(before, by));
+        Promise<@Nullable Void> stopped = withdrawn != null ? withdrawn : leave(before, () -> users.move(before, by));
         users.retry(by::meets);
         return stopped;
     }

@@ -208,7 +208,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
         if (underWay.remove(call.call) == null) {
-            if (!(error instanceof ActorStoppedException) && !call.call.wasGivenUp()) { // which are no answers
+            if (!(error instanceof ActorStoppedException) && !call.wasGivenUp()) { // which are no answers
                 events().tell(new BrokerEvent.Late(call.receiver(), call.toString(), error));
             }
         } else if (error == null) {

@@ -14,6 +14,8 @@ final class PendingCall {
     @Nullable
     Promise<?> sent; // the provider's promise
 
+    private boolean givenUp;
+
     @Nullable
     Timer limit;
 
@@ -41,10 +43,15 @@ final class PendingCall {
 
     /** A provider that has not begun it does not begin it any more. */
     void giveUp() {
+        givenUp = true;
         cancelLimit();
         if (sent != null) {
             sent.cancel();
         }
+    }
+
+    boolean wasGivenUp() {
+        return givenUp;
     }
 
     void cancelLimit() {

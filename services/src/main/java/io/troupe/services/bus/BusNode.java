@@ -5,7 +5,6 @@ import io.troupe.services.bus.Message.Failure;
 import io.troupe.services.bus.Message.Purpose;
 import io.troupe.services.text.Suggestions;
 import java.time.Duration;
-import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 

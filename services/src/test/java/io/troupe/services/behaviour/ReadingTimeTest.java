@@ -36,7 +36,9 @@ class ReadingTimeTest {
         assertThat(time.at(99.95)).isEqualTo(seconds);
         assertThat(time.at(100.05)).as("no cycle was added").isEqualTo(100.05);
         assertThat(time.at(100.02)).isEqualTo(100.05);
-        assertThat(time.at(99.9)).as("set back by more than a cycle, in two steps").isCloseTo(100.15, within(1e-9));
+        assertThat(time.at(99.9))
+                .as("set back by more than a cycle, in two steps")
+                .isCloseTo(100.15, within(1e-9));
     }
 
     @Test

@@ -119,8 +119,13 @@ final class BusModel {
             var answerer = entry.getValue();
             for (var question = answerer.waiting.poll(); question != null; question = answerer.waiting.poll()) {
                 if (begun(entry.getKey(), answerer).size() >= capacity && isKnownToWait(question, entry.getKey())) {
-                    settle(question, "refused");
-                    continue;
+                    var evicted = oldestOfAnotherNode(entry.getKey(), answerer);
+                    settle(evicted == null ? question : evicted, "refused");
+                    if (evicted == null) {
+                        continue;
+                    }
+                    answerer.kept.remove(evicted);
+                    keptByNobody.add(evicted);
                 }
                 switch (answerer.manner) {
                     case ANSWERS -> settle(question, "answered " + question.id);
@@ -136,6 +141,13 @@ final class BusModel {
         return answerer.kept.stream()
                 .filter(question -> isKnownToWait(question, name))
                 .toList();
+    }
+
+    private @Nullable Question oldestOfAnotherNode(String name, Answerer answerer) {
+        return answerer.kept.stream()
+                .filter(question -> nodeOf(question.asker) != nodeOf(name))
+                .findFirst()
+                .orElse(null);
     }
 
     private boolean isKnownToWait(Question question, String answerer) {

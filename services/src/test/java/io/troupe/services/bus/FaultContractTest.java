@@ -155,8 +155,9 @@ class FaultContractTest extends BusContract {
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
         kept.forEach(each -> each.resolve(new Text("done")));
         test.crank();
-        assertThat(answers).hasSize(CAPACITY).allSatisfy(each -> assertThat(test.get(each))
-                .isEqualTo(new Text("done")));
+        assertThat(answers)
+                .hasSize(CAPACITY)
+                .allSatisfy(each -> assertThat(test.get(each)).isEqualTo(new Text("done")));
         if (apart) {
             assertThat(theOnlyLoss()).isInstanceOf(Loss.Late.class);
         }

@@ -130,13 +130,28 @@ class RobotServicesTest {
     void clockThatIsSetBackOrForward_leavesNoReadingWithoutACommand() {
         services.wallFollower(0, running());
         test.crank();
-        for (int millis : new int[] {100, 100, -60_000, 100, 100, 60_000, 100, -50, 100, -60_000}) {
+        for (int millis : new int[] {100, 100, -60_000, 100, 100, 60_000, 100, -150, 100, -60_000}) {
             int before = robots.commands(0).size();
             robots.tick(millis);
             assertThat(robots.commands(0))
                     .as("commands after a step of %s ms", millis)
                     .hasSize(before + 1);
         }
+    }
+
+    /** A pause of three readings: less than the limit of a command. */
+    @Test
+    void clockThatIsSetBackByLessThanACycle_goesOnWhenThatIsMadeUpFor() {
+        services.wallFollower(0, running());
+        test.crank();
+        robots.tick(100);
+        int before = robots.commands(0).size();
+        for (int millis : new int[] {-50, 100}) {
+            robots.tick(millis);
+            assertThat(robots.commands(0)).hasSize(before);
+        }
+        robots.tick(100);
+        assertThat(robots.commands(0)).hasSize(before + 1);
     }
 
     @Test
