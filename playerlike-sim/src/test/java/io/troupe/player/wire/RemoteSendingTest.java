@@ -67,15 +67,13 @@ class RemoteSendingTest {
         return new RemoteServer("localhost", server.port()).connect(sink, null);
     }
 
-    /** Sends commands until all buffers are full. */
-    private static void fill(PlayerConnection line, DeviceAddress device) {
-        assertThatThrownBy(() -> {
-                    while (true) {
-                        line.command(device, new DeviceCommand.Velocity(0.1, 0, 0.2, true));
-                    }
-                })
-                .isInstanceOf(RequestFailedException.class)
-                .hasMessageContaining("has not taken a message");
+    /** Sends until all buffers are full, and far more is left to send than a buffer may grow by. */
+    private static void fill(PlayerConnection line) {
+        var large = new DeviceRequest.GetPose("a".repeat(900_000));
+        RequestFailedException failed;
+        do {
+            failed = catchThrowableOfType(RequestFailedException.class, () -> line.request(SIMULATION, large));
+        } while (!failed.getMessage().contains("has not taken a message"));
     }
 
     @Test
@@ -96,7 +94,7 @@ class RemoteSendingTest {
             line.replyLimit(SHORT);
             assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class);
-            fill(line, server.device(Interfaces.POSITION2D));
+            fill(line);
             assertThatThrownBy(() -> line.answered(PlayerConnection.NO_TICK))
                     .isInstanceOf(RequestFailedException.class);
             readOn.countDown();
@@ -122,8 +120,7 @@ class RemoteSendingTest {
                     }
                     return false;
                 })) {
-            var device = server.device(Interfaces.POSITION2D);
-            var sink = sink(frame -> fill(line.join(), device), lost::complete);
+            var sink = sink(frame -> fill(line.join()), lost::complete);
             line.complete(new RemoteServer("localhost", server.port()).connect(sink, space));
             line.join().delivery(Delivery.PULL);
             line.join().replyLimit(SHORT);
@@ -162,13 +159,7 @@ class RemoteSendingTest {
             line.replyLimit(SHORT);
             assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class);
-            String large = "a".repeat(900_000); // larger than what is left of the buffers in the end
-            RequestFailedException failed;
-            do {
-                failed = catchThrowableOfType(
-                        RequestFailedException.class,
-                        () -> line.request(SIMULATION, new DeviceRequest.GetPose(large)));
-            } while (!failed.getMessage().contains("has not taken a message"));
+            fill(line);
             readOn.countDown();
             line.replyLimit(LONG);
             assertThat(line.request(SIMULATION, new DeviceRequest.GetPose("b")))
