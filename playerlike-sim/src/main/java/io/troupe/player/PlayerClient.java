@@ -179,13 +179,13 @@ public class PlayerClient extends ServerInquiries {
 
     /**
      * Lets this client notice that its server is connected and silent: when nothing has come from it for half of the limit it is asked for a sign of life, and when none comes in the other half, every
-     * call that waits, and every later one, throws {@link PlayerException}. Commands are still sent, until {@link #close}. Our addition to the Player client, which waits for as long as it takes.
+     * call that waits, and every later one, throws {@link PlayerException}. Zero, as at the beginning, is no limit. Commands are still sent, until {@link #close}. Our addition to the Player client, which waits for as long as it takes.
      *
      * <p>By the machine's clock. A server whose time is paused, or whose lock step waits for another client, answers and is not silent; one in this JVM never is.
      */
     public void setSilenceLimit(Duration limit) {
-        if (limit.compareTo(Duration.ofMillis(2)) < 0) {
-            throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more");
+        if (!limit.isZero() && limit.compareTo(Duration.ofMillis(2)) < 0) {
+            throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more, or zero for none");
         }
         tell(() -> connection.silenceLimit(limit));
     }

@@ -110,7 +110,7 @@ abstract class ServerInquiries extends OfferedInterfaces {
         LOG.log(Level.WARNING, "{0}: Player 3 servers have no {1}", getName(), what);
     }
 
-    /** How long a call waits for the server's reply, in milliseconds; 10,000 unless set. Data are waited for as long as it takes. */
+    /** How long a call takes at most, for sending and for waiting for the server's reply together, in milliseconds; 10,000 unless set. Data are waited for as long as it takes. */
     public long getReadTimeout() {
         return readTimeoutMillis;
     }

@@ -38,7 +38,7 @@ final class FrameAssembler {
         return mode == Delivery.PUSH ? List.of() : List.of(frame());
     }
 
-    /** The server did not like to be asked. */
+    /** The question for data was refused, or did not leave this machine: it may be asked again. */
     synchronized void refused() {
         asked = false;
     }

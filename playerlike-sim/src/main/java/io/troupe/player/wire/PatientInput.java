@@ -55,7 +55,7 @@ final class PatientInput extends FilterInputStream {
 
     private void look(Duration most) {
         long now = clock.nanos();
-        if (most.isZero() || reported || now - sinceNanos < most.toNanos() / 2) {
+        if (most.isZero() || reported || now - sinceNanos < Deadline.nanos(most) / 2) {
             return;
         }
         if (asked) {

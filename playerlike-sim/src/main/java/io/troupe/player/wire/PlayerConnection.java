@@ -37,11 +37,11 @@ public interface PlayerConnection extends AutoCloseable {
         receiver.accept(request(device, request));
     }
 
-    /** How long a call may wait for the server's reply; in this JVM nothing is waited for. */
+    /** How long a call may take for sending and waiting for the server's reply together; in this JVM nothing is waited for. */
     default void replyLimit(Duration limit) {}
 
     /**
-     * How long the server may say nothing, not even when it is asked for a sign of life, before {@link DataSink#lost} is called; the connection stays open. In this
+     * How long the server may say nothing, not even when it is asked for a sign of life, before {@link DataSink#lost} is called, zero for no limit; the connection stays open. In this
      * JVM no server is silent.
      */
     default void silenceLimit(Duration limit) {}

@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.time.Clock;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.lang.System.Logger.Level;
@@ -24,7 +25,8 @@ import org.jspecify.annotations.Nullable;
  * A client's line to a server behind a socket.
  *
  * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends when the line is closed.
- * Every call returns within the client's limit, also if the server does not read what is sent to it, and ends when its thread is interrupted; the line stays as it is then.
+ * Every call but {@link #close} returns within the client's limit, one for sending and for waiting for the reply together, also if the server does not read what is sent to it, and ends when its thread is
+ * interrupted; the line stays as it is then. No call here waits for data. On an actor space, data are asked for when nothing is left to do there, which no call of the program sees: if that fails, the line is lost.
  * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the reply is seen.
  */
 final class RemoteLine implements PlayerConnection {
@@ -41,7 +43,8 @@ final class RemoteLine implements PlayerConnection {
     private final DataSink sink;
     private final @Nullable ActorSpace space;
     private final Thread reader;
-    private final OpenRequests open = new OpenRequests();
+    private final Clock clock;
+    private final OpenRequests open;
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
     private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by itself
@@ -54,12 +57,14 @@ final class RemoteLine implements PlayerConnection {
     /** @param lost whether the server has gone, and this line was not closed by its client */
     private record End(String reason, boolean lost) {}
 
-    RemoteLine(String name, RemoteSocket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit) {
+    RemoteLine(String name, RemoteSocket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit, Clock clock) {
         this.name = name;
         this.socket = socket;
         this.sink = sink;
         this.space = space;
         this.replyLimit = replyLimit;
+        this.clock = clock;
+        this.open = new OpenRequests(clock);
         this.reader = Thread.ofPlatform()
                 .daemon()
                 .name("player-line-" + name)
@@ -130,7 +135,7 @@ final class RemoteLine implements PlayerConnection {
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
         Content content = CommandMessages.encode(command);
-        send(device, MessageType.CMD, content, 0);
+        send(device, MessageType.CMD, content, 0, deadline(), () -> {});
     }
 
     @Override
@@ -143,23 +148,22 @@ final class RemoteLine implements PlayerConnection {
     public void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
         checkOpen();
         Content content = RequestMessages.encode(device.interfaceCode(), request);
-        Duration limit = replyLimit;
+        var deadline = deadline();
         var sent = open.add(device, content.subtype());
-        sent.reply().orTimeout(limit.toNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
+        sent.reply().orTimeout(deadline.leftNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
             if (message != null) {
                 receiver.accept(decode(message));
             } else {
                 open.giveUp(sent);
                 receiver.accept(new DeviceReply.Nack(
                         failure instanceof TimeoutException
-                                ? "no reply within " + limit.toMillis() + " ms"
+                                ? "no reply within " + deadline.millis()
                                 : String.valueOf(failure.getMessage())));
             }
         });
         try {
-            send(device, MessageType.REQ, content, sent.sequence());
+            send(device, content, sent, deadline);
         } catch (LineClosedException | RequestFailedException notSent) {
-            open.drop(sent);
             sent.reply().completeExceptionally(notSent);
         }
     }
@@ -172,15 +176,21 @@ final class RemoteLine implements PlayerConnection {
     @Override
     public void silenceLimit(Duration limit) {
         checkOpen();
+        long halfMillis = Deadline.nanos(limit) / 2 / 1_000_000;
+        socket.timeOutReads(Duration.ofMillis(Math.min(halfMillis, READ_TIMEOUT_MILLIS)));
         silenceLimit = limit;
-        socket.timeOutReads(Duration.ofMillis(Math.min(limit.toMillis() / 2, READ_TIMEOUT_MILLIS)));
     }
 
     @Override
     public void answered(long tick) {
         checkOpen();
+        var deadline = deadline();
         if (frames.wantsData(tick)) {
-            send(PLAYER, MessageType.REQ, PlayerMessages.encode(new PlayerRequest.NextData()), 0);
+            Content question = PlayerMessages.encode(new PlayerRequest.NextData());
+            send(PLAYER, MessageType.REQ, question, 0, deadline, frames::refused);
+        } else if (frames.mode() == Delivery.PULL) {
+            // the question may have been sent in part, and no other message may follow
+            sending(() -> socket.sendRest(deadline), deadline, () -> {});
         }
     }
 
@@ -193,6 +203,7 @@ final class RemoteLine implements PlayerConnection {
     public void delivery(Delivery mode) {
         checkOpen();
         Content content = PlayerMessages.encode(new PlayerRequest.DataMode(mode));
+        var deadline = deadline();
         var sent = open.add(PLAYER, content.subtype());
         // in the reader, so that the mode changes at its place in the stream
         var changed = sent.reply().thenApply(message -> {
@@ -201,8 +212,8 @@ final class RemoteLine implements PlayerConnection {
             }
             return message;
         });
-        send(PLAYER, content, sent);
-        if (await(changed, sent, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
+        send(PLAYER, content, sent, deadline);
+        if (await(changed, sent, deadline, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
             throw new RequestFailedException(name + " refused the mode of delivery " + mode);
         }
     }
@@ -240,28 +251,34 @@ final class RemoteLine implements PlayerConnection {
 
     private Message call(DeviceAddress device, Content content, String what) {
         checkOpen();
+        var deadline = deadline();
         var sent = open.add(device, content.subtype());
-        send(device, content, sent);
-        return await(sent.reply(), sent, what);
+        send(device, content, sent, deadline);
+        return await(sent.reply(), sent, deadline, what);
     }
 
-    private void send(DeviceAddress device, Content content, OpenRequests.Request request) {
+    private Deadline deadline() {
+        return Deadline.after(replyLimit, clock);
+    }
+
+    /** If that fails in the middle of the message, the request is given up: it goes out later and is answered. */
+    private void send(DeviceAddress device, Content content, OpenRequests.Request request, Deadline deadline) {
         try {
-            send(device, MessageType.REQ, content, request.sequence());
+            send(device, MessageType.REQ, content, request.sequence(), deadline, () -> open.drop(request));
         } catch (RuntimeException e) {
-            open.drop(request);
+            open.giveUp(request); // no effect if it was dropped
             throw e;
         }
     }
 
-    private Message await(CompletableFuture<Message> awaited, OpenRequests.Request sent, String what) {
-        Duration limit = replyLimit;
+    private Message await(
+            CompletableFuture<Message> awaited, OpenRequests.Request sent, Deadline deadline, String what) {
         try {
-            return awaited.get(limit.toNanos(), TimeUnit.NANOSECONDS);
+            return awaited.get(deadline.leftNanos(), TimeUnit.NANOSECONDS);
         } catch (TimeoutException e) {
             open.giveUp(sent);
             throw new RequestFailedException(
-                    name + " did not answer within " + limit.toMillis() + " ms: " + what + " was requested");
+                    name + " did not answer within " + deadline.millis() + ": " + what + " was requested");
         } catch (InterruptedException e) {
             open.giveUp(sent);
             Thread.currentThread().interrupt();
@@ -282,17 +299,35 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    private void send(DeviceAddress device, MessageType type, Content content, int sequence) {
+    /** @param nothingSent called if that fails before the first byte, so that the server will never see the message */
+    private void send(
+            DeviceAddress device,
+            MessageType type,
+            Content content,
+            int sequence,
+            Deadline deadline,
+            Runnable nothingSent) {
         byte[] payload = content.payload();
         var header = new Header(device, type, content.subtype(), 0, sequence, payload.length);
         checkOpen();
-        Duration limit = replyLimit;
+        sending(() -> socket.send(new Message(header, payload).bytes(), deadline), deadline, nothingSent);
+    }
+
+    private interface Sending {
+        void run() throws IOException;
+    }
+
+    private void sending(Sending sending, Deadline deadline, Runnable nothingSent) {
         try {
-            socket.send(new Message(header, payload).bytes(), limit);
-        } catch (SocketTimeoutException e) {
-            throw new RequestFailedException(
-                    name + " has not taken a message within " + limit.toMillis() + " ms: " + e.getMessage());
+            sending.run();
         } catch (InterruptedIOException e) {
+            if (e.bytesTransferred == 0) {
+                nothingSent.run();
+            }
+            if (e instanceof SocketTimeoutException) {
+                throw new RequestFailedException(
+                        name + " has not taken a message within " + deadline.millis() + ": " + e.getMessage());
+            }
             throw new RequestFailedException("interrupted while sending to " + name);
         } catch (IOException e) {
             lose(gone(e.getMessage()));
@@ -344,7 +379,7 @@ final class RemoteLine implements PlayerConnection {
             if (frames.mode() == Delivery.PULL) {
                 space.onIdle(() -> {
                     if (end.get() == null) {
-                        answered(frame.tick());
+                        answerOrLose(frame.tick());
                     }
                 });
             }
@@ -353,16 +388,27 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
+    /** In an idle action an exception would reach no call of the program, which would wait for data for ever. */
+    private void answerOrLose(long tick) {
+        try {
+            answered(tick);
+        } catch (RequestFailedException e) {
+            lose("data cannot be asked for: " + e.getMessage());
+        } catch (LineClosedException e) {
+            LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage()); // and the sink knows
+        }
+    }
+
     Duration silenceLimit() {
         return silenceLimit;
     }
 
-    /** Asks for something that every server answers at once; on a thread of its own, as sending may have to wait. */
+    /** Asks for something that every server answers at once; on a thread of its own, as sending may have to wait, and a platform thread, as virtual ones may have no carrier. */
     void askForSign() {
-        Thread.ofVirtual().name("player-ask-" + name).start(() -> {
+        Thread.ofPlatform().daemon().name("player-ask-" + name).start(() -> {
             Content question = PlayerMessages.encode(new PlayerRequest.DeviceList());
             try {
-                send(PLAYER, question, open.add(PLAYER, question.subtype()));
+                send(PLAYER, question, open.addUnawaited(PLAYER, question.subtype()), deadline());
             } catch (RuntimeException notSent) {
                 LOG.log(Level.DEBUG, "{0} was not asked for a sign of life: {1}", name, notSent.getMessage());
             }
@@ -372,7 +418,7 @@ final class RemoteLine implements PlayerConnection {
     /** The server is connected and has not said anything for the whole limit. */
     void silent() {
         sink.lost("the Player server at " + name + " is connected and silent: nothing has come from it for "
-                + silenceLimit.toMillis() + " ms, and no answer to a request");
+                + Deadline.nanos(silenceLimit) / 1_000_000 + " ms, and no answer to a request");
     }
 
     /** Keeps a frame for the space; false if the oldest one had to give way, whose turn is this one's then. */

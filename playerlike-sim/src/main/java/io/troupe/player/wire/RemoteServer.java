@@ -1,6 +1,7 @@
 package io.troupe.player.wire;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.time.Clock;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.ConnectException;
@@ -26,6 +27,7 @@ public final class RemoteServer implements PlayerServer {
     private final String host;
     private final int port;
     private final Duration limit;
+    private final Clock clock;
     private volatile String banner = "";
 
     public RemoteServer(String host, int port) {
@@ -33,12 +35,17 @@ public final class RemoteServer implements PlayerServer {
     }
 
     RemoteServer(String host, int port, Duration limit) {
+        this(host, port, limit, Clock.system());
+    }
+
+    RemoteServer(String host, int port, Duration limit, Clock clock) {
         if (port < 1 || port > 65_535) {
             throw new IllegalArgumentException("port is " + port + ", expected 1 to 65535");
         }
         this.host = host;
         this.port = port;
         this.limit = limit;
+        this.clock = clock;
     }
 
     /** How the server has greeted; empty before the first connection. */
@@ -58,10 +65,8 @@ public final class RemoteServer implements PlayerServer {
         try {
             // not InetSocketAddress alone, which would not say that a name is unknown
             socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), limit);
-            socket.limitReading(limit);
-            banner = readBanner(socket.input());
-            socket.readWithoutLimit();
-            var line = new RemoteLine(this.toString(), socket, sink, space, limit);
+            banner = readBanner(socket);
+            var line = new RemoteLine(this.toString(), socket, sink, space, limit, clock);
             line.begin();
             return line;
         } catch (IOException e) {
@@ -84,9 +89,12 @@ public final class RemoteServer implements PlayerServer {
     }
 
     /** What is not the greeting of a Player server is quoted as far as it has come. */
-    private String readBanner(InputStream in) throws IOException {
+    private String readBanner(RemoteSocket socket) throws IOException {
+        var deadline = Deadline.after(limit, clock);
+        InputStream in = socket.input();
         var greeting = new byte[BANNER_BYTES];
         for (int length = 0; length < BANNER_BYTES; ) {
+            socket.timeOutReads(Duration.ofNanos(Math.max(1, deadline.leftNanos())));
             int count = in.read(greeting, length, BANNER_BYTES - length);
             if (count < 0) {
                 throw new IOException("it closed the connection instead of greeting as a Player server");
@@ -98,6 +106,7 @@ public final class RemoteServer implements PlayerServer {
                         + BANNER_START + "..\": it is no Player server");
             }
         }
+        socket.timeOutReads(Duration.ZERO);
         return printable(greeting, BANNER_BYTES);
     }
 

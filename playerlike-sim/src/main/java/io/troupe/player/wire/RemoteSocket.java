@@ -13,30 +13,41 @@ import java.nio.channels.ClosedSelectorException;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
+import java.nio.channels.spi.SelectorProvider;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A client's socket, on which nothing waits for ever: neither connecting, nor the greeting, nor sending to a server that does not read.
+ * A client's socket, on which nothing waits for ever: neither connecting nor sending to a server that does not read.
  *
  * <p><b>Threads.</b> One thread reads; any thread sends and closes.
  * <p><b>Errors.</b> A send that does not get through throws, {@link SocketTimeoutException} after its limit and {@link InterruptedIOException} when its thread is interrupted, and leaves
- * the socket usable: what a message that was sent in part lacks goes out before the next one.
+ * the socket usable. Its {@code bytesTransferred} is how much of the message was sent: 0 if the server will never see it; else the rest goes out before the next message.
  */
 final class RemoteSocket implements AutoCloseable {
     private static final Clock CLOCK = Clock.system();
 
-    private final SocketChannel channel = SocketChannel.open();
-    private final Selector readable = Selector.open();
+    private final SocketChannel channel;
+    private final Selector readable;
     private final ReentrantLock sending = new ReentrantLock();
-    private @Nullable ByteBuffer unsent; // the rest of a message; guarded by sending
-    private volatile boolean limited;
-    private volatile long readDeadlineNanos;
+    private volatile @Nullable ByteBuffer unsent; // the rest of a message; written under sending
     private volatile long readTimeoutNanos; // 0 = none
 
-    RemoteSocket() throws IOException {}
+    RemoteSocket() throws IOException {
+        this(SelectorProvider.provider());
+    }
+
+    RemoteSocket(SelectorProvider provider) throws IOException {
+        channel = provider.openSocketChannel();
+        try {
+            readable = provider.openSelector();
+        } catch (IOException | RuntimeException | Error e) {
+            channel.close();
+            throw e;
+        }
+    }
 
     void connect(InetSocketAddress server, Duration limit) throws IOException {
         channel.socket().connect(server, Math.toIntExact(limit.toMillis()));
@@ -46,17 +57,7 @@ final class RemoteSocket implements AutoCloseable {
         channel.register(readable, SelectionKey.OP_READ);
     }
 
-    /** From now on all reading together may take so long. */
-    void limitReading(Duration limit) {
-        readDeadlineNanos = CLOCK.nanos() + limit.toNanos();
-        limited = true;
-    }
-
-    void readWithoutLimit() {
-        limited = false;
-    }
-
-    /** From now on a read, one that waits already too, throws {@link SocketTimeoutException} when nothing comes for so long; the socket can be read on. */
+    /** From now on a read, one that waits already too, throws {@link SocketTimeoutException} when nothing comes for so long; the socket can be read on. Zero for none. */
     void timeOutReads(Duration timeout) {
         readTimeoutNanos = timeout.toNanos();
         readable.wakeup();
@@ -85,7 +86,7 @@ final class RemoteSocket implements AutoCloseable {
                     return count;
                 }
                 long timeoutNanos = readTimeoutNanos;
-                await(readable, limited || timeoutNanos > 0, limited ? readDeadlineNanos : beganNanos + timeoutNanos);
+                await(readable, timeoutNanos > 0, beganNanos + timeoutNanos - CLOCK.nanos());
             }
         } catch (ClosedSelectorException closed) {
             throw new ClosedChannelException();
@@ -93,10 +94,9 @@ final class RemoteSocket implements AutoCloseable {
     }
 
     /** Sends a message, after the rest of the one before. */
-    void send(byte[] message, Duration limit) throws IOException {
-        long deadline = CLOCK.nanos() + limit.toNanos();
+    void send(byte[] message, Deadline deadline) throws IOException {
         try {
-            if (!sending.tryLock() && !sending.tryLock(limit.toNanos(), TimeUnit.NANOSECONDS)) {
+            if (!sending.tryLock() && !sending.tryLock(deadline.leftNanos(), TimeUnit.NANOSECONDS)) {
                 throw new SocketTimeoutException("another thread is still sending");
             }
         } catch (InterruptedException e) {
@@ -104,13 +104,17 @@ final class RemoteSocket implements AutoCloseable {
             throw new InterruptedIOException("interrupted");
         }
         try {
-            if (unsent != null) {
-                write(unsent, deadline);
+            ByteBuffer rest = unsent;
+            if (rest != null) {
+                write(rest, deadline);
                 unsent = null;
             }
             var bytes = ByteBuffer.wrap(message);
             try {
                 write(bytes, deadline);
+            } catch (InterruptedIOException e) {
+                e.bytesTransferred = bytes.position();
+                throw e;
             } finally {
                 if (bytes.hasRemaining() && bytes.position() > 0) {
                     unsent = bytes;
@@ -121,7 +125,14 @@ final class RemoteSocket implements AutoCloseable {
         }
     }
 
-    private void write(ByteBuffer bytes, long deadlineNanos) throws IOException {
+    /** Sends the rest of a message that was sent in part, if there is one. */
+    void sendRest(Deadline deadline) throws IOException {
+        if (unsent != null) {
+            send(new byte[0], deadline);
+        }
+    }
+
+    private void write(ByteBuffer bytes, Deadline deadline) throws IOException {
         channel.write(bytes);
         if (!bytes.hasRemaining()) {
             return; // as nearly always
@@ -129,14 +140,13 @@ final class RemoteSocket implements AutoCloseable {
         try (var writable = Selector.open()) {
             channel.register(writable, SelectionKey.OP_WRITE);
             while (bytes.hasRemaining()) {
-                await(writable, true, deadlineNanos);
+                await(writable, true, deadline.leftNanos());
                 channel.write(bytes);
             }
         }
     }
 
-    private static void await(Selector ready, boolean hasDeadline, long deadlineNanos) throws IOException {
-        long leftNanos = deadlineNanos - CLOCK.nanos();
+    private static void await(Selector ready, boolean hasDeadline, long leftNanos) throws IOException {
         if (hasDeadline && leftNanos <= 0) {
             throw new SocketTimeoutException("the limit is over");
         }

@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.time.ManualClock;
 import io.troupe.player.wire.OpenRequests.Request;
 import org.junit.jupiter.api.Test;
 
@@ -9,7 +10,8 @@ import org.junit.jupiter.api.Test;
 class OpenRequestsTest {
     private static final DeviceAddress SIMULATION = new DeviceAddress(1, 2, 31, 0);
 
-    private final OpenRequests open = new OpenRequests();
+    private final ManualClock clock = new ManualClock();
+    private final OpenRequests open = new OpenRequests(clock);
 
     private static Message reply(int subtype, int sequence) {
         return new Message(new Header(SIMULATION, MessageType.ACK, subtype, 0, sequence, 0), Content.NONE);
@@ -51,18 +53,49 @@ class OpenRequestsTest {
     }
 
     @Test
-    void requestThatTheServerHasDropped_spoilsOnlyTheNextOfItsKind() {
+    void severalLateReplies_withoutANumber_goToNoLaterRequest() {
+        Request first = open.add(SIMULATION, 1);
+        open.giveUp(first);
+        Request second = open.add(SIMULATION, 1);
+        assertThat(open.answer(reply(1, 0))).as("to the first, late").isFalse();
+        open.giveUp(second);
+        Request third = open.add(SIMULATION, 1);
+        assertThat(open.answer(reply(1, 0))).as("to the second, late").isFalse();
+        assertThat(isAnswered(third)).isFalse();
+        assertThat(open.answer(reply(1, 0))).isTrue();
+        assertThat(isAnswered(third)).isTrue();
+    }
+
+    @Test
+    void requestThatTheServerHasDropped_spoilsTheNextOfItsKind_untilThereWasNoneForAWhile() {
         open.giveUp(open.add(SIMULATION, 1)); // never answered
         Request other = open.add(SIMULATION, 2);
         assertThat(open.answer(reply(2, 0))).isTrue();
         assertThat(isAnswered(other)).isTrue();
 
-        Request second = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, 0))).isFalse();
-        open.giveUp(second);
-        Request third = open.add(SIMULATION, 1);
+        for (int i = 0; i < 4; i++) {
+            clock.advance(OpenRequests.QUIET.minusNanos(1));
+            Request spoiled = open.add(SIMULATION, 1);
+            assertThat(open.answer(reply(1, 0))).isFalse();
+            open.giveUp(spoiled);
+        }
+        clock.advance(OpenRequests.QUIET);
+        Request afterQuiet = open.add(SIMULATION, 1);
         assertThat(open.answer(reply(1, 0))).isTrue();
-        assertThat(isAnswered(third)).isTrue();
+        assertThat(isAnswered(afterQuiet)).isTrue();
+    }
+
+    @Test
+    void requestOfNoInterest_takesItsReply_andIsBounded() {
+        for (int i = 0; i < 1_000; i++) {
+            open.addUnawaited(SIMULATION, 1);
+        }
+        Request asked = open.add(SIMULATION, 1);
+        for (int late = 0; late < 256; late++) {
+            assertThat(open.answer(reply(1, 0))).isFalse();
+        }
+        assertThat(open.answer(reply(1, 0))).isTrue();
+        assertThat(isAnswered(asked)).isTrue();
     }
 
     @Test

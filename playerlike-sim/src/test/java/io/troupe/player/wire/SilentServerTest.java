@@ -98,7 +98,23 @@ class SilentServerTest implements PlayerConstants {
             var client = connect(server);
             assertThatThrownBy(() -> client.setSilenceLimit(Duration.ofMillis(1)))
                     .isInstanceOf(PlayerException.class)
-                    .hasMessage("silence limit is PT0.001S, expected 2 ms or more");
+                    .hasMessage("silence limit is PT0.001S, expected 2 ms or more, or zero for none");
+            client.close();
+        }
+    }
+
+    @Test
+    void silenceLimit_beyondAllNanoseconds_isTaken_andEndsNothing() throws Exception {
+        limit = Duration.ofSeconds(Long.MAX_VALUE);
+        assertThat(input(0, 0, 0, 7).read(new byte[8], 0, 8)).isEqualTo(7);
+        assertThat(events).containsExactly("read 7");
+        try (var server = new ScriptedSocket((message, self) -> false)) {
+            var client = connect(server);
+            client.setSilenceLimit(limit);
+            client.setReadTimeout(Long.MAX_VALUE);
+            client.requestAddReplaceRule(-1, -1, 1, -1, 1);
+            client.setSilenceLimit(Duration.ZERO);
+            client.requestAddReplaceRule(-1, -1, 1, -1, 1);
             client.close();
         }
     }
