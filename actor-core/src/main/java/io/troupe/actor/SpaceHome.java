@@ -109,7 +109,8 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
                 closing.refuseLeftovers();
             }
         } catch (StackOverflowError endOfTheCallersStack) {
-            // it is queued: the space looks at its queues by itself within a second; if it is closed, the next caller does
+            // it is queued: the space looks at its queues by itself within a second; if it is closed, the next caller
+            // does
         }
     }
 

@@ -43,7 +43,8 @@ final class OpenRequests {
         }
 
         boolean isAnsweredBy(Header header) {
-            return isOf(header.address(), header.subtype()) && (header.sequence() == 0 || header.sequence() == sequence);
+            return isOf(header.address(), header.subtype())
+                    && (header.sequence() == 0 || header.sequence() == sequence);
         }
     }
 
@@ -66,8 +67,8 @@ final class OpenRequests {
 
     synchronized Request add(DeviceAddress device, int subtype) {
         long now = clock.nanos();
-        entries.removeIf(each ->
-                each.givenUp && each.isOf(device, subtype) && now - each.touchedNanos >= QUIET.toNanos());
+        entries.removeIf(
+                each -> each.givenUp && each.isOf(device, subtype) && now - each.touchedNanos >= QUIET.toNanos());
         lastSequence = lastSequence == Integer.MAX_VALUE ? 1 : lastSequence + 1;
         var entry = new Entry(device, subtype, lastSequence);
         if (failure != null) {

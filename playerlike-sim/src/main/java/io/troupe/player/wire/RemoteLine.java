@@ -57,7 +57,13 @@ final class RemoteLine implements PlayerConnection {
     /** @param lost whether the server has gone, and this line was not closed by its client */
     private record End(String reason, boolean lost) {}
 
-    RemoteLine(String name, RemoteSocket socket, DataSink sink, @Nullable ActorSpace space, Duration replyLimit, Clock clock) {
+    RemoteLine(
+            String name,
+            RemoteSocket socket,
+            DataSink sink,
+            @Nullable ActorSpace space,
+            Duration replyLimit,
+            Clock clock) {
         this.name = name;
         this.socket = socket;
         this.sink = sink;
@@ -213,7 +219,10 @@ final class RemoteLine implements PlayerConnection {
             return message;
         });
         send(PLAYER, content, sent, deadline);
-        if (await(changed, sent, deadline, "the mode of delivery " + mode).header().type() == MessageType.NACK) {
+        if (await(changed, sent, deadline, "the mode of delivery " + mode)
+                        .header()
+                        .type()
+                == MessageType.NACK) {
             throw new RequestFailedException(name + " refused the mode of delivery " + mode);
         }
     }
