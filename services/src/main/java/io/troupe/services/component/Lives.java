@@ -109,7 +109,8 @@ final class Lives<I, O> {
         if (unended.isEmpty()) {
             waiting.resolveFrom(invoke());
         } else {
-            waiting.reject(new ProviderException(owner + " cannot be invoked: its life before has not ended" + why(stuck), stuck));
+            waiting.reject(new ProviderException(
+                    owner + " cannot be invoked: its life before has not ended" + why(stuck), stuck));
         }
     }
 

@@ -268,7 +268,8 @@ class ComponentInterfaceTest {
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
         script.terminate = Promise::done;
         test.get(face.start().thenApply(runs -> true));
-        assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate", "terminate", "invoke");
+        assertThat(script.calls)
+                .containsExactly("invoke", "terminate", "terminate", "terminate", "terminate", "invoke");
         test.get(face.stop().thenApply(ended -> true));
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
     }
@@ -607,7 +608,8 @@ class ComponentInterfaceTest {
         test.run(face::close);
         var overTheBus = ask(Control.INVOKE, new Control.Invoke("user"));
         assertThat(test.error(face.start())).hasMessage("here/counter has left the bus, expected an open interface");
-        assertThat(test.error(overTheBus)).hasMessageContaining("asked here/counter for component/invoke: nobody is there");
+        assertThat(test.error(overTheBus))
+                .hasMessageContaining("asked here/counter for component/invoke: nobody is there");
         test.run(() -> slow.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate");
         assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);

@@ -67,8 +67,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         this(settings, ProcessTree::start, KILL_LIMIT, SHUTDOWN_GRACE);
     }
 
-    ExternalProcess(
-            ProcessComponent.Settings settings, Starter starter, Duration killLimit, Duration shutdownGrace) {
+    ExternalProcess(ProcessComponent.Settings settings, Starter starter, Duration killLimit, Duration shutdownGrace) {
         this.settings = settings;
         this.starter = starter;
         this.killLimit = killLimit;
@@ -177,8 +176,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     private void awaitLastLines(Thread reader, Signals<?> signals) {
         join(reader);
         if (reader.isAlive()) {
-            signals.tell(words() + " has ended, but a process outside its session keeps its " + reader.getName()
-                    + " open");
+            signals.tell(
+                    words() + " has ended, but a process outside its session keeps its " + reader.getName() + " open");
         }
     }
 

@@ -123,7 +123,8 @@ final class ProcessTree {
             return !root.isAlive();
         }
         return !process.isAlive()
-                || leadsSession && entry(PROCESS_TABLE, String.valueOf(process.pid())).isEmpty();
+                || leadsSession
+                        && entry(PROCESS_TABLE, String.valueOf(process.pid())).isEmpty();
     }
 
     /** Those in the session, and all that descend from them or from a known one. */
@@ -168,7 +169,8 @@ final class ProcessTree {
 
     private static UncheckedIOException unknown(Path what, IOException why) {
         return new UncheckedIOException(
-                "the process table cannot be read at " + what + ", so it is not known which processes are alive: " + why,
+                "the process table cannot be read at " + what + ", so it is not known which processes are alive: "
+                        + why,
                 why);
     }
 

@@ -267,7 +267,13 @@ class ProcessTreeTest {
     @Test
     void lineOfTheProcessTable_thatMakesNoSense_isOfNoProcess() throws Exception {
         var lines = List.of(
-                "1 (sh) S 0 1 1 0 -1", "2 (a) Z) b) R 1 2 1 0", "3 (gone) Z 1 3 3 0", "", "5", "6 (x", "7 (x) S one 2 3");
+                "1 (sh) S 0 1 1 0 -1",
+                "2 (a) Z) b) R 1 2 1 0",
+                "3 (gone) Z 1 3 3 0",
+                "",
+                "5",
+                "6 (x",
+                "7 (x) S one 2 3");
         for (int i = 0; i < lines.size(); i++) {
             Path process = Files.createDirectory(directory.resolve(String.valueOf(i + 1)));
             Files.writeString(process.resolve("stat"), lines.get(i));
