@@ -30,7 +30,8 @@ final class Bodies {
 
     /**
      * How long the steps are in which jbox2d moves the bodies: the settings' step, or a whole fraction of it in which no point of a robot travels farther than
-     * half of a robot's smallest extent. In longer ones fast robots would pass thin walls, and push one another through thick ones.
+     * half the width of a robot's widest convex piece, which no wall lets through then. In longer ones fast robots would pass thin walls, and push one another through
+     * thick ones. A piece that is narrower than the widest of its robot, such as a thin arm, may still pass a thin post that only this piece meets.
      */
     static int stepMicros(WorldSpec spec, WorldSettings settings) {
         int longest = settings.physicsStepMicros();
@@ -48,18 +49,35 @@ final class Bodies {
         double travelM = 0;
         double smallestM = Double.POSITIVE_INFINITY;
         for (RobotSpec robot : spec.robots()) {
-            List<Point> points = robot.collisionShape().polygons().stream()
+            List<List<Point>> pieces = robot.collisionShape().polygons();
+            smallestM = Math.min(
+                    smallestM, pieces.stream().mapToDouble(Bodies::widthM).max().orElseThrow());
+            double radiusM = pieces.stream()
                     .flatMap(List::stream)
-                    .toList();
-            var x = points.stream().mapToDouble(Point::x).summaryStatistics();
-            var y = points.stream().mapToDouble(Point::y).summaryStatistics();
-            smallestM = Math.min(smallestM, Math.min(x.getMax() - x.getMin(), y.getMax() - y.getMin()));
-            double radiusM = points.stream()
                     .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
                     .max()
                     .orElseThrow();
             travelM = Math.max(travelM, (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS);
         }
         return 1 + (int) Math.min(travelM / (smallestM / 2), settings.physicsStepMicros());
+    }
+
+    /** Between the nearest two parallel lines that a convex polygon fits between: one of them lies along an edge. */
+    private static double widthM(List<Point> polygon) {
+        double narrowestM = Double.POSITIVE_INFINITY;
+        for (int i = 0; i < polygon.size(); i++) {
+            Point from = polygon.get(i);
+            Point to = polygon.get((i + 1) % polygon.size());
+            double dx = to.x() - from.x();
+            double dy = to.y() - from.y();
+            double lengthM = StrictMath.hypot(dx, dy);
+            double farthestM = 0;
+            for (Point vertex : polygon) {
+                double offset = dx * (vertex.y() - from.y()) - dy * (vertex.x() - from.x());
+                farthestM = Math.max(farthestM, Math.abs(offset) / lengthM);
+            }
+            narrowestM = Math.min(narrowestM, farthestM);
+        }
+        return narrowestM;
     }
 }

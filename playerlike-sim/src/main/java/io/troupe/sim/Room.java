@@ -24,21 +24,80 @@ final class Room {
 
     private record Cell(long column, long row) {}
 
+    /** Obstacles in more cells than this are in none, and every question looks at them. */
+    private static final int MOST_CELLS = 16;
+
     private final List<RobotSpec> robots;
     private final List<Obstacle> obstacles = new ArrayList<>();
+    private final List<Integer> largeObstacles = new ArrayList<>();
+    private final Map<Cell, List<Integer>> smallObstacles = new HashMap<>();
     private final double[] radiusM; // of a robot around its centre of rotation
     private final double cellM;
 
     Room(WorldSpec spec) {
         robots = spec.robots();
+        radiusM = robots.stream().mapToDouble(Room::radiusM).toArray();
+        cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
         for (ObstacleSpec obstacle : spec.obstacles()) {
             if (obstacle.blocksBodies()) {
+                enter(obstacles.size(), obstacle);
                 obstacles.add(new Obstacle(
                         "obstacle '" + obstacle.name() + "'", new Outline(obstacle.shape(), obstacle.pose())));
             }
         }
-        radiusM = robots.stream().mapToDouble(Room::radiusM).toArray();
-        cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
+    }
+
+    private void enter(int index, ObstacleSpec obstacle) {
+        List<Point> points = obstacle.shape().polygons().stream()
+                .flatMap(List::stream)
+                .map(obstacle.pose()::place)
+                .toList();
+        var x = points.stream().mapToDouble(Point::x).summaryStatistics();
+        var y = points.stream().mapToDouble(Point::y).summaryStatistics();
+        Cell first = cell(x.getMin(), y.getMin());
+        Cell last = cell(x.getMax(), y.getMax());
+        double columns = (double) last.column() - first.column() + 1;
+        double rows = (double) last.row() - first.row() + 1;
+        if (columns * rows > MOST_CELLS) {
+            largeObstacles.add(index);
+            return;
+        }
+        for (long column = first.column(); column <= last.column(); column++) {
+            for (long row = first.row(); row <= last.row(); row++) {
+                smallObstacles
+                        .computeIfAbsent(new Cell(column, row), each -> new ArrayList<>(1))
+                        .add(index);
+            }
+        }
+    }
+
+    private Cell cell(double x, double y) {
+        return new Cell((long) Math.floor(x / cellM), (long) Math.floor(y / cellM));
+    }
+
+    /** The lowest index of an obstacle in the way, or -1. */
+    private int firstObstacle(Pose pose, Outline outline) {
+        int first = firstOverlapping(largeObstacles, outline, Integer.MAX_VALUE);
+        Cell at = cell(pose.x(), pose.y());
+        for (long column = at.column() - 1; column <= at.column() + 1; column++) {
+            for (long row = at.row() - 1; row <= at.row() + 1; row++) {
+                first = firstOverlapping(smallObstacles.getOrDefault(new Cell(column, row), List.of()), outline, first);
+            }
+        }
+        return first == Integer.MAX_VALUE ? -1 : first;
+    }
+
+    /** The first of them, which are in order, if it comes before another that is known. */
+    private int firstOverlapping(List<Integer> indices, Outline outline, int known) {
+        for (int index : indices) {
+            if (index >= known) {
+                break;
+            }
+            if (obstacles.get(index).outline().overlaps(outline)) {
+                return index;
+            }
+        }
+        return known;
     }
 
     private static double radiusM(RobotSpec robot) {
@@ -77,14 +136,11 @@ final class Room {
 
         private void enter(int robot) {
             if (robots.get(robot).blocksBodies()) {
-                cellOf[robot] = cell(poses.apply(robot));
+                Pose pose = poses.apply(robot);
+                cellOf[robot] = cell(pose.x(), pose.y());
                 members.computeIfAbsent(cellOf[robot], each -> new ArrayList<>(1))
                         .add(robot);
             }
-        }
-
-        private Cell cell(Pose pose) {
-            return new Cell((long) Math.floor(pose.x() / cellM), (long) Math.floor(pose.y() / cellM));
         }
 
         /** Takes over that a robot has been put elsewhere. */
@@ -116,10 +172,9 @@ final class Room {
                 return null;
             }
             var outline = new Outline(robots.get(robot).collisionShape(), pose);
-            for (Obstacle obstacle : obstacles) {
-                if (obstacle.outline().overlaps(outline)) {
-                    return attempt + "it would overlap " + obstacle.title();
-                }
+            int obstacle = firstObstacle(pose, outline);
+            if (obstacle >= 0) {
+                return attempt + "it would overlap " + obstacles.get(obstacle).title();
             }
             int other = firstOverlapping(robot, pose, outline);
             return other < 0
@@ -129,7 +184,7 @@ final class Room {
 
         /** The lowest index of a robot in the way, or -1. */
         private int firstOverlapping(int robot, Pose pose, Outline outline) {
-            Cell at = cell(pose);
+            Cell at = cell(pose.x(), pose.y());
             int first = Integer.MAX_VALUE;
             for (long column = at.column() - 1; column <= at.column() + 1; column++) {
                 for (long row = at.row() - 1; row <= at.row() + 1; row++) {

@@ -45,7 +45,6 @@ public final class Simulation implements AutoCloseable {
     private final int[] drivers;
     private Duration answerLimit = ANSWER_LIMIT;
     private @Nullable Runnable whileWaiting;
-    private Clock wall = Clock.system();
     private @Nullable Object pausedBy;
     private int connected;
     private boolean lockStep = true;
@@ -100,7 +99,7 @@ public final class Simulation implements AutoCloseable {
         whileWaiting = Objects.requireNonNull(action, "action");
     }
 
-    /** How long a tick may wait for its answers, by the machine's clock, which does not count while time is paused; 10 seconds unless set. */
+    /** How long a tick may wait for its answers, by the machine's clock; 10 seconds unless set. While time is paused it does not count, except for a tick that {@link #step} has let pass. */
     public void answerLimit(Duration limit) {
         if (limit.isNegative() || limit.isZero()) {
             throw new IllegalArgumentException("answer limit is " + limit + ", expected more than nothing");
@@ -110,7 +109,6 @@ public final class Simulation implements AutoCloseable {
 
     /** Measures the answer limit. */
     void wallClock(Clock clock) {
-        wall = clock;
         time.wallClock(clock);
     }
 

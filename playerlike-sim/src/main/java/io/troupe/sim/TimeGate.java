@@ -17,6 +17,7 @@ final class TimeGate {
     private long pausedNanos; // of the pauses that are over
     private boolean stoodStill;
     private int stepsWanted;
+    private boolean stepping; // paused, and a tick that was let pass has not been followed by another call of awaitTime
     private boolean open = true;
 
     /** @param lock is notified whenever something changes */
@@ -36,11 +37,22 @@ final class TimeGate {
         }
     }
 
-    /** A clock that stands still while time is paused; what it says has a meaning only as a difference. */
+    /**
+     * A clock that stands still while time is paused, except for a tick that {@link #step} has let pass, which can wait for a silent client as well; what it says has a
+     * meaning only as a difference within a tick.
+     */
     long runningNanos() {
         synchronized (lock) {
-            return (paused ? pausedSinceNanos : wall.nanos()) - pausedNanos;
+            return (paused && !stepping ? pausedSinceNanos : wall.nanos()) - pausedNanos;
         }
+    }
+
+    private void stopClock() {
+        pausedSinceNanos = wall.nanos();
+    }
+
+    private void letClockRun() {
+        pausedNanos += wall.nanos() - pausedSinceNanos;
     }
 
     /** Whether that changed anything. */
@@ -48,9 +60,12 @@ final class TimeGate {
         synchronized (lock) {
             boolean changes = paused != wanted;
             if (changes && wanted) {
-                pausedSinceNanos = wall.nanos();
-            } else if (changes) {
-                pausedNanos += wall.nanos() - pausedSinceNanos;
+                stopClock();
+            } else if (changes && !stepping) {
+                letClockRun();
+            }
+            if (changes) {
+                stepping = false;
             }
             paused = wanted;
             stepsWanted = 0;
@@ -99,6 +114,7 @@ final class TimeGate {
      * @param meanwhile is done again and again
      */
     void awaitTime(@Nullable Runnable meanwhile) {
+        endStep();
         while (true) {
             synchronized (lock) {
                 if (!paused || !open) {
@@ -107,12 +123,23 @@ final class TimeGate {
                 stoodStill = true;
                 if (stepsWanted > 0) {
                     stepsWanted--;
+                    stepping = true;
+                    letClockRun();
                     return;
                 }
                 waitMillis(meanwhile == null ? 0 : 1);
             }
             if (meanwhile != null) {
                 meanwhile.run();
+            }
+        }
+    }
+
+    private void endStep() {
+        synchronized (lock) {
+            if (stepping) {
+                stepping = false;
+                stopClock();
             }
         }
     }

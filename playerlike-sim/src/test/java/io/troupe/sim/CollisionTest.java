@@ -9,6 +9,7 @@ import io.troupe.sim.physics.Physics;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.Shape;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,6 +19,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CollisionTest {
+    private static final WorldSettings FAST =
+            WorldSettings.DEFAULT.withPhysicsStepMicros(10_000).withLimits(5, 10);
     private static final double MOST_GAP_M = Physics.SKIN_M + 1e-6; // the physics rounds
 
     private final List<Contact> contacts = new ArrayList<>();
@@ -187,6 +190,52 @@ class CollisionTest {
             assertThat(contacts).as("from %s", x).extracting(Contact::other).containsExactly("thin");
             contacts.clear();
         }
+    }
+
+    /** A bar of 1 m x 1 cm that stands aslant in its own frame: the box around it is no measure of how thin it is. */
+    @Test
+    void thinRobotThatStandsAslantInItsFrame_doesNotPassAThinWall() {
+        RobotSpec thin = aslant(new Pose(-1, 0, 0));
+        RobotSpec upright = withShape(robot("r1", Pose.ORIGIN), Specs.box(0.01, 1, 0));
+        assertThat(Bodies.stepMicros(Specs.world(thin), FAST))
+                .as("step in which it moves")
+                .isEqualTo(Bodies.stepMicros(Specs.world(upright), FAST));
+        for (double x = -1.14; x < -1; x += 0.02) {
+            ObstacleSpec wall = Specs.box("thin", new Pose(1, 0, StrictMath.PI / 4), 40, 0.001, Specs.BLACK);
+            World world = World.create(Specs.world(aslant(new Pose(x, 0, 0)), wall), FAST);
+            world.command(0, 2, 0);
+
+            Pose end = run(world, 30).robots().getFirst().pose();
+
+            assertThat(end.y()).as("from %s, on its side of y = x - 1", x).isGreaterThan(end.x() - 1);
+        }
+    }
+
+    private static RobotSpec aslant(Pose pose) {
+        var frame = new Pose(0, 0, StrictMath.PI / 4);
+        List<Point> bar = Specs.box(1, 0.01, 0).polygons().getFirst().stream()
+                .map(frame::place)
+                .toList();
+        return withShape(robot("r1", pose), new Shape(List.of(bar)));
+    }
+
+    private static RobotSpec withShape(RobotSpec robot, Shape shape) {
+        return new RobotSpec(
+                robot.name(),
+                robot.pose(),
+                shape,
+                robot.colour(),
+                1,
+                1,
+                robot.massKg(),
+                Pose.ORIGIN,
+                Pose.ORIGIN,
+                null,
+                null,
+                List.of(),
+                true,
+                true,
+                Specs.at(7));
     }
 
     @Test

@@ -3,6 +3,7 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.sim.device.Outline;
+import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import java.util.ArrayList;
@@ -71,6 +72,41 @@ class RoomTest {
             }
         }
         assertThat(refused).isBetween(200, 1_800);
+    }
+
+    @Test
+    void refusal_namesTheFirstObstacleInTheWay_asAComparisonWithAllOfThemDoes() {
+        long seed = 11;
+        var random = new SplittableRandom(seed);
+        List<ObstacleSpec> obstacles = new ArrayList<>();
+        for (int i = 0; i < 200; i++) { // some are in a few cells, some in many
+            double length = random.nextInt(10) == 0 ? random.nextDouble(5, 20) : random.nextDouble(0.1, 2);
+            var at = new Pose(random.nextDouble(-30, 30), random.nextDouble(-30, 30), random.nextDouble(6));
+            obstacles.add(Specs.box("o" + i, at, length, 0.1, Specs.BLACK));
+        }
+        var start = new Pose(100, 0, 0);
+        var robot = Specs.robot("r", start);
+        Room.Occupancy occupancy = new Room(Specs.world(List.of(robot), obstacles)).occupancy(each -> start);
+        int refused = 0;
+        for (int i = 0; i < 1_000; i++) {
+            Pose to = new Pose(random.nextDouble(-31, 31), random.nextDouble(-31, 31), random.nextDouble(6));
+            var outline = new Outline(robot.collisionShape(), to);
+            String expected = obstacles.stream()
+                    .filter(each -> new Outline(each.shape(), each.pose()).overlaps(outline))
+                    .map(ObstacleSpec::name)
+                    .findFirst()
+                    .orElse(null);
+            String answer = occupancy.refusal(0, to);
+            if (expected == null) {
+                assertThat(answer).as("seed %d, question %d", seed, i).isNull();
+            } else {
+                refused++;
+                assertThat(answer)
+                        .as("seed %d, question %d", seed, i)
+                        .endsWith("it would overlap obstacle '" + expected + "'");
+            }
+        }
+        assertThat(refused).isBetween(30, 970);
     }
 
     private static @Nullable String firstInTheWay(List<Pose> poses, int robot, Pose to) {

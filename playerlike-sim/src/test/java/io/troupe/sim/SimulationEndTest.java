@@ -192,6 +192,33 @@ class SimulationEndTest {
     }
 
     @Test
+    void stepOfAPausedWorld_hasAnAnswerLimit_whichStopsAgainAfterIt() {
+        var wall = new ManualClock();
+        simulation.wallClock(wall);
+        simulation.answerLimit(Duration.ofSeconds(10));
+        var client = new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.SONAR, 0);
+        simulation.pause();
+        wall.advance(Duration.ofHours(1));
+        simulation.step();
+        simulation.whileWaiting(() -> wall.advance(Duration.ofSeconds(1)));
+        assertThatThrownBy(simulation::tick).isInstanceOf(UnansweredTickException.class);
+        assertThat(simulation.isPaused()).isTrue();
+
+        simulation.step();
+        simulation.whileWaiting(
+                () -> { // paused anew in the middle of the stepped tick
+                    wall.advance(Duration.ofSeconds(4));
+                    simulation.resume();
+                    simulation.pause();
+                    wall.advance(Duration.ofHours(1));
+                    simulation.resume();
+                    wall.advance(Duration.ofSeconds(5));
+                    simulation.whileWaiting(() -> client.line.answered(0));
+                });
+        assertThat(simulation.tick().tick()).isEqualTo(1);
+    }
+
+    @Test
     void pause_endsWithTheClientThatAskedForIt_andNotWithAnother() {
         var client = new WireClient(PORT, WireClient.ANSWER).subscribe(Interfaces.SONAR, 0);
         var pausing = new WireClient(PORT, WireClient.ANSWER);

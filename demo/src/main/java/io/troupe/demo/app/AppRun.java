@@ -41,8 +41,8 @@ import org.jspecify.annotations.Nullable;
  */
 final class AppRun {
     /**
-     * A robot whose driver has gone without a last word, such as a process that was killed, is stopped by the server only if nobody else has it open. Here it stops after half a second, as
-     * one does that is driven over the bus.
+     * A robot stops half a second after its last command, whoever sent that. Our components ask the server for a limit of their own, for each command, which may be shorter; this one is
+     * for programs that ask for none, such as another's process that is killed while the robot is open elsewhere too.
      */
     static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
 

@@ -60,13 +60,13 @@ final class Outbox {
     private boolean corked;
     private int dataWaiting;
     private long newestTick = PlayerConnection.NO_TICK;
-    private long sentTick = PlayerConnection.NO_TICK;
+    private long endedTick = PlayerConnection.NO_TICK; // whose frame the client has seen the end of
     private double timeSeconds;
 
     // ---- what the devices say
 
     /**
-     * Puts a frame's messages in, without waiting. A client in pull mode that has asked for data gets the end of a frame even if its rules leave nothing of it: like
+     * Puts a frame's messages in, without waiting. A client in pull mode that asks for data gets the end of a frame even if its rules leave nothing of it: like
      * every other frame, it is answered by asking again.
      *
      * @param messages of devices at the addresses that the client knows
@@ -115,7 +115,7 @@ final class Outbox {
         }
         if (mode == Delivery.PULL && asked) {
             endFrame();
-        } else if (mode == Delivery.PUSH || held.isEmpty()) {
+        } else if (mode == Delivery.PUSH) {
             release();
         }
     }
@@ -159,12 +159,15 @@ final class Outbox {
             held.clear();
             wake(news);
         }
-        sentTick = newestTick;
+        if (mode == Delivery.PUSH) {
+            endedTick = newestTick; // each message is a frame
+        }
     }
 
     private void endFrame() {
         release();
         asked = false;
+        endedTick = newestTick;
         Content end = PlayerMessages.synch(dropped.getAndSet(0));
         var nobody = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
         put(Message.of(nobody, MessageType.SYNCH, end.subtype(), 0, end.payload()));
@@ -186,18 +189,21 @@ final class Outbox {
         });
     }
 
-    /** A request for data: returns the tick that the client answers by it, the newest of which it has seen all. */
+    /**
+     * A request for data: returns the tick that the client answers by it, the newest whose frame has ended. Data that went out before a reply are no frame yet: their end
+     * comes now, and asking once more answers them.
+     */
     long ask(Message reply) {
         return under(() -> {
-            long seen = sentTick;
+            long answered = endedTick;
             put(reply);
             if (mode == Delivery.PULL) {
                 asked = true;
-                if (!held.isEmpty()) {
+                if (newestTick > endedTick) {
                     endFrame();
                 }
             }
-            return seen;
+            return answered;
         });
     }
 

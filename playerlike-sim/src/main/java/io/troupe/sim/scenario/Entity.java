@@ -1,7 +1,5 @@
 package io.troupe.sim.scenario;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -12,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * <p>The typed readers may be used once {@link VocabularyCheck} has passed the tree: they rely on values of the right
  * kind.
  *
- * @param properties by {@link Property#key()}; overridden ones stand where they were given last
+ * @param properties by {@link Property#key()}, never changed; overridden ones stand where they were given last
  * @param weight how many entities there are from here down
  * @param values how many numbers and texts their properties hold
  * @param depth how many of them stand in one another
@@ -26,7 +24,6 @@ record Entity(
         long values,
         int depth) {
     Entity {
-        properties = Collections.unmodifiableMap(new LinkedHashMap<>(properties));
         children = List.copyOf(children);
     }
 

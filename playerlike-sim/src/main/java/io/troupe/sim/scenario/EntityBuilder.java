@@ -1,9 +1,15 @@
 package io.troupe.sim.scenario;
 
+import java.util.AbstractMap;
+import java.util.AbstractSet;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Collects what stands between an entity's parentheses, on top of the macro it is an instance of. */
@@ -19,7 +25,7 @@ final class EntityBuilder {
 
     private final String type;
     private final SourcePosition where;
-    private final Map<String, Property> inherited = new LinkedHashMap<>();
+    private final Map<String, Property> inherited; // shared with the macro and its other instances
     private final Map<String, Property> own = new LinkedHashMap<>();
     private final List<Entity> children = new ArrayList<>();
     private long weight = 1;
@@ -29,14 +35,13 @@ final class EntityBuilder {
     EntityBuilder(String word, @Nullable Entity macro, SourcePosition where) {
         this.type = macro == null ? word : macro.type();
         this.where = where;
+        this.inherited = macro == null ? Map.of() : macro.properties();
         if (macro != null) {
-            inherited.putAll(macro.properties());
             macro.children().forEach(this::add);
         }
     }
 
     void add(Property property) {
-        inherited.remove(property.key());
         Property earlier = own.putIfAbsent(property.key(), property);
         // the same place twice: a file included along two ways
         if (earlier != null && !earlier.where().equals(property.where())) {
@@ -65,10 +70,63 @@ final class EntityBuilder {
     }
 
     Entity build() {
-        var properties = new LinkedHashMap<>(inherited);
-        properties.putAll(own);
+        return entity(inherited.isEmpty() ? Collections.unmodifiableMap(own) : new Layers(inherited, own));
+    }
+
+    /** The same with a table of its own, so that the instances of a macro of a macro look into two tables and not into many. */
+    Entity buildMacro() {
+        var all = new LinkedHashMap<>(inherited);
+        all.keySet().removeAll(own.keySet());
+        all.putAll(own);
+        return entity(Collections.unmodifiableMap(all));
+    }
+
+    private Entity entity(Map<String, Property> properties) {
         long values =
                 properties.values().stream().mapToLong(Property::valueCount).sum() + childValues;
         return new Entity(type, where, properties, children, weight, values, depth);
+    }
+
+    /** The properties of an instance: those of its macro that it does not override, then its own. */
+    private static final class Layers extends AbstractMap<String, Property> {
+        private final Map<String, Property> inherited;
+        private final Map<String, Property> own;
+
+        Layers(Map<String, Property> inherited, Map<String, Property> own) {
+            this.inherited = inherited;
+            this.own = own;
+        }
+
+        @Override
+        public @Nullable Property get(Object key) {
+            Property property = own.get(key);
+            return property != null ? property : inherited.get(key);
+        }
+
+        @Override
+        public boolean containsKey(Object key) {
+            return own.containsKey(key) || inherited.containsKey(key);
+        }
+
+        @Override
+        public Set<Entry<String, Property>> entrySet() {
+            return new AbstractSet<>() {
+                @Override
+                public Iterator<Entry<String, Property>> iterator() {
+                    return Stream.concat(
+                                    inherited.entrySet().stream().filter(each -> !own.containsKey(each.getKey())),
+                                    own.entrySet().stream())
+                            .iterator();
+                }
+
+                @Override
+                public int size() {
+                    return own.size()
+                            + (int) inherited.keySet().stream()
+                                    .filter(key -> !own.containsKey(key))
+                                    .count();
+                }
+            };
+        }
     }
 }

@@ -21,7 +21,7 @@ final class EntityParser {
     private static final int MOST_FILES = 1000;
     private static final int HIGHEST_INDEX = 1_000_000;
 
-    /** Each instance of a macro has a table of its own of what it takes from it; real worlds stay far below. */
+    /** Each macro has a table of its own of what it takes from another; real worlds stay far below. Instances share the table of their macro. */
     private static final long MOST_INHERITED = 1_000_000;
 
     /** All macros are checked, used or not, with those that stand in them. */
@@ -120,7 +120,15 @@ final class EntityParser {
             throw new WorldFileException(
                     name.where(), "macro \"" + name.text() + "\" is already defined at " + earlier);
         }
-        Entity macro = entity(base, cursor, 1);
+        Entity old = macros.get(base.text());
+        inherited += old == null ? 0 : old.properties().size();
+        if (inherited > MOST_INHERITED) {
+            throw new WorldFileException(
+                    name.where(),
+                    "the macros up to this one have taken over more than " + MOST_INHERITED
+                            + " properties of other macros");
+        }
+        Entity macro = builder(base, cursor, 1).buildMacro();
         macroEntities += macro.weight();
         macroValues += macro.values();
         if (macroEntities > MOST_MACRO_ENTITIES || macroValues > EntityBuilder.MOST_VALUES) {
@@ -132,35 +140,20 @@ final class EntityParser {
         macros.put(name.text(), macro);
     }
 
-    /** The macro of that name, or null if it is none. */
-    private @Nullable Entity macro(Token word) {
-        Entity macro = macros.get(word.text());
-        if (macro != null) {
-            inherited += macro.properties().size() + macro.children().size();
-            if (inherited > MOST_INHERITED) {
-                throw new WorldFileException(
-                        word.where(),
-                        "instances of macros have taken over more than " + MOST_INHERITED
-                                + " properties and entities by here");
-            }
-        }
-        return macro;
-    }
-
     private void statement(Token word, TokenCursor cursor, EntityBuilder into, int depth) {
         if (cursor.at(Kind.OPEN)) {
-            into.add(entity(word, cursor, depth + 1));
+            into.add(builder(word, cursor, depth + 1).build());
         } else {
             into.add(property(word, cursor));
         }
     }
 
-    private Entity entity(Token word, TokenCursor cursor, int depth) {
+    private EntityBuilder builder(Token word, TokenCursor cursor, int depth) {
         if (depth > DEEPEST_NESTING) {
             throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
         }
         Token opening = cursor.next();
-        var entity = new EntityBuilder(word.text(), macro(word), word.where());
+        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where());
         while (!cursor.at(Kind.CLOSE)) {
             if (cursor.at(Kind.END)) {
                 throw new WorldFileException(
@@ -175,7 +168,7 @@ final class EntityParser {
             statement(inner, cursor, entity, depth);
         }
         cursor.next();
-        return entity.build();
+        return entity;
     }
 
     private Property property(Token name, TokenCursor cursor) {

@@ -1,12 +1,19 @@
 package io.troupe.sim.scenario;
 
 import java.util.Collection;
+import java.util.Collections;
+import java.util.IdentityHashMap;
+import java.util.Set;
 import java.util.TreeSet;
 
 /** Holds a tree against the {@link Vocabulary}: unknown names, wrong kinds of value, entities in the wrong place. */
 final class VocabularyCheck {
     private final Document document;
     private final Findings findings;
+    /** An entity's own properties, and once for all instances those that they share with their macro. */
+    private final Set<Property> checkedInMacros = Collections.newSetFromMap(new IdentityHashMap<>());
+
+    private final Set<Property> checkedInUse = Collections.newSetFromMap(new IdentityHashMap<>());
 
     private VocabularyCheck(Document document, Findings findings) {
         this.document = document;
@@ -43,6 +50,9 @@ final class VocabularyCheck {
     }
 
     private void property(Property property, Entity entity, Vocabulary.Type type, boolean used) {
+        if (!(used ? checkedInUse : checkedInMacros).add(property)) {
+            return;
+        }
         PropertyRule rule = type.properties().get(property.name());
         if (rule == null) {
             findings.leaveOut(

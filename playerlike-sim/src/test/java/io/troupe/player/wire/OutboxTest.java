@@ -112,8 +112,31 @@ class OutboxTest {
         outbox.reply(reply(1));
         frame(1, position(1));
         assertThat(sent()).containsExactly("position 0", "ACK 1");
-        assertThat(outbox.ask(reply(4))).isZero();
+        assertThat(outbox.ask(reply(4))).as("answered, as no frame has ended").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).containsExactly("ACK 4", "position 1", "SYNCH 1 0");
+        assertThat(outbox.ask(reply(4))).isEqualTo(1);
+    }
+
+    @Test
+    void pull_dataSentBeforeAReply_areAnsweredOnlyWhenTheirFrameHasEnded() {
+        pull();
+        frame(0, position(0));
+        outbox.reply(reply(1)); // to a request that the client sent when it did not know of the tick
+        assertThat(sent()).containsExactly("position 0", "ACK 1");
+        assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(sent()).as("the end of what was sent").containsExactly("ACK 4", "SYNCH 1 0");
+        assertThat(outbox.ask(reply(4))).as("answered").isZero();
+        assertThat(sent()).containsExactly("ACK 4");
+    }
+
+    @Test
+    void push_thenPull_nothingIsLeftToEnd() {
+        outbox.subscribed(POSITION, reply(3));
+        frame(0, position(0));
+        outbox.mode(Delivery.PULL);
+        sent();
+        assertThat(outbox.ask(reply(4))).as("answered").isZero();
+        assertThat(sent()).containsExactly("ACK 4");
     }
 
     @Test
@@ -170,15 +193,17 @@ class OutboxTest {
     }
 
     @Test
-    void pull_frameOfWhichNothingIsLeft_endsAllTheSame_ifTheClientHasAsked() {
+    void pull_frameOfWhichNothingIsLeft_endsAllTheSame_whetherAskedBeforeOrAfter() {
         pull();
         outbox.add(new ReplaceRule(-1, -1, -1, -1, ReplaceRule.IGNORE));
         frame(0, position(0));
-        assertThat(outbox.ask(reply(4))).as("it waits for what follows tick 0").isZero();
+        assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
+        assertThat(outbox.ask(reply(4))).isZero();
         frame(1, position(1));
         frame(2, position(2));
         assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).isEqualTo(2);
+        assertThat(outbox.ask(reply(4))).isEqualTo(1);
     }
 
     @Test

@@ -177,13 +177,32 @@ class EntityParserTest {
     void macros_withManyProperties_areRefused_whereTheirUsesBecomeTooMany() {
         String macro = "define m model (" + properties(10_000) + " )\n";
 
-        assertThat(worlds.problem(macro + "m()\n".repeat(200)))
-                .isEqualTo(
-                        "t.world:102:1: instances of macros have taken over more than 1000000 properties and entities"
-                                + " by here");
+        assertThat(worlds.problem(macro + "m()\n".repeat(600)))
+                .isEqualTo("t.world:502:1: more than 5000000 values in one file; those of a macro count in each use of"
+                        + " it");
         assertThat(worlds.problem(macro + derived("m", 200)))
-                .isEqualTo("t.world:102:14: instances of macros have taken over more than 1000000 properties and"
-                        + " entities by here");
+                .isEqualTo("t.world:102:8: the macros up to this one have taken over more than 1000000 properties of"
+                        + " other macros");
+    }
+
+    /** As many entities as are allowed, with as many properties as Stage's models have. */
+    @Test
+    void macroWithTwentyProperties_hasAsManyInstancesAsAFileMayHaveEntities() {
+        var text = new StringBuilder("define post model (" + properties(20) + " size [0.1 0.1 1] color \"red\" )\n");
+        for (int i = 0; i < 60_000; i++) {
+            text.append("post ( pose [").append(i).append(" 0 0 0] color \"blue\" )\n");
+        }
+
+        Document document = EntityParser.parseText("world", text.toString(), Path.of("t.world"));
+
+        assertThat(document.root().children()).hasSize(60_000);
+        Entity last = document.root().children().getLast();
+        assertThat(last.properties()).hasSize(23);
+        assertThat(last.properties().keySet()).endsWith("size", "pose", "color");
+        assertThat(last.text("color", "")).isEqualTo("blue");
+        assertThat(last.numbers("size")).containsExactly(0.1, 0.1, 1);
+        assertThat(last.has("color")).isTrue();
+        assertThat(last.has("name")).isFalse();
     }
 
     @Test
