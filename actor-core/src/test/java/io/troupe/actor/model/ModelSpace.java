@@ -168,9 +168,12 @@ final class ModelSpace {
     /** After a quota of callbacks one mail has its turn, unless a callback is left that came before it, and then everybody else. */
     private boolean drainQueues() {
         boolean worked = false;
-        for (int i = 0; i < QUOTA && !stopping && !(callbacks.isEmpty() && mails.isEmpty()); i++) {
-            worked = true;
+        for (int i = 0; i < QUOTA && !stopping; i++) {
             takeCallbacks();
+            if (callbacks.isEmpty() && mails.isEmpty()) {
+                break;
+            }
+            worked = true;
             int limit = Math.min(QUOTA, owed);
             owed = QUOTA;
             int served = 0;
