@@ -11,6 +11,8 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
@@ -77,27 +79,24 @@ final class Room {
 
     /** The lowest index of an obstacle in the way, or -1. */
     private int firstObstacle(Pose pose, Outline outline) {
-        int first = firstOverlapping(largeObstacles, outline, Integer.MAX_VALUE);
-        Cell at = cell(pose.x(), pose.y());
-        for (long column = at.column() - 1; column <= at.column() + 1; column++) {
-            for (long row = at.row() - 1; row <= at.row() + 1; row++) {
-                first = firstOverlapping(smallObstacles.getOrDefault(new Cell(column, row), List.of()), outline, first);
-            }
-        }
-        return first == Integer.MAX_VALUE ? -1 : first;
-    }
-
-    /** The first of them, which are in order, if it comes before another that is known. */
-    private int firstOverlapping(List<Integer> indices, Outline outline, int known) {
-        for (int index : indices) {
-            if (index >= known) {
-                break;
-            }
+        for (int index : obstaclesNear(pose)) {
             if (obstacles.get(index).outline().overlaps(outline)) {
                 return index;
             }
         }
-        return known;
+        return -1;
+    }
+
+    /** Those that a robot at this pose might touch, in order. */
+    Set<Integer> obstaclesNear(Pose pose) {
+        var near = new TreeSet<>(largeObstacles);
+        Cell at = cell(pose.x(), pose.y());
+        for (long column = at.column() - 1; column <= at.column() + 1; column++) {
+            for (long row = at.row() - 1; row <= at.row() + 1; row++) {
+                near.addAll(smallObstacles.getOrDefault(new Cell(column, row), List.of()));
+            }
+        }
+        return near;
     }
 
     private static double radiusM(RobotSpec robot) {

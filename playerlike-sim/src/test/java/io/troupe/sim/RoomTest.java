@@ -75,6 +75,18 @@ class RoomTest {
     }
 
     @Test
+    void questionAboutAPlace_looksAtTheObstaclesNearby_andAtTheLargeOnes() {
+        List<ObstacleSpec> obstacles = new ArrayList<>(rows(4_000).stream()
+                .map(pose -> Specs.box("o", pose, 0.2, 0.2, Specs.BLACK))
+                .toList());
+        obstacles.add(Specs.box("wall", new Pose(0, 60, 0), 200, 0.1, Specs.BLACK));
+        var room = new Room(Specs.world(List.of(Specs.robot("r", new Pose(100, 0, 0))), obstacles));
+        assertThat(room.obstaclesNear(new Pose(0, -40, 0)))
+                .contains(1_050, 4_000)
+                .hasSizeLessThan(30);
+    }
+
+    @Test
     void refusal_namesTheFirstObstacleInTheWay_asAComparisonWithAllOfThemDoes() {
         long seed = 11;
         var random = new SplittableRandom(seed);
