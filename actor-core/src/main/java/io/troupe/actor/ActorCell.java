@@ -17,6 +17,7 @@ public final class ActorCell {
     private static final long FIRST_PAUSE_NANOS = 10_000_000;
     private static final long LONGEST_PAUSE_NANOS = 10_000_000_000L;
     private static final int MOST_DOUBLINGS = 10;
+    private static final int FRAMES_FOR_QUEUEING = 48;
 
     private final ActorSpace space;
     private final Class<?> type;
@@ -96,6 +97,7 @@ public final class ActorCell {
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
+        checkStack(FRAMES_FOR_QUEUEING); // a place that was taken must not be lost where the stack ends
         // no switch: its table is a class, which a caller at the end of its stack could spoil for all
         var admission = bounded.admit(call, this);
         if (admission == BoundedMailbox.Admission.QUEUED) {
@@ -105,6 +107,11 @@ public final class ActorCell {
         } else if (admission == BoundedMailbox.Admission.INTERRUPTED) {
             drop(call, bounded.reason() + ", and its caller was interrupted while it waited for room");
         }
+    }
+
+    /** Throws a StackOverflowError where the caller's stack has not so many frames left. */
+    private static int checkStack(int frames) {
+        return frames == 0 ? 0 : 1 + checkStack(frames - 1);
     }
 
     private void queue(Node call, BoundedMailbox bounded) {

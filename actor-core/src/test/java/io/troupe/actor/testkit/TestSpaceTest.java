@@ -68,7 +68,8 @@ class TestSpaceTest {
             assertThat(test.error(limited))
                     .isInstanceOf(TimeoutException.class)
                     .hasMessage(
-                            "no answer to thread main within PT3S from Probe.never() of Probe#1, which has begun it");
+                            "no answer to thread " + Thread.currentThread().getName()
+                                    + " within PT3S from Probe.never() of Probe#1, which has begun it");
         }
     }
 
