@@ -67,9 +67,8 @@ class TestSpaceTest {
             test.advance(Duration.ofMillis(1));
             assertThat(test.error(limited))
                     .isInstanceOf(TimeoutException.class)
-                    .hasMessage(
-                            "no answer to thread " + Thread.currentThread().getName()
-                                    + " within PT3S from Probe.never() of Probe#1, which has begun it");
+                    .hasMessage("no answer to thread " + Thread.currentThread().getName()
+                            + " within PT3S from Probe.never() of Probe#1, which has begun it");
         }
     }
 
