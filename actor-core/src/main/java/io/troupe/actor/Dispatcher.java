@@ -13,9 +13,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and {@link #served}.
  *
- * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. Before each mail the inbox of
- * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
- * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
+ * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. The inbox of callbacks is
+ * looked at before each mail from the inbox, and before every {@value #MAILS_PER_LOOK} mails of the ring; what is there joins the ring of callbacks. So an
+ * answer of another space waits for a few mails at most, and no mail overtakes a callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
  * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
  * timers have their turn; a mail from the inbox only if no callback is left that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
@@ -26,6 +26,7 @@ final class Dispatcher {
     private static final int QUOTA = 256;
     private static final int RENEWAL = (1 << 10) - 1;
     private static final int STRIDE = 16;
+    private static final int MAILS_PER_LOOK = 4; // a power of two; a look before each mail costs 5 to 10 % of a hop
     private static final long LONG_STRIDE_NANOS = 1_000_000;
     private static final int SPINS = 1_000;
 
@@ -40,11 +41,11 @@ final class Dispatcher {
     private final Precedence precedence = new Precedence();
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
-    private final Progress progress = new Progress();
+    private final Progress direct = new Progress(); // of what was served and in no ring
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
-    private long owed = Long.MAX_VALUE; // so many callbacks come before the first mail, though their quota was used up
+    private int callbackQuota = QUOTA; // less if a mail waits for that many callbacks only
     private int stride = STRIDE;
     private long lastLookNanos;
 
@@ -68,6 +69,7 @@ final class Dispatcher {
     /** Serves nothing more after the present turn. */
     void halt() {
         quota = 0;
+        callbackQuota = 0;
     }
 
     /** Runs an action when the entry that is being served has returned. */
@@ -137,7 +139,7 @@ final class Dispatcher {
         return actions;
     }
 
-    /** Takes out an entry that will not be served any more. */
+    /** Takes out an entry that will not be served any more; those of the rings are counted as served. */
     @Nullable
     Node pollLeftover() {
         Node node = callbacks.poll();
@@ -152,7 +154,7 @@ final class Dispatcher {
 
     /** How many entries have been served; from any thread, a little behind. */
     long served() {
-        return progress.served();
+        return direct.served() + callbacks.taken() + mails.taken();
     }
 
     /** How many entries wait; between two turns. Takes time in the number of those from outside. */
@@ -178,9 +180,11 @@ final class Dispatcher {
         return inside > limit || inbox.isLongerThan(limit - inside);
     }
 
-    /** The one place where anything that is thrown ends: whatever an entry does, the thread goes on. */
+    /**
+     * The one place where anything that is thrown ends: whatever an entry does, the thread goes on. The entry has been counted before, by its ring or by
+     * {@link #direct}, so that one that never ends was seen to begin.
+     */
     void serve(Node node) {
-        progress.step(); // before, so that a message that never ends is one that was seen to begin
         try {
             SpaceHome.runNode(node);
         } catch (Throwable thrown) {
@@ -210,7 +214,7 @@ final class Dispatcher {
 
     /** A task that is no entry: a timer's, or one that waited for quiet. */
     void runTask(Runnable task) {
-        progress.step();
+        direct.step();
         space.runGuarded(task);
         if (turnLeavesWork) {
             endTurn();
@@ -241,6 +245,7 @@ final class Dispatcher {
                 if (behind) {
                     mails.add(last);
                 } else {
+                    direct.step();
                     serve(last);
                     if (--untilLook == 0) {
                         inbox.endBatch(last); // a timer's task may look at what waits
@@ -287,7 +292,7 @@ final class Dispatcher {
         boolean worked = false;
         int untilLook = stride;
         for (int count = 0; count < quota; count++) {
-            if (callbackInbox.isReady()) {
+            if (count % MAILS_PER_LOOK == 0 && callbackInbox.isReady()) {
                 takeCallbacks();
             }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
@@ -310,7 +315,7 @@ final class Dispatcher {
 
     /** The mail that has its turn though callbacks wait; null if there is none, or if one of them came before it. */
     private @Nullable Node mailAfterQuota() {
-        owed = Long.MAX_VALUE;
+        callbackQuota = quota;
         if (mails.isEmpty()) {
             drainInbox(); // for a mail that waits there
         }
@@ -319,7 +324,7 @@ final class Dispatcher {
         }
         long before = precedence.callbacksBefore(mails.taken()) - callbacks.taken();
         if (before > 0) {
-            owed = before;
+            callbackQuota = (int) Math.min(quota, before);
             return null;
         }
         return mails.poll();
@@ -327,10 +332,9 @@ final class Dispatcher {
 
     /** True if there may be more than were served. */
     private boolean drainCallbacks() {
-        for (int count = 0; count < quota && count < owed; count++) {
+        for (int count = 0; count < callbackQuota; count++) {
             Node callback = callbacks.poll();
             if (callback == null) {
-                owed = Long.MAX_VALUE;
                 return false;
             }
             serve(callback);

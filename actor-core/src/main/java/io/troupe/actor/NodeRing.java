@@ -1,12 +1,23 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Node;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** A first-in-first-out ring of nodes for one thread, that grows, and shrinks when it is renewed. */
 final class NodeRing {
     private static final int SMALL = 256;
+    private static final VarHandle HEAD;
+
+    static {
+        try {
+            HEAD = MethodHandles.lookup().findVarHandle(NodeRing.class, "head", long.class);
+        } catch (ReflectiveOperationException e) {
+            throw new ExceptionInInitializerError(e);
+        }
+    }
 
     private @Nullable Node[] entries = new Node[SMALL];
     private long head; // both count on and on; the lower bits are the place
@@ -41,7 +52,7 @@ final class NodeRing {
         int index = indexOf(place, places);
         Node node = places[index];
         places[index] = null;
-        head = place + 1;
+        HEAD.setOpaque(this, place + 1);
         return node;
     }
 
@@ -53,9 +64,9 @@ final class NodeRing {
         return (int) (tail - head);
     }
 
-    /** How many nodes have been taken since the ring was made. */
+    /** How many nodes have been taken since the ring was made; from any thread, a little behind. */
     long taken() {
-        return head;
+        return (long) HEAD.getOpaque(this);
     }
 
     /** How many nodes have been added since the ring was made. */

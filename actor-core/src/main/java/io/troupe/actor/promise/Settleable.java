@@ -164,6 +164,14 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     final boolean settleAtHome(Object outcome) {
+        if (isLocal() && state instanceof Stage<?, ?> only && only.next == null && !(outcome instanceof Rejection)) {
+            Home here = home();
+            if (here != null) {
+                STATE.setRelease(this, outcome);
+                only.dispatch(here); // what nearly always happens, by the shortest way
+                return true;
+            }
+        }
         Node listeners = isLocal() ? claimAtHome(outcome) : claimShared(outcome);
         if (listeners != null && listeners.next == null && listeners instanceof Stage<?, ?> only) {
             Home here = home();
@@ -237,7 +245,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (isSettled(now)) {
             return Claim.REFUSED;
         }
-        Node listeners = now instanceof Listeners many ? many.link() : (Node) now;
+        var listeners = (Node) now;
+        if (listeners instanceof Listeners many) {
+            listeners = many.link();
+        }
         STATE.setRelease(this, outcome);
         if (outcome instanceof Rejection rejection) {
             noteRejection(rejection, listeners);
