@@ -13,9 +13,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and {@link #served}.
  *
- * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. The inbox of callbacks is
- * looked at before each mail from the inbox, and before every {@value #MAILS_PER_LOOK} mails of the ring; what is there joins the ring of callbacks. So an
- * answer of another space waits for a few mails at most, and no mail overtakes a callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
+ * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. Before each mail the inbox of
+ * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
+ * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
  * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
  * timers have their turn; a mail from the inbox only if no callback is left that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
@@ -26,7 +26,6 @@ final class Dispatcher {
     private static final int QUOTA = 256;
     private static final int RENEWAL = (1 << 10) - 1;
     private static final int STRIDE = 16;
-    private static final int MAILS_PER_LOOK = 4; // a power of two; a look before each mail costs 5 to 10 % of a hop
     private static final long LONG_STRIDE_NANOS = 1_000_000;
     private static final int SPINS = 1_000;
 
@@ -292,7 +291,7 @@ final class Dispatcher {
         boolean worked = false;
         int untilLook = stride;
         for (int count = 0; count < quota; count++) {
-            if (count % MAILS_PER_LOOK == 0 && callbackInbox.isReady()) {
+            if (callbackInbox.isReady()) {
                 takeCallbacks();
             }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
@@ -302,7 +301,7 @@ final class Dispatcher {
                 if (--untilLook == 0) {
                     untilLook = lookAtTimers();
                 }
-            } else if (callbacks.isEmpty()) {
+            } else if (callbacks.isEmpty() && !callbackInbox.isReady()) { // a callback may have queued one there
                 return worked;
             }
             if (more) {
@@ -335,6 +334,7 @@ final class Dispatcher {
         for (int count = 0; count < callbackQuota; count++) {
             Node callback = callbacks.poll();
             if (callback == null) {
+                callbackQuota = quota;
                 return false;
             }
             serve(callback);

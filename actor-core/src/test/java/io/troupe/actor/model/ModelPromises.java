@@ -3,6 +3,8 @@ package io.troupe.actor.model;
 import io.troupe.actor.model.Act.Answer;
 import io.troupe.actor.model.Act.Kind;
 import io.troupe.actor.model.ModelActor.Instance;
+import io.troupe.actor.model.ModelTimers.Timer;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
@@ -14,6 +16,7 @@ final class ModelPromises {
     private final ModelRun run;
     private final Map<Integer, ModelPromise> promises = new TreeMap<>();
     private final Set<Integer> byHand = new HashSet<>();
+    private final Map<ModelPromise, Delay> delays = new HashMap<>();
 
     ModelPromises(ModelRun run) {
         this.run = run;
@@ -49,17 +52,60 @@ final class ModelPromises {
     void delay(Act act) {
         var promise = ModelPromise.shared(run.space, true);
         promises.put(act.id(), promise);
-        long deadline = run.space.timers.now + act.number();
-        Runnable ifClosed = () -> promise.settle("!CancellationException");
-        Runnable set =
-                () -> run.space.timers.set(deadline - run.space.timers.now, 0, () -> promise.settle("=null"), ifClosed);
+        var delay = new Delay(run.space.timers, promise, run.space.timers.now + act.number());
+        delays.put(promise, delay);
         if (!run.space.inside) {
-            run.space.enqueue(ModelTask.entry(set, ifClosed));
+            run.space.enqueue(ModelTask.entry(delay::begin, delay::drop));
         } else if (run.space.closed) {
-            ifClosed.run();
+            delay.drop();
         } else {
-            set.run();
+            delay.begin();
         }
+    }
+
+    private static final class Delay {
+        private final ModelTimers timers;
+        private final ModelPromise promise;
+        private final long deadline;
+        private @Nullable Timer timer;
+        private boolean withdrawn;
+
+        Delay(ModelTimers timers, ModelPromise promise, long deadline) {
+            this.timers = timers;
+            this.promise = promise;
+            this.deadline = deadline;
+        }
+
+        void begin() {
+            if (!withdrawn) {
+                timer = timers.set(deadline - timers.now, 0, () -> promise.settle("=null"), this::drop);
+            }
+        }
+
+        void drop() {
+            promise.settle("!CancellationException");
+        }
+
+        void withdraw() {
+            withdrawn = true;
+            if (timer != null) {
+                timer.cancel();
+            }
+        }
+    }
+
+    /** A delay that is cancelled leaves its timer; cancelled outside, when the space comes to it. */
+    private boolean cancel(ModelPromise promise) {
+        boolean done = promise.settle("!CancellationException");
+        Delay delay = delays.get(promise);
+        if (done && delay != null) {
+            if (run.space.inside) {
+                delay.withdraw();
+            } else {
+                run.space.enqueue(ModelTask.entry(delay::withdraw, () -> {}));
+            }
+        }
+        return done;
     }
 
     void answer(Act act, ModelPromise request, Instance actor) {
@@ -104,7 +150,7 @@ final class ModelPromises {
                     run.space.history.add(told + promise.settle(outcome));
                 }
             }
-            case CANCEL -> run.space.history.add(told + promise.settle("!CancellationException"));
+            case CANCEL -> run.space.history.add(told + cancel(promise));
             default -> {
                 var listener = new ModelListener(run, promise, act, self);
                 promise.register(listener);
