@@ -39,6 +39,9 @@ class HonestBuildsTest {
         var managed = file("pom.xml").split("<pluginManagement>")[1].split("</pluginManagement>")[0];
         assertThat(managed.split("<artifactId>" + plugin + "</artifactId>")[1].split("</plugin>")[0])
                 .contains("<addDefaultEntries>false</addDefaultEntries>");
+        assertThat(managed)
+                .as("from 3.4.0 on the jar plugin names that JDK in any case")
+                .contains("<artifactId>maven-jar-plugin</artifactId><version>3.3.0</version>");
     }
 
     @Test
