@@ -8,6 +8,9 @@ repositories {
 
 dependencies { implementation("io.troupe:actor-core:0.1.0-SNAPSHOT") }
 
+// -Pjdk=25 compiles and runs on an installed JDK 25, whatever JDK runs Gradle
+providers.gradleProperty("jdk").orNull?.let { jdk -> java.toolchain.languageVersion.set(JavaLanguageVersion.of(jdk)) }
+
 tasks.withType<JavaCompile>().configureEach { options.release.set(21) }
 
 application { mainClass.set("hello.Hello") }

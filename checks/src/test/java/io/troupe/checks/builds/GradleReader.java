@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 
 /**
@@ -22,6 +23,7 @@ import java.util.regex.Pattern;
 final class GradleReader {
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
     private static final Pattern INCLUDE = Pattern.compile("include\\(\\s*(\"[\\w-]+\"\\s*,?\\s*)+\\)");
+    private static final Pattern PUBLISHED = Pattern.compile("val published = setOf\\((\\s*\"[\\w-]+\"\\s*,?)+\\)");
     private static final Pattern DESCRIPTION = Pattern.compile("description = \"([^\"]*)\"");
     private static final Pattern ON_MODULE = Pattern.compile("(\\w+)\\(project\\(\":([\\w-]+)\"\\)\\)");
     private static final Pattern ON_LIBRARY = Pattern.compile("(\\w+)\\(libs\\.([\\w.]+)\\)");
@@ -42,6 +44,7 @@ final class GradleReader {
     private final Properties properties = new Properties();
     private final VersionCatalog catalog;
     private final List<Dependency> forAll = new ArrayList<>();
+    private final Set<String> published = new TreeSet<>();
     private String release = "";
 
     private GradleReader(String properties, String catalog) throws IOException {
@@ -71,7 +74,7 @@ final class GradleReader {
         Map<String, Module> modules = new LinkedHashMap<>();
         for (String name : modules(Files.readString(root.resolve("settings.gradle.kts")))) {
             var file = name + "/build.gradle.kts";
-            modules.put(name, readModule(file, Files.readString(root.resolve(file))));
+            modules.put(name, readModule(file, published.contains(name), Files.readString(root.resolve(file))));
         }
         return new Build("Gradle", property("group"), property("version"), modules);
     }
@@ -99,6 +102,8 @@ final class GradleReader {
         for (var statement : KotlinScript.statements(file, script)) {
             if (statement.head().equals("subprojects")) {
                 statement.inner(file).forEach(inner -> readShared(file, inner));
+            } else if (PUBLISHED.matcher(statement.head()).matches()) {
+                QUOTED.matcher(statement.head()).results().forEach(name -> published.add(name.group(1)));
             } else if (statement.head().startsWith("val ") || statement.head().startsWith("if (")) {
                 requireNothingTelling(file, statement);
             } else {
@@ -133,7 +138,7 @@ final class GradleReader {
         }
     }
 
-    private Module readModule(String file, String script) {
+    private Module readModule(String file, boolean isPublished, String script) {
         var description = "";
         var automaticName = "";
         List<Dependency> dependencies = new ArrayList<>(forAll);
@@ -143,13 +148,13 @@ final class GradleReader {
             if (described.matches()) {
                 description = described.group(1);
             } else if (statement.head().equals("dependencies")) {
-                statement.inner(file).forEach(inner -> dependencies.add(dependency(file, inner)));
+                statement.inner(file).forEach(inner -> dependencies.add(dependency(file, isPublished, inner)));
             } else if (statement.head().equals("tasks.jar") && named.matches()) {
                 automaticName = named.group(1);
             } else if (statement.head().equals("plugins")
                     && !statement.body().strip().equals("application")) {
                 throw notUnderstood(file, statement);
-            } else if (statement.block() && statement.head().matches("plugins|application|tasks\\b.*")) {
+            } else if (statement.block() && statement.head().matches("plugins|application|distributions\\.main|tasks\\b.*")) {
                 requireNothingTelling(file, statement);
             } else {
                 throw notUnderstood(file, statement);
@@ -158,15 +163,16 @@ final class GradleReader {
         return new Module(description, release, automaticName, dependencies);
     }
 
-    private Dependency dependency(String file, Statement statement) {
+    /** With the scope that the POM which Gradle publishes gives it, if the module is published. */
+    private Dependency dependency(String file, boolean isPublished, Statement statement) {
         var onModule = ON_MODULE.matcher(statement.head());
         if (!statement.block() && onModule.matches()) {
             var coordinates = property("group") + ":" + onModule.group(2);
-            return new Dependency(scope(onModule.group(1)), coordinates, property("version"));
+            return new Dependency(scope(isPublished, onModule.group(1)), coordinates, property("version"));
         }
         var onLibrary = ON_LIBRARY.matcher(statement.head());
         if (onLibrary.matches()) {
-            return catalog.library(scope(onLibrary.group(1)), onLibrary.group(2))
+            return catalog.library(scope(isPublished, onLibrary.group(1)), onLibrary.group(2))
                     .excluding(excluded(file, statement));
         }
         throw notUnderstood(file, statement);
@@ -191,6 +197,10 @@ final class GradleReader {
         if (!library.coordinates().equals("org.junit.platform:junit-platform-launcher")) {
             dependencies.add(library);
         }
+    }
+
+    private static Scope scope(boolean isPublished, String configuration) {
+        return isPublished && configuration.equals("implementation") ? Scope.RUNTIME : scope(configuration);
     }
 
     private static Scope scope(String configuration) {

@@ -77,6 +77,15 @@ class GradleReaderTest {
     }
 
     @Test
+    void implementation_ofAPublishedModule_isRuntimeForItsUsers() throws IOException {
+        write("build.gradle.kts", ROOT_SCRIPT.replace("val a =", "val published ="));
+        assertThat(GradleReader.read(root).modules().get("core").dependencies())
+                .contains(
+                        new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9"),
+                        new Dependency(Scope.RUNTIME, "g:core", "1"));
+    }
+
+    @Test
     void exclusions_areRead() throws IOException {
         write("core/build.gradle.kts", """
                 dependencies {

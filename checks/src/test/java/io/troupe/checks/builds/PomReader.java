@@ -112,7 +112,8 @@ final class PomReader {
         var excluded = all(dependency, "exclusions", "exclusion").stream()
                 .map(each -> text(each, "groupId") + ":" + text(each, "artifactId"))
                 .toList();
-        return new Dependency(scope(text(dependency, "scope")), group + ":" + artifact, version).excluding(excluded);
+        var scope = scope(interpolate(text(dependency, "scope"), properties));
+        return new Dependency(scope, group + ":" + artifact, version).excluding(excluded);
     }
 
     private static Scope scope(String text) {

@@ -50,6 +50,16 @@ class PomReaderTest {
         assertThat(module.dependencies().getLast()).hasToString("compile a:b:2 without [c:d]");
     }
 
+    /** As users of the module meet it: a property has its value from outside of the profiles. */
+    @Test
+    void scope_thatIsAProperty_isRead() {
+        var module = read("<properties><inner>runtime</inner></properties>"
+                + "<profiles><profile><properties><inner>compile</inner></properties></profile></profiles>"
+                + "<dependencies><dependency><groupId>a</groupId><artifactId>b</artifactId><version>2</version>"
+                + "<scope>${inner}</scope></dependency></dependencies>");
+        assertThat(module.dependencies().getLast()).hasToString("runtime a:b:2");
+    }
+
     @Test
     void module_withItsOwnReleaseLevel_hasIt() {
         var module = read("<properties><maven.compiler.release>17</maven.compiler.release></properties>");

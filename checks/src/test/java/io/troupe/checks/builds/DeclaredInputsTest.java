@@ -1,0 +1,91 @@
+package io.troupe.checks.builds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.checks.Repository;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * What a test reads outside its class path is declared as an input of Gradle's test task: with the build cache on, a test
+ * whose undeclared file was broken would not run, and be reported as passed.
+ */
+class DeclaredInputsTest {
+    private static final Pattern PATH = Pattern.compile("\\bPath\\.of\\(\\s*(\"[^\"]*\"(?:\\s*,\\s*\"[^\"]*\")*)");
+    private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void filesThatTestsRead_areInputsOfTheirTasks() throws IOException {
+        List<String> undeclared = new ArrayList<>();
+        for (Path module : Repository.modules()) {
+            if (!module.endsWith("checks")) { // its test task is never up to date
+                undeclared.addAll(undeclared(module));
+            }
+        }
+        assertThat(undeclared).as("files that tests read and Gradle does not know of").isEmpty();
+    }
+
+    @Test
+    void fileOutsideTheDeclaredFolders_isNamed() throws IOException {
+        var module = Files.createDirectories(folder.resolve("m"));
+        Files.createDirectories(module.resolve("src/test/java"));
+        Files.createDirectories(module.resolve("worlds/deep"));
+        Files.createDirectories(module.resolve("tables"));
+        Files.writeString(
+                module.resolve("src/test/java/ATest.java"),
+                "Path.of(\"tables\", name); Path.of(\n\"worlds\", \"deep\"); Path.of(\"none\"); Path.of(\".\")");
+        Files.writeString(module.resolve("build.gradle.kts"), "tasks.test { inputs.files(\"worlds\") }");
+        assertThat(undeclared(module)).containsExactly("m: ATest.java reads tables");
+        Files.writeString(module.resolve("build.gradle.kts"), "tasks.test {\n inputs.files(\"tables\")\n}");
+        assertThat(undeclared(module)).containsExactly("m: ATest.java reads worlds/deep");
+    }
+
+    /** Paths in the test sources that exist, seen from the module, where its tests run, and no input of its script. */
+    private static List<String> undeclared(Path module) throws IOException {
+        List<Path> inputs = inputs(module);
+        List<String> undeclared = new ArrayList<>();
+        for (Path source : sources(module.resolve("src/test/java"))) {
+            for (MatchResult match : PATH.matcher(Files.readString(source)).results().toList()) {
+                var path = module.resolve(String.join("/", quoted(match.group(1)))).normalize();
+                boolean isRead = Files.exists(path) && path.startsWith(module.getParent()) && !path.equals(module);
+                if (isRead && inputs.stream().noneMatch(path::startsWith)) {
+                    undeclared.add(module.getFileName() + ": " + source.getFileName() + " reads "
+                            + module.relativize(path).toString().replace('\\', '/'));
+                }
+            }
+        }
+        return undeclared;
+    }
+
+    private static List<Path> inputs(Path module) throws IOException {
+        return Files.readString(module.resolve("build.gradle.kts"))
+                .lines()
+                .filter(line -> line.contains("inputs."))
+                .flatMap(line -> quoted(line).stream())
+                .map(name -> module.resolve(name).normalize())
+                .toList();
+    }
+
+    private static List<String> quoted(String text) {
+        return QUOTED.matcher(text).results().map(match -> match.group(1)).toList();
+    }
+
+    private static List<Path> sources(Path folder) throws IOException {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
+        try (var files = Files.walk(folder)) {
+            return files.filter(file -> file.toString().endsWith(".java")).toList();
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package io.troupe.checks.builds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.checks.Repository;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Lines of the build files that hold a promise to users, and whose loss no other test would notice. */
+class HonestBuildsTest {
+    private static String file(String path) throws IOException {
+        return Files.readString(Repository.root().resolve(path));
+    }
+
+    /** jcstress itself exits with 0 when no law ran, or each ended in an error; LawsMain counts. */
+    @ParameterizedTest
+    @ValueSource(strings = {"stress/pom.xml", "stress/build.gradle.kts"})
+    void laws_areRunByTheMainThatCountsThem(String script) throws IOException {
+        assertThat(file(script)).contains("io.troupe.actor.laws.LawsMain").doesNotContain("org.openjdk.jcstress.Main");
+    }
+
+    @Test
+    void javaExecTasks_runOnTheRequestedJdk() throws IOException {
+        for (String script : List.of("build.gradle.kts", "docs/examples/consumer/build.gradle.kts")) {
+            assertThat(file(script)).contains("providers.gradleProperty(\"jdk\")");
+        }
+        assertThat(file("build.gradle.kts"))
+                .contains("tasks.withType<JavaExec>().configureEach { javaLauncher.convention(launcher) }");
+    }
+
+    /** What Maven would write by itself names the JDK that runs Maven, so that the same sources make other jars. */
+    @ParameterizedTest
+    @ValueSource(strings = {"maven-jar-plugin", "maven-source-plugin", "maven-javadoc-plugin"})
+    void manifests_haveNoEntryOfTheJdkThatRunsMaven(String plugin) throws IOException {
+        var managed = file("pom.xml").split("<pluginManagement>")[1].split("</pluginManagement>")[0];
+        assertThat(managed.split("<artifactId>" + plugin + "</artifactId>")[1].split("</plugin>")[0])
+                .contains("<addDefaultEntries>false</addDefaultEntries>");
+        assertThat(managed)
+                .as("from 3.4.0 on the jar plugin names that JDK in any case")
+                .contains("<artifactId>maven-jar-plugin</artifactId><version>3.3.0</version>");
+    }
+
+    @Test
+    void everyJar_holdsTheLicence() throws IOException {
+        assertThat(file("build.gradle.kts"))
+                .contains("tasks.withType<Jar>().configureEach { metaInf { from(licence) } }");
+        assertThat(file("pom.xml").split("<include>LICENSE</include>", -1))
+                .as("classes and sources by one resource, Javadoc by another")
+                .hasSize(3);
+    }
+
+    @Test
+    void wrapperJar_isComparedWithGradlesOwnInCi() throws IOException {
+        var workflow = file(".github/workflows/build.yml");
+        assertThat(workflow.indexOf("gradle/actions/wrapper-validation@"))
+                .as("before ./gradlew runs")
+                .isPositive()
+                .isLessThan(workflow.indexOf("./gradlew"));
+    }
+}
