@@ -29,8 +29,10 @@ final class CrowdSummary {
         for (Service service : table.services()) {
             summary.row(RunResult.loopsTitle(service), 0, robot -> robot.loops().getOrDefault(service.name(), 0L));
         }
-        summary.row("ticks without exactly one service", 0, RobotRecord::chargeFaults);
-        summary.row("ticks without a cycle", 0, RobotRecord::ticksWithoutCycle);
+        summary.row(RunResult.SERVICES_TITLE, 0, RobotRecord::chargeFaults);
+        summary.row(RunResult.NO_CYCLE_TITLE, 0, RobotRecord::ticksWithoutCycle);
+        summary.extremes(
+                RunResult.STAY_TITLE + ", s", 1, "", robot -> robot.longestStay().micros() / 1e6);
         return summary.text.toString();
     }
 

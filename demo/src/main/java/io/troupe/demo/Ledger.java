@@ -9,7 +9,6 @@ import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.scenario.WorldSpec;
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -91,14 +90,14 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     // ---- from the world
 
     /** The world before the first tick. */
-    void start(Snapshot snapshot) throws IOException {
+    void start(Snapshot snapshot) {
         last = snapshot;
         logStates();
         logPoses(snapshot);
     }
 
     /** The world after a tick; what the services did at the tick comes before what it led to. */
-    void record(Snapshot snapshot) throws IOException {
+    void record(Snapshot snapshot) {
         logStates();
         logCharge();
         robots.forEach(RobotRecord::tickEnds);
@@ -109,13 +108,20 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         logPoses(snapshot);
     }
 
-    RunResult finish() throws IOException {
+    /** @param cutShort whether the run ends before it was meant to */
+    RunResult finish(boolean cutShort) {
         var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots, messages);
-        log.write(result.toJson());
+        Json summary = result.toJson();
+        log.write(cutShort ? summary.put("cutShort", "interrupted") : summary);
         return result;
     }
 
-    private void logStates() throws IOException {
+    /** Says in the log that the run has ended by an error. */
+    void fail() {
+        log.write(Json.line(last == null ? 0 : last.timeMicros(), "cutShort").put("cutShort", "failed"));
+    }
+
+    private void logStates() {
         for (; statesLogged < states.size(); statesLogged++) {
             StateChange change = states.get(statesLogged);
             var line = Json.line(change.timeMicros(), "state")
@@ -130,7 +136,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     }
 
     /** The handshake's promise: between two readings every robot has exactly one service. */
-    private void logCharge() throws IOException {
+    private void logCharge() {
         for (RobotRecord robot : robots) {
             if (robot.servicesInCharge().size() != 1) {
                 robot.countChargeFault();
@@ -141,7 +147,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         }
     }
 
-    private void logContact(Contact contact) throws IOException {
+    private void logContact(Contact contact) {
         RobotRecord robot = robots.get(contact.robot());
         robot.touched(contact);
         var line = Json.line(contact.timeMicros(), "contact")
@@ -156,7 +162,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         log.write(line);
     }
 
-    private void logPoses(Snapshot snapshot) throws IOException {
+    private void logPoses(Snapshot snapshot) {
         for (int index = 0; index < robots.size(); index++) {
             RobotReading reading = snapshot.robots().get(index);
             RobotRecord robot = robots.get(index);
@@ -199,15 +205,26 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     /** A state that began. */
     record StateChange(
             long timeMicros, State state, @Nullable Integer seenBy) {
+        private static final int LEAST_CAUSE_WIDTH = 18;
+
         /** For people, by the table's names of colours. */
         String describe(SubsumptionTable table) {
             return String.format(
                     Locale.ROOT,
-                    "%7.1f s  %-18s state %d: %s",
+                    "%7.1f s  %-" + causeWidth(table) + "s state %d: %s",
                     timeMicros / 1e6,
                     cause(table),
                     state.number(),
                     state.services().size() < MANY_ROBOTS ? assignment() : headcount());
+        }
+
+        /** So that what follows stands in one column, whatever the colours are called. */
+        private static int causeWidth(SubsumptionTable table) {
+            int longest = table.states().stream()
+                    .mapToInt(each -> table.colourName(each.colour()).length())
+                    .max()
+                    .orElse(0);
+            return Math.max(LEAST_CAUSE_WIDTH, "robot  sees ".length() + ("" + table.robots()).length() + longest);
         }
 
         /** Why it began. */

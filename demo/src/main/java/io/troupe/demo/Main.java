@@ -7,6 +7,7 @@ import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
+import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
@@ -16,24 +17,30 @@ import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
+import java.io.BufferedOutputStream;
+import java.io.FileDescriptor;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
+import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Spec;
 
-/** The command line {@code troupe}; without a command it does {@code run}. */
+/** The command line {@code troupe}. */
 @Command(
         name = "troupe",
         description = "Typed actors and promises on one thread, for robots.",
         mixinStandardHelpOptions = true,
-        version = "Troupe 0.1.0-SNAPSHOT",
+        version = Main.PROGRAM,
         scope = CommandLine.ScopeType.INHERIT,
         subcommands = {
             RunCommand.class,
@@ -45,9 +52,13 @@ import picocli.CommandLine.ParameterException;
             VerifyCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
-            DrawCommand.class
+            DrawCommand.class,
+            HelpCommand.class
         })
-public final class Main {
+public final class Main implements Callable<Integer> {
+    /** What made a file, and which version of it. */
+    static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
+
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
     /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
@@ -56,21 +67,50 @@ public final class Main {
     /** Exit status for a service that an application needs and nobody offers. */
     static final int MISSING_SERVICE = 3;
 
+    private static final String[] START = {
+        "", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND"
+    };
+
+    @Spec
+    private CommandSpec spec;
+
     private Main() {}
 
-    public static void main(String[] arguments) {
-        var out = new PrintWriter(System.out, true);
-        var err = new PrintWriter(System.err, true);
-        System.exit(execute(out, err, arguments));
+    /** Without a command: what there is to do. */
+    @Override
+    public Integer call() {
+        PrintWriter out = spec.commandLine().getOut();
+        spec.commandLine().usage(out);
+        out.flush();
+        return 0;
     }
 
-    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing. */
+    public static void main(String[] arguments) {
+        var standardOutput = new StandardOutput(new FileOutputStream(FileDescriptor.out));
+        System.setOut(new PrintStream(
+                new BufferedOutputStream(standardOutput), true, System.out.charset())); // as it is, but it says what is lost
+        var out = new PrintWriter(System.out, true);
+        var err = new PrintWriter(System.err, true);
+        int status = execute(out, err, arguments);
+        out.flush();
+        String lost = standardOutput.lost();
+        if (lost != null) {
+            err.println("troupe: the output could not be written: " + lost);
+            status = status == 0 ? FAILED : status;
+        }
+        System.exit(status);
+    }
+
+    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing, 130 interrupted. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
-        return new CommandLine(new Main())
+        var troupe = new CommandLine(new Main());
+        troupe.getCommandSpec().usageMessage().footer(START); // not in the annotation: commands would inherit it
+        return Converters.register(troupe)
                 .setOut(out)
                 .setErr(err)
                 .setCaseInsensitiveEnumValuesAllowed(true)
-                .setParameterExceptionHandler((wrong, given) -> complain(wrong.getCommandLine(), oneLine(wrong)))
+                .setParameterExceptionHandler(
+                        (wrong, given) -> complain(wrong.getCommandLine(), UsageProblems.words(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
                     if (thrown instanceof WorldFileException
                             || thrown instanceof PnmlException
@@ -99,11 +139,11 @@ public final class Main {
         return status;
     }
 
-    /** {@code run} is what is done unless something else is asked for. */
+    /** Options without a command are those of {@code run}. */
     private static String[] withCommand(String[] arguments) {
-        boolean optionsOfRun = arguments.length == 0
-                || arguments[0].startsWith("--")
-                        && !List.of("--help", "--version").contains(arguments[0]);
+        boolean optionsOfRun = arguments.length > 0
+                && arguments[0].startsWith("--")
+                && !List.of("--help", "--version").contains(arguments[0]);
         return optionsOfRun
                 ? Stream.concat(Stream.of("run"), Arrays.stream(arguments)).toArray(String[]::new)
                 : arguments;
@@ -117,21 +157,15 @@ public final class Main {
         return USAGE;
     }
 
-    /** What went wrong without the names of classes, except where a file's name is all that the message says. */
+    /** What went wrong without the names of classes. */
     private static String failure(Exception thrown) {
-        if (thrown instanceof UncheckedIOException && thrown.getCause() instanceof FileSystemException cause) {
-            return failure(cause);
+        if (thrown instanceof UncheckedIOException unchecked && unchecked.getCause() instanceof FileSystemException cause) {
+            return FileProblems.words(cause);
         }
-        if (thrown instanceof FileSystemException file && file.getReason() == null) {
-            String kind = file.getClass().getSimpleName().replace("Exception", "");
-            return file.getFile() + ": "
-                    + kind.replaceAll("(?<=[a-z])(?=[A-Z])", " ").toLowerCase(Locale.ROOT);
+        if (thrown instanceof IOException problem) {
+            return FileProblems.words(problem);
         }
         String message = thrown.getMessage();
         return message == null ? thrown.toString() : message;
-    }
-
-    private static String oneLine(ParameterException wrong) {
-        return wrong.getMessage().lines().findFirst().orElse("wrong arguments");
     }
 }

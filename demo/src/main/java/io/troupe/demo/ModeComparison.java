@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.demo.Ledger.StateChange;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.Locale;
@@ -16,7 +17,7 @@ import java.util.stream.IntStream;
  * @param results one for each mode, all of the same length
  */
 record ModeComparison(Map<Mode, RunResult> results) {
-    private static final int COLUMN = 42;
+    private static final int COLUMN = 32; // three of them and the number of the row are 100
 
     RunResult result(Mode mode) {
         RunResult result = results.get(mode);
@@ -71,9 +72,21 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return result(mode).robots().get(robot).path().get(tick);
     }
 
-    /** For people. */
+    /** For people: the states, and where the modes differ. */
     String text() {
+        var text = new StringBuilder(table());
+        line(text, "* the first change that promise mode does not have in the same way");
+        line(text, "");
+        for (Mode mode : results.keySet()) {
+            line(text, "%s mode: %s", mode, difference(mode));
+        }
+        return text.toString();
+    }
+
+    /** The states side by side, of the modes that there are. */
+    String table() {
         var text = new StringBuilder();
+        line(text, "when each state began, its number, and why");
         line(text, "%-4s%s", "", columns(mode -> mode + " mode"));
         int rows = results.values().stream()
                 .mapToInt(result -> result.states().size())
@@ -82,11 +95,6 @@ record ModeComparison(Map<Mode, RunResult> results) {
         for (int row = 0; row < rows; row++) {
             int index = row;
             line(text, "%-4d%s", index, columns(mode -> cell(mode, index)));
-        }
-        line(text, "* the first change that promise mode does not have in the same way");
-        line(text, "");
-        for (Mode mode : results.keySet()) {
-            line(text, "%s mode: %s", mode, difference(mode));
         }
         return text.toString();
     }
@@ -97,10 +105,11 @@ record ModeComparison(Map<Mode, RunResult> results) {
             return "";
         }
         StateChange change = states.get(index);
-        boolean marked = firstDifference(mode).orElse(-1) == index;
+        boolean marked = results.containsKey(Mode.PROMISE)
+                && firstDifference(mode).orElse(-1) == index;
         return String.format(
                 Locale.ROOT,
-                "%s%7.1f s  state %d  %s",
+                "%s%6.1f s %d: %s",
                 marked ? "*" : " ",
                 change.timeMicros() / 1e6,
                 change.state().number(),
@@ -109,7 +118,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
 
     private String columns(Function<Mode, String> value) {
         return results.keySet().stream()
-                .map(mode -> String.format("%-" + COLUMN + "s", value.apply(mode)))
+                .map(mode -> String.format("%-" + COLUMN + "." + (COLUMN - 1) + "s", value.apply(mode)))
                 .collect(Collectors.joining())
                 .stripTrailing();
     }
@@ -119,9 +128,9 @@ record ModeComparison(Map<Mode, RunResult> results) {
         var result = result(mode);
         String messages = String.format(
                 Locale.ROOT,
-                "%d messages with colours for %d state changes",
-                result.messages().sent(),
-                result.states().size() - 1);
+                "%s with colours for %s",
+                Plural.of(result.messages().sent(), "message"),
+                Plural.of(result.states().size() - 1, "state change"));
         var apart = firstTickApart(mode);
         if (mode == Mode.PROMISE) {
             return messages + ".";

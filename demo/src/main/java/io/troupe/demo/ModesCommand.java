@@ -1,16 +1,20 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumMap;
+import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
 import picocli.CommandLine.Model.CommandSpec;
@@ -51,29 +55,54 @@ final class ModesCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
+        FileProblems.checkInput(spec, world, "a world file");
         Scenario scenario = ScenarioReader.read(world);
         OutputDirectory.make(spec, out);
-        var results = new EnumMap<Mode, RunResult>(Mode.class);
-        for (Mode mode : Mode.values()) {
-            results.put(mode, run(scenario, mode));
+        try (var interruption = Interruption.open()) {
+            var results = new EnumMap<Mode, RunResult>(Mode.class);
+            for (Mode mode : Mode.values()) {
+                if (!interruption.isRequested()) {
+                    results.put(mode, run(scenario, mode, interruption));
+                }
+            }
+            return interruption.isRequested() ? interrupted(results) : compare(scenario, results);
         }
+    }
+
+    /** The states until then: the modes cannot be compared. */
+    private int interrupted(Map<Mode, RunResult> results) {
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.print(new ModeComparison(results).table());
+        terminal.println("interrupted: there is no comparison and no new modes.svg. "
+                + results.entrySet().stream()
+                        .map(each -> "run-" + each.getKey() + ".jsonl has "
+                                + Json.seconds(each.getValue().endMicros()) + " s")
+                        .collect(Collectors.joining(", "))
+                + "; the last line of one that was cut short says so");
+        terminal.flush();
+        return Interruption.STATUS;
+    }
+
+    private int compare(Scenario scenario, Map<Mode, RunResult> results) throws IOException {
         var comparison = new ModeComparison(results);
         String title = scenario.world().name() + ", seed " + seed + ": states in the three modes";
-        Files.writeString(out.resolve("modes.svg"), new ModesSvg(comparison, title).draw());
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(comparison.text());
+        terminal.flush(); // first: files may fail
+        OutputFiles.write(out.resolve("modes.svg"), new ModesSvg(comparison, title).draw());
         terminal.println("wrote " + out.resolve("modes.svg") + " and, beside it, run-sync.jsonl, run-callback.jsonl and"
                 + " run-promise.jsonl");
         terminal.flush();
         return 0;
     }
 
-    private RunResult run(Scenario scenario, Mode mode) throws IOException, InterruptedException {
+    private RunResult run(Scenario scenario, Mode mode, Interruption interruption)
+            throws IOException, InterruptedException {
         var manner = new PaperRun.Manner(mode, false);
         try (var progress = ProgressBar.onTerminal(mode + " mode ", seconds);
                 var log = new RunLog(out.resolve("run-" + mode + ".jsonl"))) {
             return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, manner)
-                    .run(log, change -> {}, progress, () -> false);
+                    .run(log, change -> {}, progress, interruption::isRequested);
         }
     }
 }

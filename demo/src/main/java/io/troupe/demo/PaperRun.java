@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.Plural;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -13,7 +14,6 @@ import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.WorldFileException;
-import java.io.IOException;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
@@ -81,7 +81,7 @@ final class PaperRun {
     private static int check(Scenario scenario, int expected) {
         List<RobotSpec> robots = scenario.world().robots();
         if (robots.size() != expected) {
-            throw new WorldFileException(scenario.world().file() + " has " + robots.size() + " robots, expected "
+            throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot") + ", expected "
                     + expected + " as the table of services has");
         }
         int port = scenario.devices().stream()
@@ -100,7 +100,7 @@ final class PaperRun {
                 throw new WorldFileException(
                         robot.where(),
                         "robot '" + robot.name() + "' has "
-                                + (sonar == null ? 0 : sonar.mounts().size()) + " sonars and "
+                                + Plural.of(sonar == null ? 0 : sonar.mounts().size(), "sonar") + " and "
                                 + (robot.blobfinder() == null ? "no" : "a")
                                 + " blobfinder, expected " + SONARS
                                 + " sonars or more and a blobfinder for the services");
@@ -123,8 +123,9 @@ final class PaperRun {
      * @param changes is told of every state change as it happens, for people
      */
     RunResult run(RunLog log, Consumer<String> changes, ProgressBar progress, BooleanSupplier stop)
-            throws IOException, InterruptedException {
+            throws InterruptedException {
         try (var simulation = Simulation.open(scenario, settings)) {
+            log.write(header());
             var ledger = new Ledger(scenario.world(), table, log, changes);
             var services = new SubsumptionRun.Settings(
                             manner.mode(), "localhost", port, table, simulation.clock(), ledger, ledger)
@@ -142,9 +143,23 @@ final class PaperRun {
                         awaitRealTime(origin + snapshot.timeMicros() * 1000);
                     }
                 }
-                return ledger.finish();
+                return ledger.finish(simulation.timeMicros() < endMicros);
+            } catch (RuntimeException | Error failure) {
+                ledger.fail();
+                throw failure;
             }
         }
+    }
+
+    private Json header() {
+        return RunLog.header()
+                .put("world", scenario.world().name())
+                .put("robots", scenario.world().robots().size())
+                .put("seed", settings.seed())
+                .put("mode", manner.mode())
+                .put("reconnect", manner.reconnects())
+                .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
+                .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
     }
 
     private static void awaitRealTime(long deadlineNanos) {

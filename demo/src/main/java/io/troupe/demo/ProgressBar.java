@@ -3,9 +3,9 @@ package io.troupe.demo;
 import io.troupe.demo.terminal.TerminalLine;
 import java.util.Locale;
 
-/** A line at the bottom of a terminal that says how far a run is; nothing when there is no terminal. */
+/** Says how far a run is: a bar at the bottom of a terminal, or a line now and then in a file. */
 final class ProgressBar implements AutoCloseable {
-    private static final int WIDTH = 40;
+    private static final int WIDTH = 30;
 
     private final TerminalLine line;
     private final String label;
@@ -38,14 +38,16 @@ final class ProgressBar implements AutoCloseable {
         }
         shown = permille;
         int full = permille * WIDTH / 1000;
-        line.show(String.format(
-                Locale.ROOT,
-                "%s[%s%s] %6.1f of %.1f s",
+        line.show(
                 label,
-                "#".repeat(full),
-                ".".repeat(WIDTH - full),
-                seconds,
-                endSeconds));
+                String.format(
+                        Locale.ROOT,
+                        "%s[%s%s] %6.1f of %.1f s",
+                        label,
+                        "#".repeat(full),
+                        ".".repeat(WIDTH - full),
+                        seconds,
+                        endSeconds));
     }
 
     /** Lets something else be printed above the bar. */

@@ -10,11 +10,30 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /** What one robot did in a run. */
 final class RobotRecord {
+    /** A robot that stays within so much of a point, while a service is in charge, makes no way. */
+    static final double STAY_M = 0.05;
+    /** From so long on that is worth telling: turning at a corner takes a few seconds. */
+    static final long STUCK_MICROS = 10_000_000;
+
     /** Where it was and which service drove it, at a tick. */
     record Sample(long timeMicros, Pose pose, String service) {}
+
+    /** A time without a break in which it made no way; it ends with a reading, at which that was still so. */
+    record Stay(long fromMicros, long toMicros, String service) {
+        static final Stay NONE = new Stay(0, 0, "none");
+
+        long micros() {
+            return toMicros - fromMicros;
+        }
+
+        boolean isStuck() {
+            return micros() >= STUCK_MICROS;
+        }
+    }
 
     private final int index;
     private final double pathStepM;
@@ -30,6 +49,8 @@ final class RobotRecord {
     private int chargeFaults;
     private boolean cycledThisTick;
     private int ticksWithoutCycle;
+    private @Nullable Sample stayFrom;
+    private Stay longestStay = Stay.NONE;
 
     /** @param pathStepM the path leaves out what is nearer to the point before; 0 = nothing */
     RobotRecord(int index, double pathStepM) {
@@ -65,10 +86,25 @@ final class RobotRecord {
         }
         gapM = reading.wallGapM();
         closestM = StrictMath.min(closestM, gapM);
+        watchStay(timeMicros, pose);
         if (isPassing()) {
             path.removeLast();
         }
         path.add(new Sample(timeMicros, pose, serviceName()));
+    }
+
+    private void watchStay(long timeMicros, Pose pose) {
+        Sample from = stayFrom;
+        if (inCharge.size() != 1) {
+            stayFrom = null;
+        } else if (from == null
+                || StrictMath.hypot(
+                                pose.x() - from.pose().x(), pose.y() - from.pose().y())
+                        > STAY_M) {
+            stayFrom = new Sample(timeMicros, pose, serviceName());
+        } else if (timeMicros - from.timeMicros() > longestStay.micros()) {
+            longestStay = new Stay(from.timeMicros(), timeMicros, serviceName());
+        }
     }
 
     /** Whether the last point of the path is near the one before, which says as much. */
@@ -130,6 +166,11 @@ final class RobotRecord {
 
     double distanceM() {
         return distanceM;
+    }
+
+    /** The longest time in which its centre stayed within {@value #STAY_M} m of a point while a service was in charge. */
+    Stay longestStay() {
+        return longestStay;
     }
 
     /** From the body's edge to the nearest obstacle. */

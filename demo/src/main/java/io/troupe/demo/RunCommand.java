@@ -1,17 +1,16 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.WorldSpec;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,8 +25,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class RunCommand implements Callable<Integer> {
-    private static final long CLOSING_SECONDS = 10;
-
     @Spec
     private CommandSpec spec;
 
@@ -81,58 +78,50 @@ final class RunCommand implements Callable<Integer> {
         }
         TeamOptions.Team team = teamOptions.team(corners);
         OutputDirectory.make(spec, out);
-        var interrupted = new AtomicBoolean();
-        var finished = new CountDownLatch(1);
-        var hook = new Thread(() -> awaitSummary(interrupted, finished), "finish");
-        Runtime.getRuntime().addShutdownHook(hook);
-        try {
-            run(team, interrupted);
-        } finally {
-            finished.countDown();
-            forget(hook);
+        warnOfSizes(team.scenario().world());
+        try (var interruption = Interruption.open()) {
+            run(team, interruption);
+            return interruption.isRequested() ? Interruption.STATUS : 0;
         }
-        return 0;
     }
 
-    private void run(TeamOptions.Team team, AtomicBoolean interrupted) throws IOException, InterruptedException {
+    private void warnOfSizes(WorldSpec world) {
+        var sizes = RunSizes.of(world.robots().size(), world.intervalMillis(), seconds);
+        if (sizes.areLarge()) {
+            PrintWriter err = spec.commandLine().getErr();
+            err.println("troupe: warning: --seconds is " + seconds + ": expect about " + sizes.describe());
+            err.flush();
+        }
+    }
+
+    private void run(TeamOptions.Team team, Interruption interruption) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
-        var progress = ProgressBar.onTerminal(seconds);
         Scenario scenario = team.scenario();
         var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.Manner(mode, reconnect));
         long begin = System.nanoTime();
         RunResult result;
-        try (var log = new RunLog(out.resolve("run.jsonl"))) {
-            result = run.run(
-                    log, change -> progress.interrupt(() -> terminal.println(change)), progress, interrupted::get);
-        } finally {
-            progress.close();
+        Path file = out.resolve("run.jsonl");
+        try (var log = new RunLog(file)) {
+            try (var progress = ProgressBar.onTerminal(seconds)) {
+                result = run.run(
+                        log,
+                        change -> progress.interrupt(() -> terminal.println(change)),
+                        progress,
+                        interruption::isRequested);
+            }
+            double wallSeconds = (System.nanoTime() - begin) / 1e9;
+            terminal.print(result.summary(
+                    scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""),
+                    seed,
+                    wallSeconds));
+            terminal.flush(); // first: files may fail
         }
-        double wallSeconds = (System.nanoTime() - begin) / 1e9;
         Path picture = out.resolve("trajectory.svg");
-        Files.writeString(picture, new TrajectorySvg(scenario.world(), result).draw());
-        terminal.print(result.summary(
-                scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""),
-                seed,
-                wallSeconds));
-        terminal.println("wrote " + picture + " and " + out.resolve("run.jsonl"));
+        OutputFiles.write(picture, new TrajectorySvg(scenario.world(), result).draw());
+        if (interruption.isRequested()) {
+            terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
+        }
+        terminal.println("wrote " + picture + " and " + file);
         terminal.flush();
-    }
-
-    private static void forget(Thread hook) {
-        try {
-            Runtime.getRuntime().removeShutdownHook(hook);
-        } catch (IllegalStateException shuttingDown) {
-            // it runs already, and that is what it is for
-        }
-    }
-
-    /** On Ctrl-C the machine ends when this returns: after the summary has been printed. */
-    private static void awaitSummary(AtomicBoolean interrupted, CountDownLatch finished) {
-        interrupted.set(true);
-        try {
-            finished.await(CLOSING_SECONDS, TimeUnit.SECONDS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
     }
 }

@@ -1,8 +1,10 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
@@ -20,7 +22,11 @@ record RunResult(
         List<Ledger.StateChange> states,
         List<RobotRecord> robots,
         Ledger.Messages messages) {
-    private static final int TITLE_WIDTH = 34;
+    private static final int TITLE_WIDTH = 38;
+
+    static final String SERVICES_TITLE = "readings with no or several services";
+    static final String NO_CYCLE_TITLE = "readings without a cycle";
+    static final String STAY_TITLE = "longest stay within 5 cm";
 
     /** How often a state began. */
     long visits(State state) {
@@ -67,14 +73,16 @@ record RunResult(
                 wallSeconds,
                 endMicros / 1e6 / wallSeconds);
         text.append(robots.size() < Ledger.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
+        line(text, "(a cycle: a service takes a reading of the sensors and commands a speed)");
+        text.append(stuck());
         line(text, "%s", messageSummary());
         for (State state : table.states()) {
             line(
                     text,
-                    "state %d (%s): %d times, %.1f s",
+                    "state %d (%s): %s, %.1f s",
                     state.number(),
                     table.colourName(state.colour()),
-                    visits(state),
+                    Plural.of(visits(state), "time"),
                     secondsIn(state));
         }
         return text.toString();
@@ -100,13 +108,42 @@ record RunResult(
                     loopsTitle(service),
                     columns(robot -> "" + robot.loops().getOrDefault(service.name(), 0L)));
         }
-        line(text, row, "ticks without exactly one service", columns(robot -> "" + robot.chargeFaults()));
-        line(text, row, "ticks without a cycle", columns(robot -> "" + robot.ticksWithoutCycle()));
+        line(text, row, SERVICES_TITLE, columns(robot -> "" + robot.chargeFaults()));
+        line(text, row, NO_CYCLE_TITLE, columns(robot -> "" + robot.ticksWithoutCycle()));
+        line(text, row, STAY_TITLE, columns(robot -> seconds(robot.longestStay().micros())));
         return text.toString();
     }
 
+    /** Which robots made no way, and when; of a crowd the one that did so longest. */
+    private String stuck() {
+        var stuck = robots.stream()
+                .filter(robot -> robot.longestStay().isStuck())
+                .sorted(Comparator.comparingLong(robot -> -robot.longestStay().micros()))
+                .toList();
+        var text = new StringBuilder();
+        for (RobotRecord robot : robots.size() < Ledger.MANY_ROBOTS ? stuck : stuck.subList(0, Math.min(1, stuck.size()))) {
+            var stay = robot.longestStay();
+            line(
+                    text,
+                    "robot %d made no way for %s: from %s to %s it stayed within 5 cm while %s drove it",
+                    robot.index() + 1,
+                    seconds(stay.micros()),
+                    seconds(stay.fromMicros()),
+                    seconds(stay.toMicros()),
+                    stay.service());
+        }
+        if (robots.size() >= Ledger.MANY_ROBOTS && stuck.size() > 1) {
+            line(text, "%d robots made no way for %s or longer", stuck.size(), seconds(RobotRecord.STUCK_MICROS));
+        }
+        return text.toString();
+    }
+
+    private static String seconds(long micros) {
+        return String.format(Locale.ROOT, "%.1f s", micros / 1e6);
+    }
+
     static String loopsTitle(Service service) {
-        return "loops of " + service;
+        return "cycles of " + service;
     }
 
     /** Of the first column: as wide as the longest title, which may have the name of a service in it. */
@@ -125,9 +162,9 @@ record RunResult(
                 : String.format(Locale.ROOT, ", %.1f a state change", (double) messages.sent() / changes);
         return String.format(
                 Locale.ROOT,
-                "colours sent by colour finders: %d in %d state changes%s; %d received, %d of them too late",
+                "colours sent by colour finders: %d in %s%s; %d received, %d of them too late",
                 messages.sent(),
-                changes,
+                Plural.of(changes, "state change"),
                 each,
                 messages.received(),
                 messages.tooLate());

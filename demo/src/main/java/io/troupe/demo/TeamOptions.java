@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
+import io.troupe.demo.terminal.FileProblems;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
@@ -86,6 +87,7 @@ final class TeamOptions {
         refuseWithoutCrowd("--hold", holdSeconds);
         Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
         var services = table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table);
+        FileProblems.checkInput(spec, file, "a world file");
         return new Team(ScenarioReader.read(file), services);
     }
 

@@ -89,16 +89,19 @@ class AppCommandTest {
     }
 
     @Test
-    void fileThatIsNotThere_isStatus1() {
-        assertThat(app("no-such.app")).isEqualTo(1);
-        assertThat(err.toString().strip()).isEqualTo("troupe: no-such.app: no such file");
+    void fileThatIsNotThere_isStatus2() {
+        assertThat(app("no-such.app")).isEqualTo(2);
+        assertThat(err.toString().strip())
+                .isEqualTo("troupe: no-such.app: no such file, expected the file of a declaration"
+                        + " (see troupe app --help)");
     }
 
     @Test
-    void directoryInPlaceOfAFile_isStatus1_andNamed() {
-        assertThat(app("applications")).isEqualTo(1);
+    void directoryInPlaceOfAFile_isStatus2_andNamed() {
+        assertThat(app("applications")).isEqualTo(2);
         assertThat(err.toString().strip())
-                .isEqualTo("troupe: applications: a directory, expected the file of a declaration");
+                .isEqualTo("troupe: applications: a directory, expected the file of a declaration"
+                        + " (see troupe app --help)");
     }
 
     @Test

@@ -83,7 +83,7 @@ class CrowdRunTest {
         assertThat(Files.readAllLines(file).stream().filter(line -> line.contains("\"type\":\"pose\"")))
                 .hasSize(50 * 4);
         assertThat(result.summary("crowd", 1, 1))
-                .contains("50 robots", "mean", "least", "most", "loops of avoid > patrol1")
+                .contains("50 robots", "mean", "least", "most", "cycles of avoid > patrol1")
                 .doesNotContain("robot 1 ");
         assertThat(result.states().getFirst().describe(result.table()))
                 .endsWith("state 1: 16 avoid > patrol1, 17 spaceWanderer, 17 wallFollower");

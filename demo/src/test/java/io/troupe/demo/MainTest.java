@@ -59,8 +59,10 @@ class MainTest {
     void fileThatCannotBeWritten_isOneLineWithoutNamesOfClasses() {
         Path file = directory.resolve("missing/session.txt");
         assertThat(troupe("serve", "--world", WORLD, "--port", "0", "--record", file.toString()))
-                .isEqualTo(Main.FAILED);
-        assertThat(err.toString().lines()).containsExactly("troupe: " + file + ": no such file");
+                .isEqualTo(Main.USAGE);
+        assertThat(err.toString().lines())
+                .containsExactly("troupe: --record is " + file + ", but there is no directory " + file.getParent()
+                        + " (see troupe serve --help)");
     }
 
     @Test
@@ -111,6 +113,81 @@ class MainTest {
     @Test
     void numberOutOfRange() {
         assertComplaint(troupe("run", "--seconds", "-3"), "--seconds is -3.0", "above 0");
+    }
+
+    @Test
+    void nothing_printsTheHelp_andHowToStart() {
+        assertThat(troupe()).isZero();
+        assertThat(out.toString())
+                .startsWith("Usage: troupe")
+                .contains("evaluate", "Start with the main job: troupe run");
+    }
+
+    @Test
+    void help_isACommandToo() {
+        assertThat(troupe("help", "run")).isZero();
+        assertThat(out.toString()).startsWith("Usage: troupe run").doesNotContain("Start with");
+    }
+
+    @Test
+    void program_isThatOfTheBuild() throws IOException {
+        assertThat(Files.readString(Path.of("..", "pom.xml")))
+                .contains("<version>" + Main.PROGRAM.replace("Troupe ", "") + "</version>");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "rnu | there is no command 'rnu'; did you mean run?",
+                "eval | there is no command 'eval'; did you mean evaluate?",
+                "help rnu | did you mean run?",
+                "run --sed 1 | there is no option --sed; did you mean --seed?",
+                "run --seconds=1 --realtme | there is no option --realtme; did you mean --realtime?",
+                "table a b | 'b' is one argument too many",
+                "run --seconds soon | --seconds is 'soon', expected a number (see",
+                "run --seed 1.5 | --seed is '1.5', expected a whole number (see",
+                "serve --realtime --lock-step | troupe: --realtime, --lock-step are mutually exclusive",
+            })
+    void slipOfTheFinger_isToldInPlainWords(String arguments, String problem) {
+        assertComplaint(troupe(arguments.split(" ")), problem);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "run --world",
+                "run --robots 2 --table",
+                "modes --world",
+                "evaluate --world",
+                "serve --world",
+                "replay",
+                "app",
+                "app applications/two-robots.app --world",
+                "draw",
+                "table",
+                "verify --net"
+            })
+    void missingFile_isStatus2InEveryCommand(String arguments) {
+        String file = directory.resolve("nowhere").toString();
+        assertComplaint(troupe((arguments + " " + file).split(" ")), file + ": no such file, expected ", " --help)");
+    }
+
+    @Test
+    void drawing_inADirectoryThatIsMissing_isStatus2() {
+        Path file = directory.resolve("missing/x.svg");
+        assertComplaint(
+                troupe("draw", "worlds/office.world", "--out", file.toString()),
+                "--out is " + file + ", but there is no directory " + file.getParent());
+    }
+
+    @Test
+    void longRun_saysFirstHowLargeItsFilesGet() {
+        assertThat(RunSizes.of(2, 100, 100_000))
+                .satisfies(sizes -> assertThat(sizes.areLarge()).isTrue())
+                .extracting(RunSizes::describe)
+                .isEqualTo("320 MB in run.jsonl and at most 24 MB in trajectory.svg");
+        assertThat(RunSizes.of(2, 100, 300).areLarge()).isFalse();
     }
 
     @Test
@@ -191,7 +268,7 @@ class MainTest {
         assertComplaint(
                 troupe("run", "--world", world.toString()),
                 "poor.world:3:1",
-                "robot 'a' has 1 sonars and a blobfinder",
+                "robot 'a' has 1 sonar and a blobfinder",
                 "expected 8");
     }
 
@@ -260,12 +337,12 @@ class MainTest {
         assertThat(troupe((options + " " + output).split(" "))).isZero();
 
         assertThat(out.toString()).contains("crowd of 50", "50 robots ");
-        assertThat(out.toString().lines().filter(line -> line.matches("state \\d+ \\(.+\\): \\d+ times, .+ s")))
+        assertThat(out.toString().lines().filter(line -> line.matches("state \\d+ \\(.+\\): \\d+ times?, .+ s")))
                 .as("states, one for each colour")
                 .hasSize(colours);
         var all = List.of("spaceWanderer", "wallFollower", "avoid > patrol1", "avoid > patrol2");
-        assertThat(out.toString().lines().filter(line -> line.startsWith("loops of ")))
-                .extracting(line -> line.split(" {2,}")[0].substring("loops of ".length()))
+        assertThat(out.toString().lines().filter(line -> line.startsWith("cycles of ")))
+                .extracting(line -> line.split(" {2,}")[0].substring("cycles of ".length()))
                 .containsExactlyInAnyOrderElementsOf(all.subList(0, services));
         assertThat(directory.resolve("o/run.jsonl"))
                 .content()

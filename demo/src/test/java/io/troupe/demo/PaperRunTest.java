@@ -59,11 +59,17 @@ class PaperRunTest {
                     .isEqualTo(3_000 + result.states().size() - 1);
         });
         List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
-        assertThat(lines.getFirst()).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
+        assertThat(lines.getFirst())
+                .isEqualTo("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\"" + Main.PROGRAM
+                        + "\",\"world\":\"paper arena\",\"robots\":2,\"seed\":1,\"mode\":\"promise\",\"reconnect\":false,"
+                        + "\"seconds\":300.0,\"interval\":0.1}");
+        assertThat(lines.get(1)).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
         assertThat(lines)
                 .anyMatch(line -> line.matches(
                         "\\{\"t\":[0-9.]+,\"type\":\"state\",\"state\":2,\"robot\":[12],\"colour\":16711680,.*"));
-        assertThat(lines.getLast()).startsWith("{\"t\":300.0,\"type\":\"summary\",");
+        assertThat(lines.getLast())
+                .startsWith("{\"t\":300.0,\"type\":\"summary\",")
+                .doesNotContain("cutShort");
     }
 
     @Test
@@ -171,7 +177,40 @@ class PaperRunTest {
                     .run(log, change -> {}, ProgressBar.hidden(), () -> polls[0]++ == 50);
         }
         assertThat(result.endMicros()).isEqualTo(5_000_000);
-        assertThat(Files.readAllLines(out.resolve("short")).getLast()).startsWith("{\"t\":5.0,\"type\":\"summary\"");
+        assertThat(Files.readAllLines(out.resolve("short")).getLast())
+                .startsWith("{\"t\":5.0,\"type\":\"summary\"")
+                .endsWith(",\"cutShort\":\"interrupted\"}");
+    }
+
+    @Test
+    void runThatFails_saysSoInItsLastLine() throws Exception {
+        var polls = new int[1];
+        try (var log = new RunLog(out.resolve("failed"))) {
+            var run = new PaperRun(ScenarioReader.read(WORLD), 1, 300, CornerStyle.FORWARD, false);
+            assertThatThrownBy(() -> run.run(log, change -> {}, ProgressBar.hidden(), () -> {
+                        if (polls[0]++ == 10) {
+                            throw new IllegalStateException("for a test");
+                        }
+                        return false;
+                    }))
+                    .hasMessage("for a test");
+        }
+        assertThat(Files.readAllLines(out.resolve("failed")).getLast())
+                .isEqualTo("{\"t\":1.0,\"type\":\"cutShort\",\"cutShort\":\"failed\"}");
+    }
+
+    @Test
+    void robotThatMakesNoWay_isToldWithItsTime() throws Exception {
+        RunResult result;
+        try (var log = new RunLog(out.resolve("office"))) {
+            result = new PaperRun(
+                            ScenarioReader.read(Path.of("worlds", "office.cfg")), 1, 60, CornerStyle.FORWARD, false)
+                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
+        }
+        assertThat(result.summary("office", 1, 1))
+                .containsPattern("robot 2 made no way for 1[0-9]\\.[0-9] s: from 4[0-9]\\.[0-9] s to 60\\.0 s it stayed"
+                        + " within 5 cm while spaceWanderer drove it\\R")
+                .doesNotContain("robot 1 made no way");
     }
 
     @Test
@@ -200,6 +239,6 @@ class PaperRunTest {
                 two.devices());
         assertThatThrownBy(() -> new PaperRun(one, 1, 1, CornerStyle.FORWARD, false))
                 .isInstanceOf(WorldFileException.class)
-                .hasMessageContaining("has 1 robots, expected 2");
+                .hasMessageContaining("has 1 robot, expected 2");
     }
 }

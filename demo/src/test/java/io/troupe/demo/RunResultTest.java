@@ -39,7 +39,7 @@ class RunResultTest {
         assertThat(result.states().getLast().describe(result.table()))
                 .startsWith("    0.7 s  robot 1 sees sun   state 2: ");
         assertThat(result.summary("here", 1, 1))
-                .contains("state 1 (blue): 1 times, 0.7 s", "state 2 (sun): 1 times, 0.3 s");
+                .contains("state 1 (blue): 1 time, 0.7 s", "state 2 (sun): 1 time, 0.3 s");
     }
 
     @ParameterizedTest
@@ -48,7 +48,7 @@ class RunResultTest {
         var lines = result(robots)
                 .summary("here", 1, 1)
                 .lines()
-                .filter(line -> line.startsWith("distance driven") || line.startsWith("loops of "))
+                .filter(line -> line.startsWith("distance driven") || line.startsWith("cycles of "))
                 .toList();
         assertThat(lines).hasSize(3).anySatisfy(line -> assertThat(line).contains(LONG_NAME + " "));
         assertThat(lines.stream().map(String::length).distinct()).hasSize(1);

@@ -1,5 +1,7 @@
 package io.troupe.demo.app;
 
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
@@ -7,9 +9,6 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
@@ -29,7 +28,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class AppCommand implements Callable<Integer> {
-    private static final long CLOSING_SECONDS = 10;
     /** Where our own worlds are: the start script says so, builds run in that directory. */
     private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
@@ -70,35 +68,12 @@ public final class AppCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
+        FileProblems.checkInput(spec, file, "the file of a declaration");
+        FileProblems.checkInput(spec, world, "a world file");
         Scenario scenario = ScenarioReader.read(world);
-        var interrupted = new AtomicBoolean();
-        var finished = new CountDownLatch(1);
-        var hook = new Thread(() -> awaitEnd(interrupted, finished), "finish");
-        Runtime.getRuntime().addShutdownHook(hook);
-        try {
-            new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interrupted::get);
-        } finally {
-            finished.countDown();
-            forget(hook);
-        }
-        return 0;
-    }
-
-    private static void forget(Thread hook) {
-        try {
-            Runtime.getRuntime().removeShutdownHook(hook);
-        } catch (IllegalStateException shuttingDown) {
-            // it runs already, and that is what it is for
-        }
-    }
-
-    /** On Ctrl-C the machine ends when this returns: after all components have been stopped, processes among them. */
-    private static void awaitEnd(AtomicBoolean interrupted, CountDownLatch finished) {
-        interrupted.set(true);
-        try {
-            finished.await(CLOSING_SECONDS, TimeUnit.SECONDS);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
+        try (var interruption = Interruption.open()) {
+            new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interruption::isRequested);
+            return interruption.isRequested() ? Interruption.STATUS : 0;
         }
     }
 }

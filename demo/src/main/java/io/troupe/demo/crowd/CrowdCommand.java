@@ -1,11 +1,14 @@
 package io.troupe.demo.crowd;
 
+import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.sim.scenario.CrowdWorld;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -64,17 +67,32 @@ public final class CrowdCommand implements Callable<Integer> {
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
         int cores = Runtime.getRuntime().availableProcessors();
-        terminal.println("crowds of " + colours + " colours and " + services + " services on " + cores
-                + (cores == 1 ? " core" : " cores, of which two take turns"));
+        terminal.println("crowds of " + Plural.of(colours, "colour") + " and " + Plural.of(services, "service") + " on "
+                + Plural.of(cores, "core") + (cores == 1 ? "" : ", of which two take turns"));
         terminal.flush();
-        List<Trial> trials = measure();
-        var report = new CrowdReport(trials);
+        List<Trial> trials = new ArrayList<>();
+        try (var interruption = Interruption.open()) {
+            try {
+                measure(trials, interruption);
+            } catch (InterruptedCommand interrupted) {
+                terminal.println("interrupted: " + Plural.of(trials.size(), "measurement") + " of "
+                        + repeat * sizes.size() + (trials.isEmpty() ? "; no files were written" : ""));
+                terminal.flush();
+            }
+            if (!trials.isEmpty()) {
+                report(new CrowdReport(trials), terminal);
+            }
+            return interruption.isRequested() ? Interruption.STATUS : 0;
+        }
+    }
+
+    private void report(CrowdReport report, PrintWriter terminal) throws IOException {
         terminal.print(report.table());
-        Files.writeString(out.resolve("crowd.csv"), report.csv());
+        terminal.flush(); // first: files may fail
+        OutputFiles.write(out.resolve("crowd.csv"), report.csv());
         new CrowdFigure(report.medians(), colours, services).write(out);
         terminal.println("wrote " + out.resolve("crowd.csv") + ", crowd.svg and crowd.png");
         terminal.flush();
-        return 0;
     }
 
     private void check() {
@@ -91,27 +109,28 @@ public final class CrowdCommand implements Callable<Integer> {
     }
 
     /** The sizes take turns, so that all of them see the same machine; a round before that warms up and does not count. */
-    private List<Trial> measure() throws InterruptedException {
-        List<Trial> trials = new ArrayList<>();
+    private void measure(List<Trial> trials, Interruption interruption) throws InterruptedException {
         try (var line = TerminalLine.open()) {
             for (int round = 0; round <= repeat; round++) {
                 for (int robots : sizes) {
-                    String what =
-                            robots + " robots, " + (round == 0 ? "warming up" : "round " + round + " of " + repeat);
+                    String what = Plural.of(robots, "robot") + ", "
+                            + (round == 0 ? "warming up" : "round " + round + " of " + repeat);
                     var trial = new CrowdTrial(new CrowdTrial.Settings(
                                     robots, colours, services, round == 0 ? Math.min(seconds, 2) : seconds, seed))
-                            .run(done -> show(line, what, done));
+                            .run(done -> {
+                                interruption.check();
+                                show(line, what, done);
+                            });
                     if (round > 0) {
                         trials.add(trial);
                     }
                 }
             }
         }
-        return trials;
     }
 
     private static void show(TerminalLine line, String what, double done) {
         int full = (int) (Math.min(1, done) * BAR);
-        line.show(String.format(Locale.ROOT, "[%s%s] %s", "#".repeat(full), ".".repeat(BAR - full), what));
+        line.show(what, String.format(Locale.ROOT, "[%s%s] %s", "#".repeat(full), ".".repeat(BAR - full), what));
     }
 }

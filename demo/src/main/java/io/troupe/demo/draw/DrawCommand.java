@@ -1,11 +1,13 @@
 package io.troupe.demo.draw;
 
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
@@ -34,16 +36,18 @@ public final class DrawCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        FileProblems.checkInput(spec, world, "a world file");
+        FileProblems.checkOutput(spec, "--out", out);
         PrintWriter err = spec.commandLine().getErr();
         var scenario = lenient
                 ? ScenarioReader.read(world, warning -> err.println("troupe: warning: " + warning))
                 : ScenarioReader.read(world);
         try (var simulated = World.create(scenario.world(), WorldSettings.DEFAULT)) {
-            Files.writeString(out, new WorldDrawing(scenario.world(), simulated.latest()).svg());
+            OutputFiles.write(out, new WorldDrawing(scenario.world(), simulated.latest()).svg());
         }
         PrintWriter terminal = spec.commandLine().getOut();
-        terminal.println(scenario.world().robots().size() + " robots, "
-                + scenario.world().obstacles().size() + " other things; wrote " + out);
+        terminal.println(Plural.of(scenario.world().robots().size(), "robot") + ", "
+                + Plural.of(scenario.world().obstacles().size(), "other thing") + "; wrote " + out);
         terminal.flush();
         return 0;
     }

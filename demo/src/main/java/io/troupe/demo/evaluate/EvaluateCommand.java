@@ -1,6 +1,9 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
@@ -100,13 +103,49 @@ public final class EvaluateCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         System.setProperty("java.awt.headless", "true"); // pictures need no screen
         var settings = settings();
+        FileProblems.checkInput(spec, world, "a world file");
         prepare(settings.log());
         long begin = System.nanoTime();
-        Measurements measurements;
-        try (var progress = new EvaluationProgress(TerminalLine.open())) {
-            measurements = new Evaluation(settings, progress).measure();
+        try (var interruption = Interruption.open()) {
+            Measurements measurements;
+            Evaluation evaluation;
+            try (var progress = new EvaluationProgress(TerminalLine.open())) {
+                evaluation = new Evaluation(settings, progress, interruption);
+                measurements = evaluation.measure();
+            }
+            double tookSeconds = (System.nanoTime() - begin) / 1e9;
+            if (interruption.isRequested()) {
+                return interrupted(settings, measurements, evaluation.completeRepetitions());
+            }
+            return report(settings, measurements, tookSeconds);
         }
-        double tookSeconds = (System.nanoTime() - begin) / 1e9;
+    }
+
+    /** What was measured; claims and figures only of repetitions in which everything was. */
+    private int interrupted(EvaluationSettings settings, Measurements measurements, int complete) throws IOException {
+        PrintWriter terminal = spec.commandLine().getOut();
+        if (complete > 0) {
+            var counted = settings.withRepetitions(complete);
+            terminal.print(new EvaluationReport(counted, measurements.ofRepetitions(complete)).text());
+        }
+        terminal.printf(
+                "%ninterrupted: %d of %s complete%n",
+                complete, Plural.of(settings.repetitions(), "repetition") + (settings.repetitions() == 1 ? " was" : " were"));
+        terminal.flush();
+        if (Files.size(settings.log()) == 0) {
+            Files.delete(settings.log());
+        }
+        if (!measurements.all().isEmpty()) {
+            Path csv = out.resolve("evaluation.csv");
+            EvaluationCsv.write(measurements, csv);
+            terminal.println("wrote " + Plural.of(measurements.all().size(), "number") + ", all that was measured, to "
+                    + csv + "; there are no new pictures");
+        }
+        terminal.flush();
+        return Interruption.STATUS;
+    }
+
+    private int report(EvaluationSettings settings, Measurements measurements, double tookSeconds) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new EvaluationReport(settings, measurements).text()); // first: files may fail
         terminal.flush();
@@ -170,7 +209,8 @@ public final class EvaluateCommand implements Callable<Integer> {
             Files.write(log, new byte[0]);
         } catch (IOException e) {
             throw new ParameterException(
-                    spec.commandLine(), "--out " + out + " is no directory that can be written to: " + e);
+                    spec.commandLine(),
+                    "--out " + out + " is no directory that can be written to: " + FileProblems.words(log, e));
         }
     }
 }

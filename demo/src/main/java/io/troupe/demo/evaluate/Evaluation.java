@@ -1,8 +1,10 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
  * Measures everything, one job at a time, so that no two measurements disturb each other: the JVMs take turns.
@@ -12,19 +14,26 @@ final class Evaluation {
     private final PaperWorld world;
     private final Plan plan;
     private final EvaluationProgress progress;
+    private final Interruption interruption;
     private final Measurements measurements = new Measurements();
+    private int completeRepetitions;
 
-    Evaluation(EvaluationSettings settings, EvaluationProgress progress) {
+    /** @param interruption ends the measuring where it is */
+    Evaluation(EvaluationSettings settings, EvaluationProgress progress, Interruption interruption) {
+        this.interruption = interruption;
         this.settings = settings;
         this.world = PaperWorld.read(settings.world());
         this.plan = new Plan(settings);
         this.progress = progress;
     }
 
+    /** All that was measured; after an interruption, what was measured until then. */
     Measurements measure() throws IOException {
-        var processes = new ArrayList<MeasuringProcess>();
+        var processes = new CopyOnWriteArrayList<MeasuringProcess>();
+        interruption.onRequest(() -> processes.forEach(MeasuringProcess::end));
         try {
             for (int cores : settings.cores()) {
+                interruption.check();
                 processes.add(MeasuringProcess.start(cores, settings.world(), settings.log()));
             }
             progress.expect(expectedSeconds());
@@ -32,6 +41,7 @@ final class Evaluation {
             for (int repetition = 1; repetition <= settings.repetitions(); repetition++) {
                 for (Job job : plan.repetition(repetition)) {
                     for (MeasuringProcess process : processes) {
+                        interruption.check();
                         progress.begins(job, process.cores());
                         keep(
                                 settings.realTime() ? inRealTime(job, process) : process.measure(job),
@@ -40,6 +50,12 @@ final class Evaluation {
                         progress.ended(Plan.expectedSeconds(job));
                     }
                 }
+                completeRepetitions++;
+            }
+            return measurements;
+        } catch (IOException | InterruptedCommand ended) { // Ctrl-C ends the processes too
+            if (!interruption.isRequested()) {
+                throw ended;
             }
             return measurements;
         } finally {
@@ -47,10 +63,16 @@ final class Evaluation {
         }
     }
 
+    /** Those in which everything was measured. */
+    int completeRepetitions() {
+        return completeRepetitions;
+    }
+
     private void warmUp(List<MeasuringProcess> processes) throws IOException {
         for (int round = 1; round <= settings.warmUps(); round++) {
             for (Job job : plan.warmUp(round)) {
                 for (MeasuringProcess process : processes) {
+                    interruption.check();
                     progress.warmsUp(process.cores());
                     process.measure(job);
                     progress.ended(warmUpSeconds(job));

@@ -1,8 +1,9 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.OutputFiles;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** All numbers as a table, one to a line. */
@@ -13,7 +14,7 @@ final class EvaluationCsv {
 
     static void write(Measurements measurements, Path file) throws IOException {
         var lines = Stream.concat(Stream.of(HEADER), measurements.all().stream().map(EvaluationCsv::line));
-        Files.write(file, (Iterable<String>) lines::iterator);
+        OutputFiles.write(file, lines.collect(Collectors.joining("\n", "", "\n")));
     }
 
     private static String line(Measurement each) {

@@ -58,14 +58,16 @@ final class EvaluationProgress implements AutoCloseable {
             return;
         }
         int full = (int) (share * WIDTH);
-        line.show(String.format(
-                Locale.ROOT,
-                "[%s%s] %3.0f %%%s  %s",
-                "#".repeat(full),
-                ".".repeat(WIDTH - full),
-                100 * share,
-                left(share),
-                doing));
+        line.show(
+                doing,
+                String.format(
+                        Locale.ROOT,
+                        "[%s%s] %3.0f %%%s  %s",
+                        "#".repeat(full),
+                        ".".repeat(WIDTH - full),
+                        100 * share,
+                        left(share),
+                        doing));
     }
 
     private String left(double share) {

@@ -27,4 +27,9 @@ record EvaluationSettings(
         cores = List.copyOf(cores);
         modes = List.copyOf(modes);
     }
+
+    EvaluationSettings withRepetitions(int number) {
+        return new EvaluationSettings(
+                world, loops, cores, modes, number, warmUps, seconds, reconnect, realTime, log);
+    }
 }

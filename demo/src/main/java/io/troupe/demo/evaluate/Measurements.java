@@ -17,6 +17,13 @@ final class Measurements {
         return List.copyOf(all);
     }
 
+    /** Those of the first repetitions. */
+    Measurements ofRepetitions(int first) {
+        var some = new Measurements();
+        all.stream().filter(each -> each.repetition() <= first).forEach(some::add);
+        return some;
+    }
+
     boolean has(Part part, Mode mode, int cores, String subject, Quantity quantity) {
         return values(part, mode, cores, subject, quantity).length > 0;
     }

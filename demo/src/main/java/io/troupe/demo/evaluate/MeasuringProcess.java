@@ -81,6 +81,11 @@ final class MeasuringProcess implements AutoCloseable {
         }
     }
 
+    /** Ends it, whatever it does; any thread may. */
+    void end() {
+        process.destroy();
+    }
+
     @Override
     public void close() {
         jobs.close();

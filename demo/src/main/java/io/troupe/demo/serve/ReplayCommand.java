@@ -1,5 +1,7 @@
 package io.troupe.demo.serve;
 
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;
@@ -39,6 +41,7 @@ public final class ReplayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
+        FileProblems.checkInput(spec, recording, "what serve --record has written");
         WorldSpec world = worlds.scenario().world();
         Replay replay = read();
         var travelled = new Travelled(world.robots().size());
@@ -47,25 +50,25 @@ public final class ReplayCommand implements Callable<Integer> {
             checksum = replay.play(world, snapshot -> {
                 travelled.add(snapshot);
                 if (snapshot.tick() % TICKS_PER_REPORT == 0) {
-                    line.show(snapshot.tick() + " of " + replay.ticks() + " ticks");
+                    line.show("", snapshot.tick() + " of " + replay.ticks() + " ticks");
                 }
             });
         }
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.printf(
                 Locale.ROOT,
-                "%d ticks of world %s, the same bit for bit; checksum %08x%n",
-                replay.ticks(),
+                "%s of world %s, the same bit for bit; checksum %08x%n",
+                Plural.of(replay.ticks(), "tick"),
                 world.name(),
                 checksum);
         List<RobotSpec> robots = world.robots();
         for (int i = 0; i < robots.size(); i++) {
             terminal.printf(
                     Locale.ROOT,
-                    "%s: %.1f m, %d contacts%n",
+                    "%s: %.1f m, %s%n",
                     robots.get(i).name(),
                     travelled.distanceM[i],
-                    travelled.contacts[i]);
+                    Plural.of(travelled.contacts[i], "contact"));
         }
         terminal.flush();
         return 0;

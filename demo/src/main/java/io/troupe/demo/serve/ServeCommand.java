@@ -1,5 +1,6 @@
 package io.troupe.demo.serve;
 
+import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
@@ -103,6 +104,10 @@ public final class ServeCommand implements Callable<Integer> {
                     spec.commandLine(), "--max-clients is " + maxClients + ", expected a number of at least 0");
         }
         InetAddress address = address();
+        Path recording = record;
+        if (recording != null) {
+            FileProblems.checkOutput(spec, "--record", recording);
+        }
         var serving = Serving.open(
                 worlds.scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep(), maxClients);
         var ended = new CountDownLatch(1);
@@ -112,8 +117,8 @@ public final class ServeCommand implements Callable<Integer> {
         try {
             try (serving;
                     var line = TerminalLine.open()) {
-                if (record != null) {
-                    serving.record(record);
+                if (recording != null) {
+                    serving.record(recording);
                 }
                 terminal.println(serving.greeting());
                 terminal.flush();

@@ -210,7 +210,7 @@ final class Serving implements AutoCloseable {
 
     private void report(Snapshot snapshot, long endMicros, TerminalLine line) {
         if (snapshot.timeMicros() % MICROS_PER_SECOND == 0) {
-            line.show(String.format(Locale.ROOT, "%d s simulated", snapshot.timeMicros() / MICROS_PER_SECOND));
+            line.show("", String.format(Locale.ROOT, "%d s simulated", snapshot.timeMicros() / MICROS_PER_SECOND));
         }
         if (snapshot.timeMicros() >= endMicros) {
             stop();

@@ -1,5 +1,6 @@
 package io.troupe.demo.serve;
 
+import io.troupe.demo.terminal.FileProblems;
 import io.troupe.sim.scenario.CrowdWorld;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
@@ -49,6 +50,7 @@ final class WorldOptions {
     }
 
     private Scenario read(Path file) {
+        FileProblems.checkInput(spec, file, "a world file");
         return lenient
                 ? ScenarioReader.read(
                         file, warning -> spec.commandLine().getErr().println("troupe: warning: " + warning))

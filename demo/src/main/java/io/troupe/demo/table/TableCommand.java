@@ -1,11 +1,11 @@
 package io.troupe.demo.table;
 
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
@@ -38,18 +38,19 @@ public final class TableCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         SubsumptionTable table = file == null ? SubsumptionTable.ofThePaper() : SubsumptionTableReader.read(file);
         OutputDirectory.make(spec, out);
-        write("states", Diagram.ofStates(table));
-        write("rules", Diagram.ofRules(table));
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new TableGrid(table).text());
         terminal.println();
+        terminal.flush(); // first: files may fail
+        write("states", Diagram.ofStates(table));
+        write("rules", Diagram.ofRules(table));
         terminal.println("wrote states and rules, as .dot and .svg, in " + out);
         terminal.flush();
         return 0;
     }
 
     private void write(String name, Diagram diagram) throws IOException {
-        Files.writeString(out.resolve(name + ".dot"), DiagramDot.write(diagram));
-        Files.writeString(out.resolve(name + ".svg"), DiagramSvg.draw(diagram));
+        OutputFiles.write(out.resolve(name + ".dot"), DiagramDot.write(diagram));
+        OutputFiles.write(out.resolve(name + ".svg"), DiagramSvg.draw(diagram));
     }
 }

@@ -1,12 +1,12 @@
 package io.troupe.demo.verify;
 
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.drawing.GraphDrawing;
 import io.troupe.petri.drawing.NetDrawing;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -58,9 +58,9 @@ final class NetFiles {
         if (!dead.isEmpty()) {
             drawing = drawing.pathTo(dead.get(0));
         }
-        Files.writeString(directory.resolve(name + ".dot"), drawing.dot());
+        OutputFiles.write(directory.resolve(name + ".dot"), drawing.dot());
         if (canDraw(graph)) {
-            Files.writeString(directory.resolve(name + ".svg"), drawing.svg());
+            OutputFiles.write(directory.resolve(name + ".svg"), drawing.svg());
         }
     }
 
@@ -70,7 +70,7 @@ final class NetFiles {
     }
 
     private void draw(String name, NetDrawing drawing) throws IOException {
-        Files.writeString(directory.resolve(name + ".dot"), drawing.dot());
-        Files.writeString(directory.resolve(name + ".svg"), drawing.svg());
+        OutputFiles.write(directory.resolve(name + ".dot"), drawing.dot());
+        OutputFiles.write(directory.resolve(name + ".svg"), drawing.svg());
     }
 }

@@ -1,15 +1,19 @@
 package io.troupe.demo.verify;
 
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.TerminalLine;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -52,36 +56,59 @@ public final class VerifyCommand implements Callable<Integer> {
         }
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
-        try (var line = TerminalLine.open()) {
-            String result = net == null ? verifyPaper(line) : examine(net, line);
-            line.interrupt(() -> terminal.print(result));
+        try (var interruption = Interruption.open();
+                var line = TerminalLine.open()) {
+            Consumer<String> progress = doing -> {
+                interruption.check();
+                line.show(doing);
+            };
+            Consumer<String> results = result -> line.interrupt(() -> {
+                terminal.print(result);
+                terminal.flush();
+            });
+            try {
+                if (net == null) {
+                    verifyPaper(progress, results);
+                } else {
+                    results.accept(examine(net, progress));
+                }
+            } catch (InterruptedCommand interrupted) {
+                results.accept("\ninterrupted: what was known until then stands above; "
+                        + (net == null ? "there is no new verify.md\n" : "nothing was drawn\n"));
+                return Interruption.STATUS;
+            }
         }
-        terminal.flush();
         return 0;
     }
 
-    private String verifyPaper(TerminalLine line) throws IOException {
+    /** Prints each result as soon as it is known. */
+    private void verifyPaper(Consumer<String> progress, Consumer<String> results) throws IOException {
         var readings = Arrays.stream(Reading.values())
-                .map(reading -> ReadingStudy.of(reading, line::show))
+                .map(reading -> ReadingStudy.of(reading, progress))
+                .peek(study -> results.accept(VerifyReport.summary(study)))
                 .toList();
+        results.accept(VerifyReport.TEAMS_TITLE);
         var teams = IntStream.rangeClosed(1, robots)
-                .mapToObj(count -> TeamStudy.of(count, line::show))
+                .mapToObj(count -> TeamStudy.of(count, progress))
+                .peek(study -> results.accept(VerifyReport.summary(study)))
                 .toList();
-        var report = new VerifyReport(readings, teams, WiringStudy.all(robots, line::show));
+        results.accept(VerifyReport.WIRINGS_TITLE);
+        var wirings = WiringStudy.all(robots, progress, study -> results.accept(VerifyReport.summary(study)));
         var files = new NetFiles(out);
         for (var reading : readings) {
-            line.show("drawing the nets of reading " + reading.reading());
+            progress.accept("drawing the nets of reading " + reading.reading());
             files.write(reading);
         }
-        Files.writeString(out.resolve("verify.md"), report.markdown());
-        return report.summary() + "wrote " + out.resolve("verify.md")
-                + ", and the nets beside it as .pnml, .dot and .svg\n";
+        OutputFiles.write(out.resolve("verify.md"), new VerifyReport(readings, teams, wirings).markdown());
+        results.accept(
+                "wrote " + out.resolve("verify.md") + ", and the nets beside it as .pnml, .dot and .svg\n");
     }
 
-    private String examine(Path file, TerminalLine line) throws IOException {
+    private String examine(Path file, Consumer<String> progress) throws IOException {
+        FileProblems.checkInput(spec, file, "a net in PNML");
         OwnNet own;
         try {
-            own = OwnNet.of(Pnml.read(file), line::show);
+            own = OwnNet.of(Pnml.read(file), progress);
         } catch (ArithmeticException e) {
             throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
         }

@@ -20,40 +20,34 @@ final class VerifyReport {
         this.wirings = List.copyOf(wirings);
     }
 
+    static final String TEAMS_TITLE =
+            "More robots, each with a player of its own: without correction, stopping together, stopping one by one\n";
+    static final String WIRINGS_TITLE = "\nWirings declared component by component\n";
+
     /** A line for each statement and its result; the traces are in the Markdown. */
-    String summary() {
-        var text = new StringBuilder();
-        for (var study : readings) {
-            text.append("Reading ")
-                    .append(study.reading())
-                    .append(explanation(study))
-                    .append('\n');
-            for (var statement : study.statements()) {
-                text.append(statement.holds() ? "  holds   " : "  DIFFERS ");
-                text.append(statement.section())
-                        .append(": ")
-                        .append(statement.claim())
-                        .append('\n');
-                text.append("          ours: ").append(statement.ours()).append('\n');
-            }
-            text.append('\n');
-        }
-        text.append(
-                "More robots, each with a player of its own: without correction, stopping together, stopping one by one\n");
-        teams.forEach(team -> text.append("  ")
-                .append(team.robots())
-                .append(team.robots() == 1 ? " robot:  " : " robots: ")
-                .append(String.join(", ", cells(team)))
-                .append('\n'));
-        text.append("\nWirings declared component by component\n");
-        for (var wiring : wirings) {
-            text.append("  ")
-                    .append(wiring.name())
+    static String summary(ReadingStudy study) {
+        var text = new StringBuilder("Reading ")
+                .append(study.reading())
+                .append(explanation(study))
+                .append('\n');
+        for (var statement : study.statements()) {
+            text.append(statement.holds() ? "  holds   " : "  DIFFERS ");
+            text.append(statement.section())
                     .append(": ")
-                    .append(wiring.verdict())
+                    .append(statement.claim())
                     .append('\n');
+            text.append("          ours: ").append(statement.ours()).append('\n');
         }
-        return text.toString();
+        return text.append('\n').toString();
+    }
+
+    static String summary(TeamStudy team) {
+        return "  " + team.robots() + (team.robots() == 1 ? " robot:  " : " robots: ")
+                + String.join(", ", cells(team)) + "\n";
+    }
+
+    static String summary(WiringStudy wiring) {
+        return "  " + wiring.name() + ": " + wiring.verdict() + "\n";
     }
 
     private static List<String> cells(TeamStudy team) {

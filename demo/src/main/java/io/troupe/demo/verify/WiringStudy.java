@@ -1,34 +1,40 @@
 package io.troupe.demo.verify;
 
+import io.troupe.demo.terminal.Plural;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.PaperWiring;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringResult;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 
 /** A wiring declared component by component, and whether it can deadlock. */
 record WiringStudy(String name, Wiring wiring, WiringResult result) {
     private static final int MARKINGS_PER_REPORT = 10_000;
 
-    /** The paper's wiring for one robot and for several, with the repair that is proposed, and our own, with promises and with direct calls. */
-    static List<WiringStudy> all(int robots, Consumer<String> progress) {
-        return List.of(
-                of("the paper's four components as declarations", PaperWiring.wiring(), progress),
-                of("the same with " + robots + " robots", PaperWiring.robots(robots), progress),
-                of(
-                        "the same with " + robots + " robots, each of which stops with its player only",
-                        PaperWiring.robotsStoppingOneByOne(robots),
-                        progress),
-                of(
-                        "troupe run with " + robots + " robots, a colour is a promise",
-                        TroupeWiring.withPromises(robots),
-                        progress),
-                of(
-                        "troupe run with 2 robots, if a colour were a call that is waited for",
-                        TroupeWiring.withDirectCalls(2),
-                        progress));
+    /**
+     * The paper's wiring for one robot and for several, with the repair that is proposed, and our own, with promises and with direct calls.
+     *
+     * @param done is given each as soon as it is known
+     */
+    static List<WiringStudy> all(int robots, Consumer<String> progress, Consumer<WiringStudy> done) {
+        String team = Plural.of(robots, "robot");
+        Map<String, Wiring> wirings = new LinkedHashMap<>();
+        wirings.put("the paper's four components as declarations", PaperWiring.wiring());
+        wirings.put("the same with " + team, PaperWiring.robots(robots));
+        wirings.put(
+                "the same with " + team + ", each of which stops with its player only",
+                PaperWiring.robotsStoppingOneByOne(robots));
+        wirings.put("troupe run with " + team + ", a colour is a promise", TroupeWiring.withPromises(robots));
+        wirings.put(
+                "troupe run with 2 robots, if a colour were a call that is waited for", TroupeWiring.withDirectCalls(2));
+        return wirings.entrySet().stream()
+                .map(each -> of(each.getKey(), each.getValue(), progress))
+                .peek(done)
+                .toList();
     }
 
     private static WiringStudy of(String name, Wiring wiring, Consumer<String> progress) {

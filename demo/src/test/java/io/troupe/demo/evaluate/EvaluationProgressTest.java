@@ -17,7 +17,7 @@ class EvaluationProgressTest {
     private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
     private final ManualClock clock = new ManualClock();
     private final EvaluationProgress progress =
-            new EvaluationProgress(TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8)), clock);
+            new EvaluationProgress(TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
 
     /** What has been written since it was asked for last. */
     private String shown() {
@@ -44,6 +44,7 @@ class EvaluationProgressTest {
         progress.within(50);
         assertThat(shown()).isEqualTo(bar(15) + "  50 %, 20 s left  " + doing);
         progress.ended(100); // what was told meanwhile is part of it
+        clock.advance(Duration.ofSeconds(1)); // a terminal is not written to more often than a few times a second
         progress.begins(JOB, 1);
         assertThat(shown()).isEqualTo(bar(22) + "  75 %, 7 s left  " + doing);
     }

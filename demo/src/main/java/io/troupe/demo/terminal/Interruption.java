@@ -1,0 +1,89 @@
+package io.troupe.demo.terminal;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+
+/**
+ * Lets a command finish in order on Ctrl-C: the virtual machine ends when this is closed, or after ten seconds.
+ *
+ * <p><b>Threads.</b> Ctrl-C is noticed on a thread of the virtual machine; the rest may be called on any.
+ */
+public final class Interruption implements AutoCloseable {
+    /** Exit status of a command that Ctrl-C has ended, as shells have it. */
+    public static final int STATUS = 130;
+
+    private static final long CLOSING_SECONDS = 10;
+    private static final Runnable NOTHING = () -> {};
+
+    /** Ends what a command does when Ctrl-C was pressed; caught where it prints what it has. */
+    public static final class InterruptedCommand extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        private InterruptedCommand() {
+            super("interrupted");
+        }
+    }
+
+    private final CountDownLatch closed = new CountDownLatch(1);
+    private final AtomicReference<Runnable> atRequest = new AtomicReference<>(NOTHING);
+    private final Thread hook = new Thread(this::await, "finish");
+    private volatile boolean requested;
+
+    private Interruption() {}
+
+    public static Interruption open() {
+        var interruption = new Interruption();
+        Runtime.getRuntime().addShutdownHook(interruption.hook);
+        return interruption;
+    }
+
+    /** One that never comes. */
+    public static Interruption none() {
+        return new Interruption();
+    }
+
+    public boolean isRequested() {
+        return requested;
+    }
+
+    /** @throws InterruptedCommand if Ctrl-C was pressed */
+    public void check() {
+        if (requested) {
+            throw new InterruptedCommand();
+        }
+    }
+
+    /** What ends a wait that cannot look at {@link #isRequested}; at once, if Ctrl-C was pressed before. */
+    public void onRequest(Runnable action) {
+        atRequest.set(action);
+        if (requested) {
+            action.run();
+        }
+    }
+
+    /** As Ctrl-C does. */
+    void request() {
+        requested = true;
+        atRequest.get().run();
+    }
+
+    private void await() {
+        request();
+        try {
+            closed.await(CLOSING_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        closed.countDown();
+        try {
+            Runtime.getRuntime().removeShutdownHook(hook);
+        } catch (IllegalStateException shuttingDown) {
+            // it runs already, and that is what it is for
+        }
+    }
+}

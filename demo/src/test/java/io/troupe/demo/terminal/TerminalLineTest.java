@@ -1,0 +1,85 @@
+package io.troupe.demo.terminal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.time.ManualClock;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+
+class TerminalLineTest {
+    private static final int COLUMNS = 20;
+
+    private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    private final PrintStream stream = new PrintStream(bytes, true, StandardCharsets.UTF_8);
+    private final ManualClock clock = new ManualClock();
+
+    private String written() {
+        String text = bytes.toString(StandardCharsets.UTF_8);
+        bytes.reset();
+        return text;
+    }
+
+    @Test
+    void line_isWrittenAFewTimesASecond_howeverOftenItIsShown() {
+        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        for (int tick = 0; tick < 1000; tick++) { // ten seconds
+            line.show("run", "tick " + tick);
+            clock.advance(Duration.ofMillis(10));
+        }
+        assertThat(written().split("\r", -1)).hasSizeBetween(10, 10 * 4 + 2);
+    }
+
+    @Test
+    void nextStage_isShownAtOnce() {
+        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        line.show("one", "one 1");
+        line.show("one", "one 2");
+        line.show("two", "two 1");
+        assertThat(written()).isEqualTo("\rone 1\033[K\rtwo 1\033[K");
+    }
+
+    @Test
+    void textThatDiffersInItsNumbersOnly_isNoNextStage() {
+        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        line.show("net: 10,000 markings");
+        line.show("net: 20,000 markings");
+        assertThat(written()).doesNotContain("20,000");
+    }
+
+    @Test
+    void line_isNoWiderThanTheTerminal() {
+        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        line.show("x".repeat(3 * COLUMNS));
+        assertThat(written()).isEqualTo("\r" + "x".repeat(COLUMNS - 1) + "\033[K");
+    }
+
+    @Test
+    void close_wipesWhatWasShown_andWhatComesNextIsShownAtOnce() {
+        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        line.show("run", "1");
+        line.interrupt(() -> stream.print("change\n"));
+        line.show("run", "2");
+        assertThat(written()).isEqualTo("\r1\033[K\r\033[Kchange\n\r2\033[K");
+    }
+
+    @Test
+    void offATerminal_aPlainLineIsPrintedNowAndThen_withoutEscapes() {
+        var line = TerminalLine.plain(stream, clock, Duration.ofSeconds(10));
+        for (int second = 0; second < 25; second++) {
+            line.show("run", second + " s");
+            clock.advance(Duration.ofSeconds(1));
+        }
+        line.close();
+        assertThat(written().lines()).containsExactly("troupe: 10 s", "troupe: 20 s");
+    }
+
+    @Test
+    void terminalThatIsDumb_getsNoEscapes() {
+        assertThat(TerminalLine.knowsEscapes("dumb")).isFalse();
+        assertThat(TerminalLine.knowsEscapes("xterm-256color")).isTrue();
+        assertThat(TerminalLine.knowsEscapes(null)).isTrue(); // as on Windows
+    }
+}
