@@ -150,7 +150,7 @@ final class BlockSearch {
     /** The places that some firing from marking {@code id} empties. */
     private void findLeft(int id, BitSet left) {
         left.clear();
-        for (var edge = found.edgeStart.get(id); edge < found.edgeStart.get(id + 1); edge++) {
+        for (var edge = found.edgeStart(id); edge < found.edgeEnd(id); edge++) {
             var transition = found.edgeTransition.get(edge);
             for (var i = 0; i < emptied[transition].length; i++) {
                 var place = emptied[transition][i];

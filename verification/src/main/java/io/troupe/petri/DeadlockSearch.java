@@ -11,7 +11,7 @@ import java.util.List;
  * <p><b>Threads.</b> Immutable.
  * <p><b>Order.</b> Breadth first over the markings that are visited. Every way to a dead marking has a permutation that
  * is followed, so the first way that is found is a shortest one of all.
- * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited; never more than all, and
+ * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited, without the memory for edges; never more than all, and
  * of components that mostly work on their own about as few as the square root of their number. A net with priorities is searched in full.
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989.
  */
@@ -33,7 +33,7 @@ public final class DeadlockSearch {
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
     public static DeadlockSearch run(PetriNet net, SearchLimits limits) {
-        return new DeadlockSearch(ReachabilityGraph.explore(net, new StubbornSets(net), limits));
+        return new DeadlockSearch(ReachabilityGraph.withoutEdges(net, new StubbornSets(net), limits));
     }
 
     /**
@@ -52,11 +52,14 @@ public final class DeadlockSearch {
         return visited.net();
     }
 
-    /** All dead markings, that with the shortest trace first; if the search ended early, there may be more. */
+    /**
+     * All dead markings, that with the shortest trace first; if the search ended early, there may be more. Each is made
+     * when the list is asked for it: there can be millions, and their traces are long.
+     */
     public List<Deadlock> deadlocks() {
-        return visited.dead().stream()
-                .map(state -> new Deadlock(state.marking(), state.shortestTrace()))
-                .toList();
+        var dead = visited.dead();
+        return new OnDemand<>(dead.size(), i -> new Deadlock(
+                dead.get(i).marking(), dead.get(i).shortestTrace()));
     }
 
     /** Whether no reachable marking is dead. */
@@ -89,11 +92,12 @@ public final class DeadlockSearch {
         switch (end()) {
             case COMPLETE -> text.append(", all of them");
             case LIMIT -> text.append(" so far; stopped at the limit");
+            case MEMORY -> text.append(" so far; out of memory");
             case CANCELLED -> text.append(" so far; cancelled");
         }
         if (!dead.isEmpty()) {
             text.append("\n  the nearest ").append(dead.get(0).marking());
-            text.append(" after ").append(dead.get(0).trace());
+            text.append(" after ").append(Shortened.list(dead.get(0).trace()));
         }
         return text.toString();
     }

@@ -4,7 +4,8 @@ import java.util.BitSet;
 
 /*
  * Breadth first over the markings of a net. What it leaves in its fields is what ReachabilityGraph and DeadlockSearch
- * tell.
+ * report. When the memory is used up it ends between two steps, so that what it has stays consistent: a list may then hold
+ * a last value too many, which nothing reads.
  */
 final class Exploration {
     final PetriNet net;
@@ -13,20 +14,28 @@ final class Exploration {
     final IntList parent = new IntList();
 
     final IntList parentTransition = new IntList();
-    /** The edges of marking i are those from edgeStart(i) up to edgeStart(i + 1). */
-    final IntList edgeStart = new IntList();
+    /** Where the edges of a marking begin, of those whose successors were looked for. */
+    private final IntList edgeStart = new IntList();
 
     final IntList edgeTransition = new IntList();
     final IntList edgeTarget = new IntList();
     final IntList dead = new IntList();
     final int[] most;
     final boolean[] fired;
-    /** The markings of which successors are missing: left out at the limit, or not looked for. */
-    final BitSet open = new BitSet();
+    /** The markings of which successors are missing, left out at the limit. */
+    private final BitSet open = new BitSet();
+
+    /** How many markings had their successors looked for; all others are open. */
+    private int expanded;
+
+    /** How many firings were followed, whether kept as edges or not. */
+    private long edges;
 
     SearchEnd end = SearchEnd.COMPLETE;
 
     private final SearchLimits limits;
+    private final int maxMarkings;
+    private final boolean keepsEdges;
     private final Expansion expansion;
     private final int[] chosen;
     /** The places where a transition puts more than it takes, and how much more. */
@@ -37,10 +46,13 @@ final class Exploration {
     private long[][] packedChanges;
     private long[] successor;
 
-    Exploration(PetriNet net, Expansion expansion, SearchLimits limits) {
+    /** Without {@code keepsEdges} there are markings and ways to them, but no graph. */
+    Exploration(PetriNet net, Expansion expansion, SearchLimits limits, boolean keepsEdges) {
         this.net = net;
         this.expansion = expansion;
         this.limits = limits;
+        this.keepsEdges = keepsEdges;
+        maxMarkings = Math.min(limits.maxMarkings(), MarkingStore.MAX_SIZE);
         var transitions = net.transitions();
         chosen = new int[transitions.size()];
         gains = new int[transitions.size()][];
@@ -67,35 +79,67 @@ final class Exploration {
         store.add(store.pack(tokens));
         parent.add(-1);
         parentTransition.add(-1);
-        var expanded = 0;
-        while (expanded < store.size() && !limits.cancelled().getAsBoolean()) {
-            expand(expanded++);
-            if (expanded % limits.markingsPerReport() == 0) {
-                limits.report().accept(new SearchProgress(store.size(), expanded, edgeTarget.size(), dead.size()));
-            }
-        }
-        if (expanded < store.size()) {
-            end = SearchEnd.CANCELLED;
-        } else if (!open.isEmpty()) {
-            end = SearchEnd.LIMIT;
+        try {
+            search();
+        } catch (OutOfMemoryError e) {
+            end = SearchEnd.MEMORY;
         }
         for (var from = expanded; from < store.size(); from++) {
-            open.set(from);
             read(from);
         }
-        edgeStart.add(edgeTarget.size());
+    }
+
+    private void search() {
+        while (expanded < store.size()) {
+            if (limits.cancelled().getAsBoolean()) {
+                end = SearchEnd.CANCELLED;
+                return;
+            }
+            if (!hasRoom(store.bytesWith(chosen.length))) {
+                end = SearchEnd.MEMORY;
+            } else {
+                expand(expanded);
+            }
+            if (end == SearchEnd.MEMORY) {
+                return;
+            }
+            expanded++;
+            if (expanded % limits.markingsPerReport() == 0) {
+                limits.report().accept(new SearchProgress(store.size(), expanded, edgeCount(), dead.size()));
+            }
+        }
+        if (!open.isEmpty()) {
+            end = SearchEnd.LIMIT;
+        }
+    }
+
+    /** Whether the limit of memory leaves room for another step, if the store takes so much after it. */
+    private boolean hasRoom(long storeBytes) {
+        if (limits.maxBytes() == Long.MAX_VALUE) {
+            return true;
+        }
+        var steps = chosen.length;
+        var ways = parent.bytesWith(steps) * 2 + dead.bytesWith(1);
+        var kept = keepsEdges ? edgeTarget.bytesWith(steps) * 2 + edgeStart.bytesWith(1) : 0;
+        return storeBytes + ways + kept <= limits.maxBytes();
     }
 
     private void expand(int from) {
         read(from);
+        if (keepsEdges) {
+            edgeStart.add(edgeTarget.size());
+        }
         var count = expansion.choose(tokens, chosen);
-        for (var i = 0; i < count; i++) {
+        for (var i = 0; i < count && end != SearchEnd.MEMORY; i++) {
             var t = chosen[i];
             fired[t] = true;
             var to = reach(from, t);
             if (to >= 0) {
-                edgeTransition.add(t);
-                edgeTarget.add(to);
+                if (keepsEdges) {
+                    edgeTransition.add(t);
+                    edgeTarget.add(to);
+                }
+                edges++;
             } else {
                 open.set(from);
             }
@@ -110,7 +154,28 @@ final class Exploration {
         for (var place = 0; place < tokens.length; place++) {
             most[place] = Math.max(most[place], tokens[place]);
         }
-        edgeStart.add(edgeTarget.size());
+    }
+
+    /** The edges of a marking are those from here up to {@link #edgeEnd}. */
+    int edgeStart(int id) {
+        return id < edgeStart.size() ? edgeStart.get(id) : edgeTarget.size();
+    }
+
+    int edgeEnd(int id) {
+        return edgeStart(id + 1);
+    }
+
+    int edgeCount() {
+        return (int) Math.min(Integer.MAX_VALUE, edges);
+    }
+
+    /** Whether successors of a marking are missing: left out at the limit, or not looked for. */
+    boolean isOpen(int id) {
+        return id >= expanded || open.get(id);
+    }
+
+    int openCount() {
+        return open.get(0, expanded).cardinality() + store.size() - expanded;
     }
 
     /** The number of the marking after firing t, or -1 if it is new and there is no room for it. */
@@ -118,11 +183,16 @@ final class Exploration {
         var growing = gains[t];
         for (var i = 0; i < growing.length; i++) {
             var place = growing[i];
-            widenTo(Tokens.sum(tokens[place], gainWeights[t][i], net.places().get(place)));
+            var held = Tokens.sum(tokens[place], gainWeights[t][i], net.places().get(place));
+            if (held > store.capacity() && !hasRoom(3 * store.bytesWith(1))) {
+                end = SearchEnd.MEMORY;
+                return -1;
+            }
+            widenTo(held);
         }
         store.plus(from, packedChanges[t], successor);
         var known = store.find(successor);
-        if (known >= 0 || store.size() == limits.maxMarkings()) {
+        if (known >= 0 || store.size() == maxMarkings) {
             return known;
         }
         parent.add(from);

@@ -4,14 +4,35 @@ import java.util.Arrays;
 
 /** A growing list of ints. */
 final class IntList {
-    private int[] values = new int[64];
+    /** The longest array that every virtual machine makes. */
+    private static final int MAX_LENGTH = Integer.MAX_VALUE - 8;
+
+    private int[] values;
     private int size;
+
+    IntList() {
+        this(64);
+    }
+
+    IntList(int capacity) {
+        values = new int[capacity];
+    }
 
     void add(int value) {
         if (size == values.length) {
-            values = Arrays.copyOf(values, Math.addExact(size, Math.max(64, size >> 1)));
+            values = Arrays.copyOf(values, grown());
         }
         values[size++] = value;
+    }
+
+    private int grown() {
+        return (int) Math.min(MAX_LENGTH, size + Math.max(4L, size >> 1));
+    }
+
+    /** What it takes while {@code more} values are added, the copy at its growing included. */
+    long bytesWith(int more) {
+        var grows = values.length - size < more;
+        return Integer.BYTES * (values.length + (grows ? Math.max(grown(), (long) size + more) : 0L));
     }
 
     int get(int index) {

@@ -17,6 +17,9 @@ import java.util.Optional;
  * analysis and applications, 1989, for the terms.
  */
 public final class Liveness {
+    /** A net without bounds can have a million components. */
+    private static final int MOST_TOLD = 16;
+
     private final ReachabilityGraph graph;
     private final List<TerminalComponent> components;
 
@@ -107,7 +110,10 @@ public final class Liveness {
         text.append(", reversible ").append(reversible());
         text.append("\n  terminal components").append(graph.isComplete() ? "" : " so far");
         text.append(": ").append(components.size());
-        components.forEach(component -> text.append("\n    ").append(component));
+        components.stream().limit(MOST_TOLD).forEach(component -> text.append("\n    ").append(component));
+        if (components.size() > MOST_TOLD) {
+            text.append("\n    and ").append(components.size() - MOST_TOLD).append(" more");
+        }
         if (!graph.isComplete()) {
             text.append("\n  ").append(graph.openCount());
             text.append(" markings may lead to other components, which were not visited");

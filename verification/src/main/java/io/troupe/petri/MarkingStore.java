@@ -12,7 +12,8 @@ import java.util.List;
  */
 final class MarkingStore {
     private static final int CHUNK_BITS = 12;
-    private static final int MAX_SIZE = 1 << 29;
+    /** The most markings there can be, whatever the memory. */
+    static final int MAX_SIZE = 1 << 29;
 
     private final int places;
     private final int bits;
@@ -114,9 +115,16 @@ final class MarkingStore {
         return size++;
     }
 
+    /** What it takes while {@code more} markings are added, the new table at its growing included. */
+    long bytesWith(int more) {
+        var chunksNeeded = ((long) size + more >>> CHUNK_BITS) + 1;
+        var grows = ((long) size + more) * 2 >= table.length;
+        return (chunksNeeded * words * Long.BYTES << CHUNK_BITS) + table.length * (grows ? 12L : 4L);
+    }
+
     private void rehash() {
-        table = new int[table.length * 2];
         var packed = new long[words];
+        table = new int[table.length * 2];
         for (var id = 0; id < size; id++) {
             var chunk = chunks.get(id >>> CHUNK_BITS);
             System.arraycopy(chunk, offset(id), packed, 0, words);

@@ -2,11 +2,13 @@ package io.troupe.petri;
 
 import static java.util.Objects.requireNonNull;
 
+import java.io.BufferedInputStream;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import javax.xml.stream.XMLStreamException;
 
 /**
@@ -18,9 +20,13 @@ import javax.xml.stream.XMLStreamException;
  * standard does not have, are written as a {@code <toolspecific>} remark that only this class understands; other tools
  * ignore it.
  *
+ * <p>Files of other tools (pm4py, WoPeD, PIPE, ProM, LoLA, Yasper and their like) that keep to the standard in part are
+ * read too, with a warning, as long as their content is that of a P/T net: without its namespace, of another type of net,
+ * places outside of pages, arcs without ids or with repeated ones. Final markings are left out, with a warning.
+ *
  * <p><b>Errors.</b> What is not such a document throws {@link PnmlException} with the line and the reason; so do a
- * document type declaration (nothing outside the document is ever read) and every element of PNML that could change
- * what the net means.
+ * document type declaration (nothing outside the document is ever read) and every element and attribute that could change
+ * what the net means, an inhibitor arc for one, in whichever way it is written.
  * <p><b>Source.</b> ISO/IEC 15909-2, grammar of 2009.
  */
 public final class Pnml {
@@ -30,25 +36,51 @@ public final class Pnml {
 
     private Pnml() {}
 
-    /** Reads a file. */
+    /** Reads a file; warnings are logged. */
     public static PetriNet read(Path file) {
-        try (var in = Files.newInputStream(file)) {
-            return new PnmlReader(file.toString(), PnmlReader.newFactory().createXMLStreamReader(in)).read();
+        return read(file, Pnml::log);
+    }
+
+    /**
+     * Reads a file.
+     *
+     * @param warnings called with {@code file:line: reason} for each kind of deviation from the standard
+     */
+    public static PetriNet read(Path file, Consumer<String> warnings) {
+        requireNonNull(warnings, "warnings");
+        var source = file.toString();
+        try (var in = new BufferedInputStream(Files.newInputStream(file))) {
+            return new PnmlReader(source, PnmlReader.open(in), warnings).read();
         } catch (XMLStreamException e) {
-            throw PnmlReader.malformed(file.toString(), e);
+            throw PnmlReader.malformed(source, e);
         } catch (IOException e) {
-            throw new PnmlException(file.toString(), 0, "cannot be read: " + e, e);
+            throw new PnmlException(source, 0, "cannot be read: " + e, e);
         }
     }
 
-    /** Reads a document given as text; {@code source} stands for the file in messages. */
+    /** Reads a document given as text; {@code source} stands for the file in messages. Warnings are logged. */
     public static PetriNet parse(String source, String text) {
+        return parse(source, text, Pnml::log);
+    }
+
+    /**
+     * Reads a document given as text.
+     *
+     * @param source stands for the file in messages
+     * @param warnings called with {@code source:line: reason} for each kind of deviation from the standard
+     */
+    public static PetriNet parse(String source, String text, Consumer<String> warnings) {
         requireNonNull(source, "source");
+        requireNonNull(warnings, "warnings");
         try {
-            return new PnmlReader(source, PnmlReader.newFactory().createXMLStreamReader(new StringReader(text))).read();
+            return new PnmlReader(source, PnmlReader.open(new StringReader(text)), warnings).read();
         } catch (XMLStreamException e) {
             throw PnmlReader.malformed(source, e);
         }
+    }
+
+    private static void log(String warning) {
+        System.getLogger(Pnml.class.getName()).log(System.Logger.Level.WARNING, warning);
     }
 
     /** The net as a document that {@link #parse} turns into an equal one. */

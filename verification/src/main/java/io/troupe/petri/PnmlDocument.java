@@ -1,8 +1,10 @@
 package io.troupe.petri;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
@@ -27,7 +29,7 @@ final class PnmlDocument {
     private final String source;
     private final Map<String, Node> nodes = new LinkedHashMap<>();
     private final Map<String, Reference> references = new LinkedHashMap<>();
-    private final Map<String, Link> links = new LinkedHashMap<>();
+    private final List<Link> links = new ArrayList<>();
 
     PnmlDocument(String source) {
         this.source = source;
@@ -42,11 +44,12 @@ final class PnmlDocument {
     }
 
     void add(Link link) {
-        links.put(link.id(), link);
+        links.add(link);
     }
 
+    /** Whether a place, a transition or a reference has this id; the ids of arcs are of no use. */
     boolean has(String id) {
-        return nodes.containsKey(id) || references.containsKey(id) || links.containsKey(id);
+        return nodes.containsKey(id) || references.containsKey(id);
     }
 
     PetriNet build(String name) {
@@ -60,13 +63,21 @@ final class PnmlDocument {
                 at(node.line(), () -> net.transition(called).priority(called, node.value()));
             }
         }
+        references.values().forEach(reference -> resolve(reference.id(), reference.line()));
         var weights = new LinkedHashMap<Ends, Integer>();
         var lines = new HashMap<Ends, Integer>();
-        for (var link : links.values()) {
+        for (var link : links) {
             var from = resolve(link.source(), link.line());
             var to = resolve(link.target(), link.line());
             var ends = byLabel ? new Ends(from.label(), to.label()) : new Ends(from.id(), to.id());
-            at(link.line(), () -> weights.merge(ends, link.weight(), Math::addExact));
+            var weight = (long) weights.getOrDefault(ends, 0) + link.weight();
+            if (weight > Integer.MAX_VALUE) {
+                throw bad(
+                        "the arcs from " + ends.from() + " to " + ends.to() + " weigh " + weight
+                                + " together, expected at most " + Integer.MAX_VALUE,
+                        link.line());
+            }
+            weights.put(ends, (int) weight);
             lines.put(ends, link.line());
         }
         weights.forEach((ends, weight) -> at(lines.get(ends), () -> net.arc(ends.from(), ends.to(), weight)));
@@ -103,7 +114,7 @@ final class PnmlDocument {
     private <T> T at(int line, Supplier<T> step) {
         try {
             return step.get();
-        } catch (IllegalArgumentException | ArithmeticException e) {
+        } catch (IllegalArgumentException e) {
             throw new PnmlException(source, line, String.valueOf(e.getMessage()), e);
         }
     }

@@ -1,34 +1,71 @@
 package io.troupe.petri;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import io.troupe.petri.PnmlDocument.Kind;
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.math.BigInteger;
+import java.nio.charset.CharacterCodingException;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.regex.Pattern;
 import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 import org.jspecify.annotations.Nullable;
 
-/* Reads the elements of one document. */
+/* Reads the elements of one document. Whatever it does not know by name, and could change the net, it refuses. */
 final class PnmlReader {
     /** Below the limit on nested elements that newer JDKs set. */
     private static final int MAX_PAGE_DEPTH = 50;
 
+    /** Enough for an XML declaration. */
+    private static final int HEAD_BYTES = 512;
+
+    private static final Pattern BYTE_ORDER_MARK = Pattern.compile("^\u00ef\u00bb\u00bf");
+    private static final Pattern OTHER_ENCODING =
+            Pattern.compile("^<\\?xml[^>]*\\sencoding\\s*=\\s*[\"'](?!utf-?8[\"'])", Pattern.CASE_INSENSITIVE);
+    private static final Pattern WHOLE_NUMBER = Pattern.compile("[+-]?[0-9]+");
+    private static final Pattern POSITIVE = Pattern.compile("(?=.*[1-9])[0-9]*\\.?[0-9]+");
+
     private final String source;
     private final XMLStreamReader xml;
+    private final Consumer<String> warnings;
+    private final Set<String> warned = new HashSet<>();
     private final PnmlDocument document;
+    private final Set<String> arcIds = new HashSet<>();
+    /** What the transitions so far said of time and priority; they must all say the same. */
+    private final Map<String, String> uniform = new HashMap<>();
+
+    private final Map<String, Integer> uniformCount = new TreeMap<>();
+    private int transitions;
+
+    /** The only colour of tokens that is declared, if one is. */
+    private @Nullable String tokenColour;
 
     /** The line of the tag that was read last. */
     private int line;
 
     private @Nullable String netName;
 
-    PnmlReader(String source, XMLStreamReader xml) {
+    PnmlReader(String source, XMLStreamReader xml, Consumer<String> warnings) {
         this.source = source;
         this.xml = xml;
+        this.warnings = warnings;
         this.document = new PnmlDocument(source);
     }
 
     /** The JDK's own parser, which opens nothing but the document. */
-    static XMLInputFactory newFactory() {
+    private static XMLInputFactory newFactory() {
         var factory = XMLInputFactory.newDefaultFactory();
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
         factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
@@ -36,13 +73,35 @@ final class PnmlReader {
         return factory;
     }
 
+    static XMLStreamReader open(Reader text) throws XMLStreamException {
+        return newFactory().createXMLStreamReader(text);
+    }
+
+    /** UTF-8 is decoded here: of bytes that are none, the parser would write to standard error. */
+    static XMLStreamReader open(BufferedInputStream in) throws XMLStreamException, IOException {
+        in.mark(HEAD_BYTES);
+        var head = new String(in.readNBytes(HEAD_BYTES), ISO_8859_1);
+        in.reset();
+        if (BYTE_ORDER_MARK.matcher(head).find()) {
+            in.skipNBytes(3);
+        } else if (head.indexOf('\0') >= 0 || head.startsWith("\u00fe\u00ff") || head.startsWith("\u00ff\u00fe")) {
+            return newFactory().createXMLStreamReader(in);
+        } else if (OTHER_ENCODING.matcher(head).find()) {
+            return newFactory().createXMLStreamReader(in);
+        }
+        return open(new InputStreamReader(in, UTF_8.newDecoder()));
+    }
+
     static PnmlException malformed(String source, XMLStreamException e) {
+        var at = e.getLocation() == null ? 0 : e.getLocation().getLineNumber();
+        if (e.getNestedException() instanceof CharacterCodingException) {
+            return new PnmlException(source, at, "the file is not in UTF-8, as it says or does not deny", e);
+        }
         // the parser's own message repeats the position in its first line
         var reason = String.valueOf(e.getMessage())
                 .lines()
                 .reduce((first, last) -> last)
                 .orElse("");
-        var at = e.getLocation() == null ? 0 : e.getLocation().getLineNumber();
         return new PnmlException(source, at, reason.replaceFirst("^Message: ", ""), e);
     }
 
@@ -55,11 +114,13 @@ final class PnmlReader {
                 }
             }
             line = xml.getLocation().getLineNumber();
-            if (!xml.getLocalName().equals("pnml") || !Pnml.NAMESPACE.equals(xml.getNamespaceURI())) {
+            if (!xml.getLocalName().equals("pnml") || !PnmlDialect.isNamespace(xml.getNamespaceURI())) {
                 throw bad("the root element is <" + xml.getLocalName() + "> in namespace \""
                         + orEmpty(xml.getNamespaceURI()) + "\", expected <pnml> in namespace \"" + Pnml.NAMESPACE
                         + "\"");
             }
+            requireAttributes(Set.of());
+            warnOfNamespace();
             var top = line;
             while (nextChild()) {
                 expect("net", "in <pnml>");
@@ -74,64 +135,147 @@ final class PnmlReader {
         } catch (XMLStreamException e) {
             throw malformed(source, e);
         }
+        uniformCount.forEach((element, count) -> {
+            if (count != transitions) {
+                throw bad("<" + element + "> is given for " + count + " of " + transitions
+                        + " transitions, expected all or none in a place/transition net");
+            }
+        });
         return document.build(netName);
+    }
+
+    private void warnOfNamespace() {
+        if (!Pnml.NAMESPACE.equals(xml.getNamespaceURI())) {
+            warn("namespace", "the namespace is \"" + orEmpty(xml.getNamespaceURI()) + "\", not that of the standard");
+        }
     }
 
     private void readNet() throws XMLStreamException {
         var id = attribute("id");
         var type = attribute("type");
-        if (!type.equals(Pnml.NET_TYPE)) {
+        if (!PnmlDialect.isNetType(type)) {
             throw bad("net " + id + " is of type \"" + type + "\", expected \"" + Pnml.NET_TYPE + "\"");
         }
+        if (!type.equals(Pnml.NET_TYPE)) {
+            warn("type", "net " + id + " is of type \"" + type + "\", read as a place/transition net");
+        }
+        requireAttributes(Set.of("id", "type"));
         netName = id;
         while (nextChild()) {
             switch (xml.getLocalName()) {
                 case "name" -> netName = orElse(text(), id);
                 case "page" -> readPage(1);
                 case "graphics", "toolspecific" -> skip();
-                default -> throw unexpected("net " + id);
+                case "token" -> readTokenColour();
+                case "labels" -> skip();
+                case "finalmarkings" -> {
+                    warn("final", "final markings are left out: a marking where nothing may fire is dead, final or not");
+                    skip();
+                }
+                default -> {
+                    var child = xml.getLocalName();
+                    if (!readContent()) {
+                        throw unexpected("net " + id);
+                    }
+                    warn("page", "<" + child + "> stands in the net itself, not in a <page>");
+                }
             }
         }
+    }
+
+    /** As PIPE declares them; of several colours a place/transition net knows nothing. */
+    private void readTokenColour() throws XMLStreamException {
+        if (tokenColour != null) {
+            throw bad("tokens have a second colour, " + attribute("id") + "; expected one, " + tokenColour);
+        }
+        tokenColour = attribute("id");
+        skip();
     }
 
     private void readPage(int depth) throws XMLStreamException {
         if (depth > MAX_PAGE_DEPTH) {
             throw bad("pages are nested deeper than " + MAX_PAGE_DEPTH);
         }
+        requireAttributes(Set.of("id"));
         while (nextChild()) {
             switch (xml.getLocalName()) {
-                case "place" -> readNode(Kind.PLACE);
-                case "transition" -> readNode(Kind.TRANSITION);
-                case "referencePlace" -> readReference(Kind.PLACE);
-                case "referenceTransition" -> readReference(Kind.TRANSITION);
-                case "arc" -> readArc();
                 case "page" -> readPage(depth + 1);
                 case "name", "graphics", "toolspecific" -> skip();
-                default -> throw unexpected("a page");
+                default -> {
+                    if (!readContent()) {
+                        throw unexpected("a page");
+                    }
+                }
             }
         }
+    }
+
+    /** A node or an arc; false if the element is none. */
+    private boolean readContent() throws XMLStreamException {
+        switch (xml.getLocalName()) {
+            case "place" -> readNode(Kind.PLACE);
+            case "transition" -> readNode(Kind.TRANSITION);
+            case "referencePlace" -> readReference(Kind.PLACE);
+            case "referenceTransition" -> readReference(Kind.TRANSITION);
+            case "arc" -> readArc();
+            default -> {
+                return false;
+            }
+        }
+        return true;
     }
 
     private void readNode(Kind kind) throws XMLStreamException {
         var start = line;
         var id = newId();
+        var what = (kind == Kind.PLACE ? "place " : "transition ") + id;
+        requireAttributes(Set.of("id"));
         var label = id;
         var value = 0;
+        var seen = new HashSet<String>();
         while (nextChild()) {
             var element = xml.getLocalName();
-            if (element.equals("name")) {
+            if (element.equals("graphics") || element.equals("orientation")) {
+                skip();
+            } else if (element.equals("toolspecific")) {
+                if (kind == Kind.TRANSITION && isOurs()) {
+                    value = readPriority(id);
+                } else {
+                    skip();
+                }
+            } else if (!seen.add(element)) {
+                throw bad("a second <" + element + "> in " + what);
+            } else if (element.equals("name")) {
                 label = orElse(text(), id);
             } else if (element.equals("initialMarking") && kind == Kind.PLACE) {
-                value = number(text(), 0, "the initial marking of place " + id);
-            } else if (element.equals("toolspecific") && kind == Kind.TRANSITION && isOurs()) {
-                value = readPriority(id);
-            } else if (element.equals("graphics") || element.equals("toolspecific")) {
-                skip();
+                value = number(plain(number(element)), 0, "the initial marking of place " + id);
+            } else if (kind == Kind.PLACE && element.equals("capacity")
+                    || kind == Kind.TRANSITION && element.equals("infiniteServer")) {
+                requireNeutral(element, text(), what);
+            } else if (kind == Kind.TRANSITION && PnmlDialect.isUniform(element)) {
+                requireUniform(element, orEmpty(text()), what);
             } else {
-                throw unexpected((kind == Kind.PLACE ? "place " : "transition ") + id);
+                throw unexpected(what);
             }
         }
+        transitions += kind == Kind.TRANSITION ? 1 : 0;
         document.add(new PnmlDocument.Node(kind, id, label, value, start));
+    }
+
+    /** A priority that all transitions share decides nothing between them, nor does a rate above 0. */
+    private void requireUniform(String element, String value, String what) {
+        if (element.equals("rate")) {
+            if (!POSITIVE.matcher(value).matches()) {
+                throw bad("<rate> of " + what + " is \"" + value + "\", expected a number above 0");
+            }
+            return;
+        }
+        uniformCount.merge(element, 1, Integer::sum);
+        var first = uniform.putIfAbsent(element, value);
+        if (first != null && !first.equals(value)) {
+            throw bad("<" + element + "> of " + what + " is \"" + value + "\", that of another is \"" + first
+                    + "\", expected the same for all transitions of a place/transition net");
+        }
     }
 
     private boolean isOurs() {
@@ -148,31 +292,102 @@ final class PnmlReader {
     }
 
     private void readReference(Kind kind) throws XMLStreamException {
-        document.add(new PnmlDocument.Reference(kind, newId(), attribute("ref"), line));
-        skip();
+        var start = line;
+        var id = newId();
+        var target = attribute("ref");
+        requireAttributes(Set.of("id", "ref"));
+        while (nextChild()) {
+            switch (xml.getLocalName()) {
+                case "name", "graphics", "toolspecific" -> skip();
+                default -> throw unexpected("reference " + id);
+            }
+        }
+        document.add(new PnmlDocument.Reference(kind, id, target, start));
     }
 
     private void readArc() throws XMLStreamException {
         var start = line;
-        var id = newId();
         var from = attribute("source");
         var to = attribute("target");
+        var id = orEmpty(xml.getAttributeValue(null, "id"));
+        var arc = "arc " + (id.isBlank() ? from + " -> " + to : id);
+        requireAttributes(Set.of("id", "source", "target"));
+        if (id.isBlank()) {
+            warn("arc without id", arc + " has no id");
+        } else if (!arcIds.add(id) || document.has(id)) {
+            warn("arc id", "id " + id + " of an arc is used twice");
+        }
         var weight = 1;
+        var name = "1";
+        var seen = new HashSet<String>();
         while (nextChild()) {
-            switch (xml.getLocalName()) {
-                case "inscription" -> weight = number(text(), 1, "the weight of arc " + id);
-                case "name", "graphics", "toolspecific" -> skip();
-                default -> throw unexpected("arc " + id);
+            var element = xml.getLocalName();
+            switch (element) {
+                case "graphics", "toolspecific", "arcpath" -> {
+                    skip();
+                    continue;
+                }
+                case "inscription" -> weight = number(plain(number(element)), 1, "the weight of " + arc);
+                case "name" -> name = orEmpty(text());
+                case "type", "arctype", "tagged" -> {
+                    var value = xml.getAttributeValue(null, "value");
+                    requireNeutral(element, value == null ? text() : value, arc);
+                    if (value != null) {
+                        skip();
+                    }
+                }
+                default -> throw unexpected(arc);
+            }
+            if (!seen.add(element)) {
+                throw bad("a second <" + element + "> in " + arc);
             }
         }
-        document.add(new PnmlDocument.Link(id, from, to, weight, start));
+        if (!seen.contains("inscription") && !name.equals("1") && WHOLE_NUMBER.matcher(name).matches()) {
+            // ProM shows the weight of an arc as its name
+            throw bad(arc + " is called \"" + name + "\" and has no <inscription>, expected one if that is its weight",
+                    start);
+        }
+        document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, start));
+    }
+
+    /** Every attribute is one of {@code known}, of the drawing, or has a value that changes nothing. */
+    private void requireAttributes(Set<String> known) {
+        for (var i = 0; i < xml.getAttributeCount(); i++) {
+            var name = xml.getAttributeLocalName(i);
+            var namespace = xml.getAttributeNamespace(i);
+            var isPlain = namespace == null || namespace.isEmpty();
+            if (PnmlDialect.isForeign(namespace) || isPlain && (known.contains(name) || PnmlDialect.isDrawn(name))) {
+                continue;
+            }
+            var what = "<" + xml.getLocalName() + ">" + orEmpty(xml.getAttributeValue(null, "id")).replaceFirst("^", " ");
+            if (isPlain && PnmlDialect.mayBeNeutral(name)) {
+                requireNeutral(name, xml.getAttributeValue(i), what.strip());
+            } else {
+                throw bad("attribute " + name + "=\"" + xml.getAttributeValue(i) + "\" of " + what.strip()
+                        + " is not part of a place/transition net");
+            }
+        }
+    }
+
+    private void requireNeutral(String name, @Nullable String value, String what) {
+        if (!PnmlDialect.isNeutral(name, orEmpty(value).strip())) {
+            throw bad(name + " of " + what + " is \"" + orEmpty(value) + "\", expected " + PnmlDialect.neutral(name)
+                    + " in a place/transition net");
+        }
     }
 
     /** Goes to the next start tag within the current element, or to its end tag. */
     private boolean nextChild() throws XMLStreamException {
         var event = xml.nextTag();
         line = xml.getLocation().getLineNumber();
-        return event == XMLStreamConstants.START_ELEMENT;
+        if (event != XMLStreamConstants.START_ELEMENT) {
+            return false;
+        }
+        if (!PnmlDialect.isNamespace(xml.getNamespaceURI())) {
+            throw bad("<" + xml.getLocalName() + "> is of namespace \"" + xml.getNamespaceURI()
+                    + "\" and no part of a place/transition net");
+        }
+        return true;
     }
 
     private void skip() throws XMLStreamException {
@@ -182,13 +397,27 @@ final class PnmlReader {
         }
     }
 
-    /** The {@code <text>} of a label, in one line. */
+    /** The text of a label that is a number: no attribute may say more of it. */
+    private @Nullable String number(String element) throws XMLStreamException {
+        requireAttributes(Set.of());
+        return text();
+    }
+
+    /** The {@code <text>} of a label, in one line; some tools call it {@code <value>}. */
     private @Nullable String text() throws XMLStreamException {
         var label = xml.getLocalName();
         String text = null;
         while (nextChild()) {
             switch (xml.getLocalName()) {
-                case "text" -> text = xml.getElementText().strip().replaceAll("\\s*[\\r\\n\\t]\\s*", " ");
+                case "text", "value" -> {
+                    if (text != null) {
+                        throw bad("a second <" + xml.getLocalName() + "> in <" + label + ">");
+                    }
+                    if (xml.getLocalName().equals("value")) {
+                        warn("value", "the text of <" + label + "> stands in <value>, not in <text>");
+                    }
+                    text = xml.getElementText().strip().replaceAll("\\s*[\\r\\n\\t]\\s*", " ");
+                }
                 case "graphics", "toolspecific" -> skip();
                 default -> throw unexpected("<" + label + ">");
             }
@@ -196,17 +425,22 @@ final class PnmlReader {
         return text;
     }
 
+    /** Without the colour that PIPE puts before a number of tokens. */
+    private @Nullable String plain(@Nullable String text) {
+        var colour = tokenColour == null ? "Default" : tokenColour;
+        return text != null && text.startsWith(colour + ",") ? text.substring(colour.length() + 1) : text;
+    }
+
     private int number(@Nullable String text, int least, String what) {
-        try {
-            var number = Integer.parseInt(orEmpty(text).strip());
-            if (number >= least) {
-                return number;
+        var digits = orEmpty(text).strip();
+        if (WHOLE_NUMBER.matcher(digits).matches()) {
+            var number = new BigInteger(digits);
+            if (number.bitLength() < Integer.SIZE && number.intValue() >= least) {
+                return number.intValue();
             }
-        } catch (NumberFormatException e) {
-            // told below, as a number out of range is
         }
-        throw bad(what + " is \"" + orEmpty(text) + "\", expected a whole number"
-                + (least == Integer.MIN_VALUE ? "" : ", " + least + " or more"));
+        throw bad(what + " is \"" + orEmpty(text) + "\", expected a whole number from " + least + " to "
+                + Integer.MAX_VALUE);
     }
 
     private String newId() {
@@ -228,6 +462,13 @@ final class PnmlReader {
     private void expect(String element, String where) {
         if (!xml.getLocalName().equals(element)) {
             throw bad("<" + xml.getLocalName() + "> " + where + ", expected <" + element + ">");
+        }
+    }
+
+    /** Once for each kind: a file that deviates in one place mostly does so everywhere. */
+    private void warn(String kind, String reason) {
+        if (warned.add(kind)) {
+            warnings.accept(source + ":" + line + ": " + reason);
         }
     }
 

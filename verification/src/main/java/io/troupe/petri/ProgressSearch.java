@@ -129,6 +129,7 @@ public final class ProgressSearch {
             case COMPLETE ->
                 losses.isEmpty() ? "all transitions are live" : losses.size() + " ways to lose transitions";
             case LIMIT -> "stopped at the limit";
+            case MEMORY -> "out of memory";
             case CANCELLED -> "cancelled";
         };
         return net().name() + ": " + visitedMarkings() + " markings visited, " + known;

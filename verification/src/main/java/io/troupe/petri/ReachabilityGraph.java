@@ -10,10 +10,10 @@ import java.util.stream.IntStream;
 /**
  * The markings that a net can reach, and how.
  *
- * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, or the search is cancelled,
+ * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, or the search is cancelled or out of memory,
  * the graph is a part of the whole: {@link #isComplete} is false, {@link #summary} says in words what is then known, and every method says
  * what its answer is worth. In a part, too, every marking is really reachable and every trace is a shortest one;
- * every marking was tested for being dead, unless the search was cancelled. {@link Liveness} reads more out of the
+ * every marking was tested for being dead, unless the search was cancelled or ran out of memory. {@link Liveness} reads more out of the
  * graph; {@link DeadlockSearch} finds the dead markings with less work.
  * <p><b>Threads.</b> Immutable.
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
@@ -54,7 +54,17 @@ public final class ReachabilityGraph {
     }
 
     static ReachabilityGraph explore(PetriNet net, Expansion expansion, SearchLimits limits) {
-        var exploration = new Exploration(net, expansion, limits);
+        return explore(net, expansion, limits, true);
+    }
+
+    /** Without edges, states have no successors, and there is no liveness. */
+    static ReachabilityGraph withoutEdges(PetriNet net, Expansion expansion, SearchLimits limits) {
+        return explore(net, expansion, limits, false);
+    }
+
+    private static ReachabilityGraph explore(
+            PetriNet net, Expansion expansion, SearchLimits limits, boolean keepsEdges) {
+        var exploration = new Exploration(net, expansion, limits, keepsEdges);
         exploration.run();
         return new ReachabilityGraph(exploration);
     }
@@ -93,12 +103,12 @@ public final class ReachabilityGraph {
          * before it looked for them.
          */
         public boolean isOpen() {
-            return found.open.get(index);
+            return found.isOpen(index);
         }
 
         /** One edge for each transition that may fire here; some or all are missing if the marking is open. */
         public List<Edge> successors() {
-            return IntStream.range(found.edgeStart.get(index), found.edgeStart.get(index + 1))
+            return IntStream.range(found.edgeStart(index), found.edgeEnd(index))
                     .mapToObj(edge -> new Edge(
                             net().transitions().get(found.edgeTransition.get(edge)),
                             new State(found.edgeTarget.get(edge))))
@@ -150,12 +160,12 @@ public final class ReachabilityGraph {
 
     /** The number of edges between these markings. */
     public int edgeCount() {
-        return found.edgeTarget.size();
+        return found.edgeCount();
     }
 
     /** How many of these markings are {@link State#isOpen open}; 0 if the graph is complete. */
     public int openCount() {
-        return found.open.cardinality();
+        return found.openCount();
     }
 
     Exploration found() {
@@ -168,7 +178,7 @@ public final class ReachabilityGraph {
 
     /** All markings, nearest first. */
     public List<State> states() {
-        return IntStream.range(0, size()).mapToObj(State::new).toList();
+        return new OnDemand<>(size(), State::new);
     }
 
     /** The marking as a state, or nothing if it was not reached; in a complete graph that means it cannot be. */
@@ -184,7 +194,7 @@ public final class ReachabilityGraph {
 
     /** The markings in which nothing may fire, nearest first; if the graph is not complete, there may be more. */
     public List<State> dead() {
-        return Arrays.stream(found.dead.toArray()).mapToObj(State::new).toList();
+        return new OnDemand<>(found.dead.size(), i -> new State(found.dead.get(i)));
     }
 
     /** Whether no reachable marking is dead. */
@@ -243,6 +253,9 @@ public final class ReachabilityGraph {
         var text = new StringBuilder(net().name()).append(": ");
         if (isComplete()) {
             text.append(size()).append(" markings, ").append(edgeCount()).append(" edges, all of them");
+        } else if (end() == SearchEnd.MEMORY) {
+            text.append("out of memory at ").append(size()).append(" markings; ");
+            text.append(openCount()).append(" of them may have successors that were not visited");
         } else if (end() == SearchEnd.LIMIT) {
             text.append("stopped at the limit of ").append(size()).append(" markings; ");
             text.append(openCount()).append(" of them have successors beyond it, which were not visited");
@@ -254,13 +267,13 @@ public final class ReachabilityGraph {
         text.append("\n  dead markings").append(soFar).append(": ").append(found.dead.size());
         if (found.dead.size() > 0) {
             var nearest = new State(found.dead.get(0));
-            text.append(", the nearest ").append(nearest).append(" after ").append(nearest.shortestTrace());
+            text.append(", the nearest ").append(nearest).append(" after ").append(Shortened.list(nearest.shortestTrace()));
         } else if (!isComplete()) {
             text.append("; whether there are others is not known");
         }
         text.append("\n  most tokens on a place").append(soFar).append(": ").append(mostTokens());
-        text.append("\n  places never marked").append(soFar).append(": ").append(neverMarked());
-        text.append("\n  transitions never enabled").append(soFar).append(": ").append(neverFired());
+        text.append("\n  places never marked").append(soFar).append(": ").append(Shortened.list(neverMarked()));
+        text.append("\n  transitions never enabled").append(soFar).append(": ").append(Shortened.list(neverFired()));
         return text.toString();
     }
 

@@ -6,6 +6,8 @@ public enum SearchEnd {
     COMPLETE,
     /** There are more markings than it may keep. */
     LIMIT,
+    /** There is no memory for more markings, by its limit or because the virtual machine has none. */
+    MEMORY,
     /** It was told to end. */
     CANCELLED
 }

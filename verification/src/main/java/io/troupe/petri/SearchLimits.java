@@ -6,7 +6,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * How far a search over markings may go, how to stop it, and who hears how far it is.
+ * How far a search over markings may go, how to stop it, and what to report.
  *
  * <p><b>Threads.</b> The search asks {@code cancelled} and calls {@code report} on its own thread. To stop it from
  * another thread, let {@code cancelled} read a volatile value, for example {@code AtomicBoolean::get}.
@@ -17,10 +17,15 @@ import java.util.function.Consumer;
  *     has
  * @param markingsPerReport after how many further markings, whose successors were looked for, {@code report} is called;
  *     1 or more
- * @param report hears how far the search is
+ * @param report called with how far the search is
+ * @param maxBytes how much memory the search may take, 1 or more; before it would take more, it ends with what it has
  */
 public record SearchLimits(
-        int maxMarkings, BooleanSupplier cancelled, int markingsPerReport, Consumer<SearchProgress> report) {
+        int maxMarkings,
+        BooleanSupplier cancelled,
+        int markingsPerReport,
+        Consumer<SearchProgress> report,
+        long maxBytes) {
     public SearchLimits {
         requireNonNull(cancelled, "cancelled");
         requireNonNull(report, "report");
@@ -30,20 +35,33 @@ public record SearchLimits(
         if (markingsPerReport < 1) {
             throw new IllegalArgumentException("markingsPerReport is " + markingsPerReport + ", expected 1 or more");
         }
+        if (maxBytes < 1) {
+            throw new IllegalArgumentException("maxBytes is " + maxBytes + ", expected 1 or more");
+        }
     }
 
     /** Up to {@code maxMarkings} markings, without a way to cancel and without reports. */
     public static SearchLimits markings(int maxMarkings) {
-        return new SearchLimits(maxMarkings, () -> false, Integer.MAX_VALUE, progress -> {});
+        return new SearchLimits(maxMarkings, () -> false, Integer.MAX_VALUE, progress -> {}, Long.MAX_VALUE);
     }
 
     /** These limits, and the search ends once {@code flag} is true. */
     public SearchLimits cancelledBy(BooleanSupplier flag) {
-        return new SearchLimits(maxMarkings, flag, markingsPerReport, report);
+        return new SearchLimits(maxMarkings, flag, markingsPerReport, report, maxBytes);
     }
 
-    /** These limits, and {@code listener} hears of every {@code markings} markings. */
+    /** These limits, and {@code listener} is called after every {@code markings} markings. */
     public SearchLimits reporting(int markings, Consumer<SearchProgress> listener) {
-        return new SearchLimits(maxMarkings, cancelled, markings, listener);
+        return new SearchLimits(maxMarkings, cancelled, markings, listener, maxBytes);
+    }
+
+    /** These limits, but at most {@code most} markings. */
+    public SearchLimits atMost(int most) {
+        return new SearchLimits(Math.min(maxMarkings, most), cancelled, markingsPerReport, report, maxBytes);
+    }
+
+    /** These limits, and the search ends before it would take more than {@code bytes} of memory. */
+    public SearchLimits within(long bytes) {
+        return new SearchLimits(maxMarkings, cancelled, markingsPerReport, report, bytes);
     }
 }

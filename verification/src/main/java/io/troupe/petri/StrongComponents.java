@@ -51,7 +51,7 @@ final class StrongComponents {
         order[root] = seen;
         while (depth >= 0) {
             var at = path[depth];
-            if (nextEdge[at] < graph.edgeStart.get(at + 1)) {
+            if (nextEdge[at] < graph.edgeEnd(at)) {
                 var to = graph.edgeTarget.get(nextEdge[at]++);
                 if (low[to] == NEW) {
                     enter(to);
@@ -74,7 +74,7 @@ final class StrongComponents {
 
     private void enter(int marking) {
         low[marking] = ++seen;
-        nextEdge[marking] = graph.edgeStart.get(marking);
+        nextEdge[marking] = graph.edgeStart(marking);
         stack[stacked++] = marking;
     }
 
@@ -89,9 +89,11 @@ final class StrongComponents {
 
     private int[][] terminal() {
         var left = new BitSet(count);
-        graph.open.stream().forEach(marking -> left.set(component[marking]));
         for (var from = 0; from < component.length; from++) {
-            for (var edge = graph.edgeStart.get(from); edge < graph.edgeStart.get(from + 1); edge++) {
+            if (graph.isOpen(from)) {
+                left.set(component[from]);
+            }
+            for (var edge = graph.edgeStart(from); edge < graph.edgeEnd(from); edge++) {
                 if (component[graph.edgeTarget.get(edge)] != component[from]) {
                     left.set(component[from]);
                 }

@@ -1,8 +1,9 @@
 package io.troupe.petri;
 
 import java.util.Arrays;
+import java.util.BitSet;
+import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /*
  * Follows only the transitions of one stubborn set (Valmari 1988; the strong ones) from each marking. A set is stubborn
@@ -32,18 +33,24 @@ final class StubbornSets implements Expansion {
     StubbornSets(PetriNet net) {
         rules = new FiringRules(net);
         var transitions = net.transitions();
-        feeders = net.places().stream()
-                .map(place -> transitions.stream()
-                        .filter(t -> gain(t, place) > 0)
-                        .mapToInt(Transition::index)
-                        .toArray())
-                .toArray(int[][]::new);
-        rivals = transitions.stream()
-                .map(t -> transitions.stream()
-                        .filter(other -> areRivals(t, other))
-                        .mapToInt(Transition::index)
-                        .toArray())
-                .toArray(int[][]::new);
+        var takers = new IntList[net.places().size()];
+        var puts = new IntList[net.places().size()];
+        for (var place = 0; place < takers.length; place++) {
+            takers[place] = new IntList(0);
+            puts[place] = new IntList(0);
+        }
+        for (var t : transitions) {
+            for (var arc : t.inputs()) {
+                takers[arc.place().index()].add(t.index());
+            }
+            for (var arc : t.outputs()) {
+                if (arc.weight() > weight(t.inputs(), arc.place())) {
+                    puts[arc.place().index()].add(t.index());
+                }
+            }
+        }
+        feeders = Arrays.stream(puts).map(IntList::toArray).toArray(int[][]::new);
+        rivals = transitions.stream().map(t -> rivals(t, transitions, takers)).toArray(int[][]::new);
         ready = new int[transitions.size()];
         members = new int[transitions.size()];
         readyMembers = new int[transitions.size()];
@@ -51,22 +58,32 @@ final class StubbornSets implements Expansion {
         isMember = new boolean[transitions.size()];
     }
 
-    private static boolean areRivals(Transition t, Transition other) {
-        return t.inputs().stream()
-                .map(Arc::place)
-                .filter(place ->
-                        other.inputs().stream().anyMatch(arc -> arc.place().equals(place)))
-                .anyMatch(place -> gain(t, place) < 0 || gain(other, place) < 0);
+    /** Those that take from a place that this one takes from, unless both leave it as it was. */
+    private static int[] rivals(Transition t, List<Transition> transitions, IntList[] takers) {
+        var found = new BitSet();
+        for (var arc : t.inputs()) {
+            var place = arc.place();
+            var takes = arc.weight() > weight(t.outputs(), place);
+            for (var other : takers[place.index()].toArray()) {
+                if (takes || takesFrom(place, transitions.get(other))) {
+                    found.set(other);
+                }
+            }
+        }
+        return found.stream().toArray();
     }
 
-    private static int gain(Transition transition, Place place) {
-        return weight(transition.outputs().stream(), place) - weight(transition.inputs().stream(), place);
+    private static boolean takesFrom(Place place, Transition transition) {
+        return weight(transition.inputs(), place) > weight(transition.outputs(), place);
     }
 
-    private static int weight(Stream<Arc> arcs, Place place) {
-        return arcs.filter(arc -> arc.place().equals(place))
-                .mapToInt(Arc::weight)
-                .sum();
+    private static int weight(List<Arc> arcs, Place place) {
+        for (var arc : arcs) {
+            if (arc.place().index() == place.index()) {
+                return arc.weight();
+            }
+        }
+        return 0;
     }
 
     @Override

@@ -19,10 +19,12 @@ public final class TerminalComponent {
     TerminalComponent(ReachabilityGraph graph, int[] members) {
         this.graph = graph;
         this.members = members;
-        fires = new boolean[graph.net().transitions().size()];
         var found = graph.found();
+        // a net can have a million dead markings: they need no array each
+        var isDead = members.length == 1 && found.edgeStart(members[0]) == found.edgeEnd(members[0]);
+        fires = new boolean[isDead ? 0 : graph.net().transitions().size()];
         for (var member : members) {
-            for (var edge = found.edgeStart.get(member); edge < found.edgeStart.get(member + 1); edge++) {
+            for (var edge = found.edgeStart(member); edge < found.edgeEnd(member); edge++) {
                 fires[found.edgeTransition.get(edge)] = true;
             }
         }
@@ -53,27 +55,32 @@ public final class TerminalComponent {
 
     /** Whether {@code transition} may fire in one of the markings. */
     public boolean fires(Transition transition) {
-        if (!graph.net().transitions().contains(transition)) {
+        var all = graph.net().transitions();
+        if (transition.index() >= all.size() || !all.get(transition.index()).equals(transition)) {
             throw new IllegalArgumentException(
                     "transition " + transition + " is not of net " + graph.net().name());
         }
-        return fires[transition.index()];
+        return fires(transition.index());
     }
 
     /** The transitions that never fire any more once the net is in here; all of them if this is a dead marking. */
     public List<Transition> neverFired() {
-        return graph.net().transitions().stream().filter(t -> !fires[t.index()]).toList();
+        return graph.net().transitions().stream().filter(t -> !fires(t.index())).toList();
+    }
+
+    private boolean fires(int transition) {
+        return transition < fires.length && fires[transition];
     }
 
     /** Whether this is one marking in which nothing may fire. */
     public boolean isDead() {
-        return neverFired().size() == fires.length;
+        return neverFired().size() == graph.net().transitions().size();
     }
 
     /** The size, the entry and what never fires. */
     @Override
     public String toString() {
         return size() + (size() == 1 ? " marking" : " markings") + " entered at " + entry() + ", never fired: "
-                + neverFired();
+                + Shortened.list(neverFired());
     }
 }

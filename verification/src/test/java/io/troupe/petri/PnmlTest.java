@@ -94,18 +94,18 @@ class PnmlTest {
         refused(
                 "\n<place id='p'><initialMarking><text>-1</text></initialMarking></place>",
                 6,
-                "the initial marking of place p is \"-1\", expected a whole number, 0 or more");
+                "the initial marking of place p is \"-1\", expected a whole number from 0 to 2147483647");
         refused(
                 "<place id='p'><initialMarking><text>99999999999</text></initialMarking></place>",
                 5,
-                "is \"99999999999\"");
+                "is \"99999999999\", expected a whole number from 0 to 2147483647");
         refused("<place id='p'><initialMarking/></place>", 5, "the initial marking of place p is \"\"");
         refused(
                 "<place id='p'/><transition id='t'/>\n"
                         + "<arc id='a' source='p' target='t'>\n"
                         + "<inscription><text>0</text></inscription></arc>",
                 7,
-                "the weight of arc a is \"0\", expected a whole number, 1 or more");
+                "the weight of arc a is \"0\", expected a whole number from 1 to 2147483647");
         refused("<place id='p'/>\n<place id='q'/>\n<arc id='a' source='p' target='q'/>", 7, "joins two places");
         refused(
                 "<place id='p'/>\n<arc id='a' source='p' target='gone'/>",
@@ -116,7 +116,7 @@ class PnmlTest {
                 "<place id='p'/><transition id='t'/>\n"
                         + "<arc id='a' source='p' target='t'><type value='inhibitor'/></arc>",
                 6,
-                "<type> in arc a is not part of a place/transition net");
+                "type of arc a is \"inhibitor\", expected normal in a place/transition net");
         refused(
                 "<transition id='t'><initialMarking><text>1</text></initialMarking></transition>",
                 5,
@@ -138,7 +138,7 @@ class PnmlTest {
         refused(
                 "<place id='p'/><transition id='t'/>" + most.formatted("a") + "\n" + most.formatted("b"),
                 6,
-                "overflow");
+                "the arcs from p to t weigh 4294967294 together, expected at most 2147483647");
     }
 
     private static void refused(String body, int line, String reason) {

@@ -44,7 +44,7 @@ record TeamStudy(
                 search.deadlocks().size(),
                 switch (search.end()) {
                     case COMPLETE -> "";
-                    case LIMIT, CANCELLED -> " so far";
+                    case LIMIT, MEMORY, CANCELLED -> " so far";
                 },
                 search.visitedMarkings());
     }

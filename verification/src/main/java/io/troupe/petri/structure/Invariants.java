@@ -7,6 +7,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import java.util.function.ToIntFunction;
 
 /**
@@ -34,7 +35,7 @@ public final class Invariants {
      * Invariants, largest support last.
      *
      * @param invariants each is minimal, also when the search stopped early; its weights above 0
-     * @param isComplete whether these are all; if not, the search stopped at its limit and there may be more
+     * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may be more
      */
     public record Found<T>(List<Map<T, Long>> invariants, boolean isComplete) {
         public Found {
@@ -49,8 +50,14 @@ public final class Invariants {
 
     /** P-invariants, on the way to which there are never more than {@code maxRows} (1 or more) combinations. */
     public static Found<Place> ofPlaces(PetriNet net, int maxRows) {
+        return ofPlaces(net, maxRows, () -> false);
+    }
+
+    /** P-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true. */
+    public static Found<Place> ofPlaces(PetriNet net, int maxRows, BooleanSupplier cancelled) {
         var matrix = new Effects(net).onPlaces();
-        return find(new SemiPositive(matrix, net.transitions().size()), net.places(), Place::index, maxRows);
+        var search = new SemiPositive(matrix, net.transitions().size(), cancelled);
+        return find(search, net.places(), Place::index, maxRows);
     }
 
     /** T-invariants: a firing sequence with these counts leads back to where it began; there need not be one. */
@@ -60,8 +67,14 @@ public final class Invariants {
 
     /** T-invariants, on the way to which there are never more than {@code maxRows} (1 or more) combinations. */
     public static Found<Transition> ofTransitions(PetriNet net, int maxRows) {
+        return ofTransitions(net, maxRows, () -> false);
+    }
+
+    /** T-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true. */
+    public static Found<Transition> ofTransitions(PetriNet net, int maxRows, BooleanSupplier cancelled) {
         var matrix = new Effects(net).ofTransitions();
-        return find(new SemiPositive(matrix, net.places().size()), net.transitions(), Transition::index, maxRows);
+        var search = new SemiPositive(matrix, net.places().size(), cancelled);
+        return find(search, net.transitions(), Transition::index, maxRows);
     }
 
     private static <T> Found<T> find(SemiPositive search, List<T> things, ToIntFunction<T> index, int maxRows) {

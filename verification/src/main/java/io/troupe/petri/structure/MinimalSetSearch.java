@@ -25,8 +25,16 @@ final class MinimalSetSearch {
         this.needs = needs;
     }
 
-    /** Looks at up to {@code maxSteps} problems; whether that were all. */
+    /** Looks at up to {@code maxSteps} problems, unless it is cancelled; whether that were all. */
     boolean run(long maxSteps) {
+        try {
+            return search(maxSteps);
+        } catch (Needs.OutOfTime cancelled) {
+            return false;
+        }
+    }
+
+    private boolean search(long maxSteps) {
         var all = new BitSet();
         all.set(0, needs.places());
         open.push(new Problem(all, new BitSet()));
@@ -34,6 +42,7 @@ final class MinimalSetSearch {
             if (step == maxSteps) {
                 return false;
             }
+            needs.requireTime();
             solve(open.pop());
         }
         return true;
@@ -123,6 +132,7 @@ final class MinimalSetSearch {
             if (kept.get(place)) {
                 continue;
             }
+            needs.requireTime();
             var without = (BitSet) allowed.clone();
             without.clear(place);
             open.push(new Problem(without, (BitSet) kept.clone()));

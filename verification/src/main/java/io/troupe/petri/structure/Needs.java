@@ -6,6 +6,7 @@ import io.troupe.petri.Place;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 
 /*
  * For every place the sets of places of which a siphon with this place must hold one: the inputs of each transition
@@ -14,9 +15,13 @@ import java.util.List;
 final class Needs {
     private final List<List<BitSet>> needs = new ArrayList<>();
 
-    private Needs(PetriNet net, boolean siphons) {
+    private final BooleanSupplier cancelled;
+
+    private Needs(PetriNet net, boolean siphons, BooleanSupplier cancelled) {
+        this.cancelled = cancelled;
         net.places().forEach(place -> needs.add(new ArrayList<>()));
         for (var t : net.transitions()) {
+            requireTime();
             var helpers = places(siphons ? t.inputs() : t.outputs());
             places(siphons ? t.outputs() : t.inputs()).stream()
                     .filter(place -> !helpers.get(place))
@@ -25,11 +30,36 @@ final class Needs {
     }
 
     static Needs ofSiphons(PetriNet net) {
-        return new Needs(net, true);
+        return ofSiphons(net, () -> false);
+    }
+
+    /** Each of their methods throws {@link OutOfTime} once {@code cancelled} says so. */
+    static Needs ofSiphons(PetriNet net, BooleanSupplier cancelled) {
+        return new Needs(net, true, cancelled);
     }
 
     static Needs ofTraps(PetriNet net) {
-        return new Needs(net, false);
+        return ofTraps(net, () -> false);
+    }
+
+    /** Each of their methods throws {@link OutOfTime} once {@code cancelled} says so. */
+    static Needs ofTraps(PetriNet net, BooleanSupplier cancelled) {
+        return new Needs(net, false, cancelled);
+    }
+
+    /** Ends a search that was cancelled; caught where it began. */
+    static final class OutOfTime extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        OutOfTime() {
+            super("cancelled", null, false, false);
+        }
+    }
+
+    void requireTime() {
+        if (cancelled.getAsBoolean()) {
+            throw new OutOfTime();
+        }
     }
 
     /** Keeps only the strongest needs: one that contains another follows from it. */
@@ -53,6 +83,7 @@ final class Needs {
         var changed = true;
         while (changed) {
             changed = false;
+            requireTime();
             for (var place = set.nextSetBit(0); place >= 0; place = set.nextSetBit(place + 1)) {
                 if (!isMet(place, set)) {
                     set.clear(place);

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 
 /*
  * All minimal semi-positive integer vectors x with x A = 0, by the method of Farkas, as refined by Martinez and Silva:
@@ -16,14 +17,23 @@ final class SemiPositive {
     private record Row(long[] factors, long[] rest, BitSet support) {}
 
     private final int columns;
+    private final BooleanSupplier cancelled;
+    /** Whether it was cancelled before all rows were here. */
+    private boolean isCut;
+
     private List<Row> rows = new ArrayList<>();
     private final BitSet open = new BitSet();
 
     /** Takes A by rows, each by column. */
-    SemiPositive(List<Map<Integer, Long>> matrix, int columns) {
+    SemiPositive(List<Map<Integer, Long>> matrix, int columns, BooleanSupplier cancelled) {
         this.columns = columns;
+        this.cancelled = cancelled;
         open.set(0, columns);
         for (var i = 0; i < matrix.size(); i++) {
+            if (cancelled.getAsBoolean()) {
+                isCut = true;
+                return;
+            }
             var factors = new long[matrix.size()];
             factors[i] = 1;
             var rest = new long[columns];
@@ -32,13 +42,29 @@ final class SemiPositive {
         }
     }
 
-    /** Whether it got to the end without ever holding more than {@code maxRows} combinations. */
+    /** Whether it got to the end without ever holding more than {@code maxRows} combinations, or being cancelled. */
     boolean run(int maxRows) {
+        if (isCut) {
+            return false;
+        }
         while (!open.isEmpty()) {
+            if (cancelled.getAsBoolean()) {
+                return false;
+            }
             var column = cheapest();
             var next = new ArrayList<Row>();
-            rows.stream().filter(row -> row.rest()[column] == 0).forEach(row -> addMinimal(next, row));
+            for (var row : rows) {
+                if (cancelled.getAsBoolean()) {
+                    return false;
+                }
+                if (row.rest()[column] == 0) {
+                    addMinimal(next, row);
+                }
+            }
             for (var plus : rows) {
+                if (cancelled.getAsBoolean()) {
+                    return false;
+                }
                 for (var minus : rows) {
                     if (plus.rest()[column] > 0 && minus.rest()[column] < 0) {
                         addMinimal(next, cancel(plus, minus, column));

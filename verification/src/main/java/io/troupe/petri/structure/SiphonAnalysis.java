@@ -2,9 +2,12 @@ package io.troupe.petri.structure;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 
 /**
  * The minimal siphons of a net, whether each can be emptied, and what follows for dead markings.
@@ -21,6 +24,8 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
         verdicts = List.copyOf(verdicts);
     }
 
+    private static final Duration FOR_EVER = Duration.ofDays(365);
+
     /** Judges all minimal siphons found in up to {@link Siphons#DEFAULT_MAX_STEPS} steps. */
     public static SiphonAnalysis of(PetriNet net) {
         return of(net, Siphons.DEFAULT_MAX_STEPS);
@@ -28,12 +33,27 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
 
     /** Judges all minimal siphons found in up to {@code maxSteps} (1 or more) steps. */
     public static SiphonAnalysis of(PetriNet net, long maxSteps) {
-        var siphons = Siphons.minimalSiphons(net, maxSteps);
-        var equation = new StateEquation(net);
+        return of(net, maxSteps, () -> FOR_EVER);
+    }
+
+    /**
+     * Judges the minimal siphons found in up to {@code maxSteps} (1 or more) steps, as long as there is time.
+     *
+     * @param left how much time is left, asked often and on the calling thread; once it is zero or less, the search ends,
+     * and a siphon that is not judged yet may be emptied, for all that is known
+     */
+    public static SiphonAnalysis of(PetriNet net, long maxSteps, Supplier<Duration> left) {
+        BooleanSupplier cancelled = () -> !left.get().isPositive();
+        var siphons = Siphons.minimalSiphons(net, maxSteps, cancelled);
+        var equation = new StateEquation(net, left);
         return new SiphonAnalysis(
                 net,
                 siphons,
-                siphons.sets().stream().map(siphon -> judge(siphon, equation)).toList());
+                siphons.sets().stream()
+                        .map(siphon -> cancelled.getAsBoolean()
+                                ? new SiphonVerdict.MayBeEmptied(siphon, OptionalDouble.empty())
+                                : judge(siphon, equation))
+                        .toList());
     }
 
     /**
@@ -105,7 +125,7 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
         }
         if (!siphons.isComplete()) {
             return new DeadlockVerdict.Undecided("net " + net.name() + ": none of the " + proofs.size()
-                    + " minimal siphons found can be emptied, but the search stopped at its limit");
+                    + " minimal siphons found can be emptied, but the search stopped at its limit, or was cancelled");
         }
         return new DeadlockVerdict.NoDeadMarking(proofs);
     }

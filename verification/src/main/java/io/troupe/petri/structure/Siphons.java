@@ -4,6 +4,9 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 
 /**
  * Siphons and traps of a net.
@@ -32,7 +35,15 @@ public final class Siphons {
 
     /** Searches all minimal siphons; each step (of {@code maxSteps}, 1 or more) finds at most one. */
     public static MinimalSets minimalSiphons(PetriNet net, long maxSteps) {
-        return minimal(net, Needs.ofSiphons(net), maxSteps);
+        return minimalSiphons(net, maxSteps, () -> false);
+    }
+
+    /**
+     * Searches all minimal siphons in up to {@code maxSteps} (1 or more) steps, or until {@code cancelled} is true. It is
+     * asked many times in each step, on the calling thread; a limit of time is one that compares a clock.
+     */
+    public static MinimalSets minimalSiphons(PetriNet net, long maxSteps, BooleanSupplier cancelled) {
+        return minimal(net, () -> Needs.ofSiphons(net, cancelled), maxSteps);
     }
 
     /** Searches all minimal traps in up to {@link #DEFAULT_MAX_STEPS} steps. */
@@ -42,7 +53,12 @@ public final class Siphons {
 
     /** Searches all minimal traps; each step (of {@code maxSteps}, 1 or more) finds at most one. */
     public static MinimalSets minimalTraps(PetriNet net, long maxSteps) {
-        return minimal(net, Needs.ofTraps(net), maxSteps);
+        return minimalTraps(net, maxSteps, () -> false);
+    }
+
+    /** Searches all minimal traps, within the same limits as {@link #minimalSiphons(PetriNet, long, BooleanSupplier)}. */
+    public static MinimalSets minimalTraps(PetriNet net, long maxSteps, BooleanSupplier cancelled) {
+        return minimal(net, () -> Needs.ofTraps(net, cancelled), maxSteps);
     }
 
     public static boolean isSiphon(PlaceSet set) {
@@ -69,9 +85,15 @@ public final class Siphons {
         return new PlaceSet(set.net(), largest);
     }
 
-    private static MinimalSets minimal(PetriNet net, Needs needs, long maxSteps) {
+    private static MinimalSets minimal(PetriNet net, Supplier<Needs> made, long maxSteps) {
         if (maxSteps < 1) {
             throw new IllegalArgumentException("maxSteps is " + maxSteps + ", expected 1 or more");
+        }
+        Needs needs;
+        try {
+            needs = made.get();
+        } catch (Needs.OutOfTime cancelled) {
+            return new MinimalSets(List.of(), false);
         }
         var search = new MinimalSetSearch(needs);
         var complete = search.run(maxSteps);

@@ -4,12 +4,14 @@ import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.ojalgo.optimisation.ExpressionsBasedModel;
 import org.ojalgo.optimisation.Optimisation;
@@ -28,12 +30,20 @@ import org.ojalgo.optimisation.Variable;
 public final class StateEquation {
     private static final int MAX_SCALE = 1000;
     private static final double TOLERANCE = 1e-6;
+    private static final Duration FOR_EVER = Duration.ofDays(365);
 
     private final PetriNet net;
     private final Effects effects;
+    private final Supplier<Duration> left;
 
     public StateEquation(PetriNet net) {
+        this(net, () -> FOR_EVER);
+    }
+
+    /** No program takes longer than what is {@code left} at its beginning: then the solver fails. */
+    StateEquation(PetriNet net, Supplier<Duration> left) {
         this.net = requireNonNull(net, "net");
+        this.left = left;
         this.effects = new Effects(net);
     }
 
@@ -46,7 +56,7 @@ public final class StateEquation {
      */
     public OptionalDouble leastTokens(PlaceSet set) {
         set.requirePlacesOf(net);
-        var model = new ExpressionsBasedModel();
+        var model = newModel();
         var counts = net.transitions().stream()
                 .map(t -> model.newVariable("count " + t).lower(0))
                 .toList();
@@ -64,7 +74,7 @@ public final class StateEquation {
      */
     public Optional<TokenBound> lowerBound(PlaceSet set) {
         set.requirePlacesOf(net);
-        var model = new ExpressionsBasedModel();
+        var model = newModel();
         var weights = net.places().stream()
                 .map(place -> model.newVariable("weight " + place)
                         .upper(set.has(place.index()) ? 1 : 0)
@@ -84,6 +94,12 @@ public final class StateEquation {
                 .findFirst();
     }
 
+    private ExpressionsBasedModel newModel() {
+        var model = new ExpressionsBasedModel();
+        model.options.time_abort = Math.clamp(left.get().toMillis(), 1, FOR_EVER.toMillis());
+        return model;
+    }
+
     private Optional<TokenBound> proof(PlaceSet set, long[] scaled, int scale) {
         Map<Place, Long> weights = new HashMap<>();
         for (var place : net.places()) {
@@ -100,7 +116,7 @@ public final class StateEquation {
 
     /** The most tokens a place can hold, proved in integers; nothing if it has no such bound, or none was found. */
     OptionalLong upperBound(Place place) {
-        var model = new ExpressionsBasedModel();
+        var model = newModel();
         var weights = net.places().stream()
                 .map(other -> model.newVariable("weight " + other)
                         .lower(other.equals(place) ? 1 : 0)

@@ -68,6 +68,7 @@ public record Figures(
         return switch (end) {
             case COMPLETE -> "";
             case LIMIT -> " (stopped at this limit)";
+            case MEMORY -> " (out of memory)";
             case CANCELLED -> " (cancelled)";
         };
     }

@@ -70,7 +70,7 @@ public final class WiringCheck {
                 mayBeFree ? Optional.of(ProgressSearch.run(net.net(), limits)) : Optional.<ProgressSearch>empty();
         var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
         var isKnown = settled.isPresent() || !dead.isEmpty();
-        var graph = ReachabilityGraph.explore(net.net(), isKnown ? atMost(limits, MAX_MARKINGS_IF_KNOWN) : limits);
+        var graph = ReachabilityGraph.explore(net.net(), isKnown ? limits.atMost(MAX_MARKINGS_IF_KNOWN) : limits);
         var whole = new Search(wiring, net, graph);
         var figures = whole.figures();
         var reduced = settled.map(ReducedFigures::of).orElse(ReducedFigures.of(search));
@@ -90,14 +90,6 @@ public final class WiringCheck {
         return reduced.isComplete()
                 ? new WiringResult.DeadlockFree(figures, reduced, pairs)
                 : new WiringResult.Unknown(figures, reduced, pairs);
-    }
-
-    private static SearchLimits atMost(SearchLimits limits, int markings) {
-        return new SearchLimits(
-                Math.min(limits.maxMarkings(), markings),
-                limits.cancelled(),
-                limits.markingsPerReport(),
-                limits.report());
     }
 
     private static Optional<Repair> repair(Wiring wiring, SearchLimits limits) {
