@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.demo.Ledger.StateChange;
+import io.troupe.demo.svg.Svg;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -27,7 +28,7 @@ final class ModesSvg {
     ModesSvg(ModeComparison comparison, String title) {
         this.comparison = comparison;
         this.table = comparison.result(Mode.PROMISE).table();
-        this.title = escape(title);
+        this.title = title;
         this.endSeconds = comparison.result(Mode.PROMISE).endMicros() / 1e6;
     }
 
@@ -35,11 +36,8 @@ final class ModesSvg {
         List<Mode> modes = comparison.modes();
         List<State> states = table.states();
         double axis = TOP_PX + modes.size() * ROW_PX;
-        append(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1000 %.0f\" font-family=\"sans-serif\" font-size=\"14\">%n",
-                axis + 50 + states.size() * LEGEND_LINE_PX);
-        append("<title>%s</title>%n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>%n", title);
-        append("<text x=\"%.1f\" y=\"26\" font-size=\"16\">%s</text>%n", LEFT_PX, title);
+        svg.append(Svg.begin(1000, axis + 50 + states.size() * LEGEND_LINE_PX, 14, title));
+        svg.append(Svg.text(LEFT_PX, 26, "font-size=\"16\"", title));
         for (int row = 0; row < modes.size(); row++) {
             row(modes.get(row), TOP_PX + row * ROW_PX);
         }
@@ -74,13 +72,13 @@ final class ModesSvg {
         double from = x(change.timeMicros() / 1e6);
         double to = x(endMicros / 1e6);
         append(
-                "<g><title>%s</title><rect x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"#%06x\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/>",
-                escape(change.describe(table).strip()),
+                "<g><title>%s</title><rect x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/>",
+                Svg.escape(change.describe(table).strip()),
                 from,
                 top,
                 to - from,
                 BAR_PX,
-                change.state().colour());
+                Svg.colour(change.state().colour()));
         if (to - from >= NUMBER_PX) {
             append(
                     "<text x=\"%.2f\" y=\"%.1f\" text-anchor=\"middle\">%d</text>",
@@ -131,19 +129,15 @@ final class ModesSvg {
             services.append(state.services().get(robot));
         }
         append(
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"#%06x\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">state %d (%s): %s</text>%n",
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">state %d (%s): %s</text>%n",
                 LEFT_PX,
                 y - 12,
-                state.colour(),
+                Svg.colour(state.colour()),
                 LEFT_PX + 34,
                 y,
                 state.number(),
                 table.colourName(state.colour()),
-                escape(services.toString()));
-    }
-
-    private static String escape(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+                Svg.escape(services.toString()));
     }
 
     private double x(double seconds) {

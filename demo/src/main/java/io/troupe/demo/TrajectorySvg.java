@@ -1,6 +1,6 @@
 package io.troupe.demo;
 
-import io.troupe.services.subsumption.Colours;
+import io.troupe.demo.svg.Svg;
 import io.troupe.services.subsumption.Service;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
@@ -15,14 +15,29 @@ import java.util.Map;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
-/** Draws the arena, all paths in the colours of the services, and where states changed; a crowd smaller, and without its robots' numbers. */
+/**
+ * Draws the arena, all paths in the colours of the services, and where states changed. A few robots have direction and time
+ * marks; the paths of a crowd fade with age instead, and its robots have no numbers.
+ */
 final class TrajectorySvg {
     private static final double SCALE = 70; // pixels per metre, at most
     private static final double MOST_PX = 1400; // along the longer side
     private static final double MARGIN_M = 0.3;
+    private static final double FONT_PX = 14;
+    private static final double TITLE_PX = 17;
+    private static final double LEFT_PX = 16;
     private static final double LINE_PX = 24;
-    private static final double LETTER_PX = 7.5;
-    private static final double LEGEND_LINE_PX = 36;
+    private static final double LEGEND_LINE_PX = 44;
+    /** The picture of a narrower world has white beside it, so that title and legend have room. */
+    private static final double LEAST_WIDTH_PX = 460;
+    /** Between two marks of direction on a path. */
+    private static final double ARROW_EVERY_PX = 130;
+    /** Of all robots together. */
+    private static final int MOST_TIME_MARKS = 12;
+    /** A crowd's paths are drawn in so many steps from old and faint to new. */
+    private static final int AGES = 6;
+    /** Of the robots' lines, round and round; the first is solid. */
+    private static final List<String> DASHES = List.of("", "8 4", "2 3", "14 4 2 4", "18 6", "8 3 2 3 2 3", "5 2");
     private static final Map<String, String> PATH_COLOURS = Map.of(
             Service.WALL_FOLLOWER.name(), "#7b3fa0",
             Service.SPACE_WANDERER.name(), "#1b9e9e");
@@ -41,7 +56,11 @@ final class TrajectorySvg {
     private final Map<String, String> pathColours = new HashMap<>(PATH_COLOURS);
     private final StringBuilder svg = new StringBuilder();
     private final StringBuilder legend = new StringBuilder();
-    private double legendX = 16;
+    private final double pageWidth;
+    private final List<String> title;
+    private final double shiftX;
+    private final double shiftY;
+    private double legendX = LEFT_PX;
     private double legendY;
 
     TrajectorySvg(WorldSpec world, RunResult result) {
@@ -58,7 +77,11 @@ final class TrajectorySvg {
         height = top - edge(corners, Point::y, -1);
         scale = Math.min(SCALE, MOST_PX / Math.max(width, height));
         crowd = result.robots().size() >= Ledger.MANY_ROBOTS;
-        legendY = height * scale + LINE_PX;
+        pageWidth = Math.max(width * scale, LEAST_WIDTH_PX);
+        title = Svg.wrap(finding(), pageWidth - 2 * LEFT_PX, TITLE_PX);
+        shiftX = (pageWidth - width * scale) / 2;
+        shiftY = title.size() * LINE_PX + 6;
+        legendY = shiftY + height * scale + LINE_PX;
         for (Service service : result.table().services()) {
             int more = pathColours.size() - PATH_COLOURS.size();
             pathColours.putIfAbsent(service.name(), MORE_COLOURS.get(more % MORE_COLOURS.size()));
@@ -67,58 +90,145 @@ final class TrajectorySvg {
 
     String draw() {
         drawLegend();
-        append(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" font-size=\"14\">%n",
-                width * scale, legendY + 16);
-        append("<title>%s: where the robots went</title>%n", escape(world.name()));
-        append("<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>%n");
+        svg.append(Svg.begin(pageWidth, legendY + LEFT_PX, FONT_PX, finding()));
+        for (int line = 0; line < title.size(); line++) {
+            svg.append(
+                    Svg.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
+        }
         world.obstacles().forEach(this::obstacle);
-        result.robots().forEach(this::path);
+        for (int age = 0; age < (crowd ? AGES : 1); age++) {
+            for (RobotRecord robot : result.robots()) {
+                path(robot, age);
+            }
+        }
+        if (!crowd) {
+            result.robots().forEach(this::directions);
+        }
         result.robots().forEach(this::robot);
+        if (!crowd) {
+            result.robots().forEach(this::timeMarks);
+        }
         result.states().forEach(this::stateChange);
         svg.append(legend);
         append("</svg>%n");
         return svg.toString();
     }
 
+    /** What the picture shows, in one sentence. */
+    private String finding() {
+        int changes = result.states().size() - 1;
+        int robots = result.robots().size();
+        return String.format(
+                Locale.ROOT,
+                "%s: %s %s state %s in %s s",
+                world.name(),
+                robots == 1 ? "1 robot" : robots + " robots",
+                robots == 1 ? "changes" : "change",
+                changes == 1 ? "once" : changes + " times",
+                Svg.number(result.endMicros() / 1e6));
+    }
+
     private void obstacle(ObstacleSpec obstacle) {
-        append("<g><title>%s</title>", escape(obstacle.name()));
-        polygons(obstacle.shape(), obstacle.pose(), String.format("fill=\"#%06x\"", obstacle.colour()));
+        append("<g><title>%s</title>", Svg.escape(obstacle.name()));
+        polygons(obstacle.shape(), obstacle.pose(), "fill=\"" + Svg.colour(obstacle.colour()) + "\"");
         append("</g>%n");
     }
 
-    /** One line for each stretch under the same service; in a pair robot 2's is dashed. */
-    private void path(RobotRecord robot) {
+    /** One line for each stretch under the same service; in a crowd only those of one age. */
+    private void path(RobotRecord robot, int age) {
         var path = robot.path();
         int from = 0;
         while (from < path.size()) {
             int to = from;
             while (to + 1 < path.size()
-                    && path.get(to + 1).service().equals(path.get(from).service())) {
+                    && path.get(to + 1).service().equals(path.get(from).service())
+                    && age(path.get(to + 1)) == age(path.get(from))) {
                 to++;
             }
-            String points = path.subList(Math.max(0, from - 1), to + 1).stream()
-                    .map(sample -> String.format(
-                            Locale.ROOT,
-                            "%.1f,%.1f",
-                            x(sample.pose().x()),
-                            y(sample.pose().y())))
-                    .collect(Collectors.joining(" "));
-            append(
-                    "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\"%s/>%n",
-                    points,
-                    pathColours.getOrDefault(path.get(from).service(), "#888888"),
-                    crowd ? "1" : "2",
-                    crowd ? "0.5" : "0.8",
-                    dash(robot.index()));
+            if (age(path.get(from)) == age) {
+                line(robot.index(), path.subList(Math.max(0, from - 1), to + 1), path.get(from), age);
+            }
             from = to + 1;
         }
+    }
+
+    private void line(int robot, List<RobotRecord.Sample> samples, RobotRecord.Sample first, int age) {
+        String points = samples.stream()
+                .map(sample -> String.format(
+                        Locale.ROOT,
+                        "%.1f,%.1f",
+                        x(sample.pose().x()),
+                        y(sample.pose().y())))
+                .collect(Collectors.joining(" "));
+        double newness = (age + 1.0) / AGES;
+        append(
+                "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\"%s/>%n",
+                points,
+                colourOf(first),
+                crowd ? Svg.number(0.6 + 1.4 * newness) : "2",
+                crowd ? String.format(Locale.ROOT, "%.2f", 0.08 + 0.77 * newness * newness) : "0.8",
+                dash(robot));
+    }
+
+    private int age(RobotRecord.Sample sample) {
+        return crowd ? (int) Math.min(AGES - 1, sample.timeMicros() * AGES / Math.max(1, result.endMicros())) : 0;
+    }
+
+    private String colourOf(RobotRecord.Sample sample) {
+        return pathColours.getOrDefault(sample.service(), "#888888");
+    }
+
+    /** A triangle on the path, again and again. */
+    private void directions(RobotRecord robot) {
+        double sinceLastPx = ARROW_EVERY_PX / 2;
+        var path = robot.path();
+        for (int i = 1; i < path.size(); i++) {
+            double dx = x(path.get(i).pose().x()) - x(path.get(i - 1).pose().x());
+            double dy = y(path.get(i).pose().y()) - y(path.get(i - 1).pose().y());
+            sinceLastPx += Math.hypot(dx, dy);
+            if (sinceLastPx >= ARROW_EVERY_PX && Math.hypot(dx, dy) > 0) {
+                sinceLastPx = 0;
+                svg.append(Svg.head(
+                        x(path.get(i).pose().x()),
+                        y(path.get(i).pose().y()),
+                        StrictMath.atan2(dy, dx),
+                        11,
+                        colourOf(path.get(i))));
+            }
+        }
+    }
+
+    /** Where it was after so many seconds. */
+    private void timeMarks(RobotRecord robot) {
+        long every = timeMarkMicros();
+        var path = robot.path();
+        long next = every;
+        for (RobotRecord.Sample sample : path) {
+            if (sample.timeMicros() >= next && next < result.endMicros()) {
+                append(
+                        "<circle class=\"time\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>%n",
+                        x(sample.pose().x()), y(sample.pose().y()), colourOf(sample));
+                String label = Svg.number(next / 1e6) + " s";
+                svg.append(Svg.textOnLines(
+                        x(sample.pose().x()) + 6,
+                        y(sample.pose().y()) - 5,
+                        "font-size=\"11\" fill=\"#333333\"",
+                        label));
+                next += every;
+            }
+        }
+    }
+
+    /** 1, 2 or 5 times a power of ten seconds, so that all robots together have about a dozen marks. */
+    private long timeMarkMicros() {
+        double marksOfOne = Math.max(3, (double) MOST_TIME_MARKS / result.robots().size());
+        return StrictMath.round(1e6 * Svg.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
     }
 
     /** The body at the start, faint, and at the end. */
     private void robot(RobotRecord robot) {
         RobotSpec spec = world.robots().get(robot.index());
-        String fill = String.format("fill=\"#%06x\" stroke=\"#444444\"", spec.colour());
+        String fill = "fill=\"" + Svg.colour(spec.colour()) + "\" stroke=\"#444444\"";
         if (!crowd) {
             polygons(spec.shape(), robot.path().getFirst().pose(), fill + " opacity=\"0.35\"");
         }
@@ -127,12 +237,14 @@ final class TrajectorySvg {
             return;
         }
         Pose end = robot.path().getLast().pose();
-        append(
-                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"%s\" font-weight=\"bold\">%d</text>%n",
-                x(end.x()), y(end.y()) + 5, spec.colour() == Colours.BLACK ? "white" : "black", robot.index() + 1);
+        svg.append(Svg.text(
+                x(end.x()),
+                y(end.y()) + 5,
+                "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + Svg.inkOn(spec.colour()) + "\"",
+                Integer.toString(robot.index() + 1)));
     }
 
-    /** At the robot that saw the colour: a disc of that colour with the number of the state. */
+    /** At the robot that saw the colour: a tag of that colour with the letter s, since robots have plain numbers. */
     private void stateChange(Ledger.StateChange change) {
         if (change.seenBy() == null) {
             return;
@@ -143,65 +255,70 @@ final class TrajectorySvg {
                 .findFirst()
                 .orElse(path.getLast())
                 .pose();
-        append(
-                "<g><title>%s</title><circle cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"#%06x\" stroke=\"white\" stroke-width=\"1.5\"/>",
-                escape(change.describe(result.table()).strip()),
-                x(pose.x()),
-                y(pose.y()),
-                crowd ? "7" : "9",
-                change.state().colour());
-        append(
-                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"%s\" fill=\"%s\">%d</text></g>%n",
-                x(pose.x()),
-                y(pose.y()) + (crowd ? 3 : 4),
-                crowd ? "8" : "11",
-                isBright(change.state().colour()) ? "black" : "white",
-                change.state().number());
+        append("<g class=\"state\"><title>%s</title>", Svg.escape(change.describe(result.table()).strip()));
+        svg.append(tag(x(pose.x()), y(pose.y()), change.state().colour(), "s" + change.state().number()));
+        append("</g>%n");
     }
 
-    private static boolean isBright(int colour) {
-        return 0.3 * (colour >> 16 & 0xff) + 0.59 * (colour >> 8 & 0xff) + 0.11 * (colour & 0xff) > 140;
+    private static String tag(double x, double y, int colour, String words) {
+        double wide = Svg.width(words, 11) + 8;
+        return String.format(
+                        Locale.ROOT,
+                        "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"15\" rx=\"3\" fill=\"%s\" stroke=\"white\" stroke-width=\"1.5\"/>",
+                        x - wide / 2,
+                        y - 7.5,
+                        wide,
+                        Svg.colour(colour))
+                + Svg.text(
+                        x,
+                        y + 4,
+                        "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"",
+                        words);
     }
 
-    /** Lines as long as they fit side by side, then two sentences. */
+    /** The scale, lines as long as they fit side by side, then sentences. */
     private void drawLegend() {
+        legend.append(Svg.scaleBar(legendX + 1, legendY - 5, scale));
+        legendX += Svg.scaleBarWidth(scale, FONT_PX) + LINE_PX;
         for (Service service : result.table().services()) {
-            String stroke = pathColours.get(service.name());
-            entry(escape(service.name()), service.name().length(), "stroke=\"" + stroke + "\" stroke-width=\"3\"");
+            entry(service.name(), "stroke=\"" + pathColours.get(service.name()) + "\" stroke-width=\"3\"");
         }
         if (!crowd) {
             for (int robot = 0; robot < result.robots().size(); robot++) {
-                entry("robot " + (robot + 1), 8, "stroke=\"#444444\" stroke-width=\"2\"" + dash(robot));
+                entry("robot " + (robot + 1), "stroke=\"#444444\" stroke-width=\"2\"" + dash(robot));
             }
         }
-        legendY += LINE_PX;
-        legend.append(String.format(
-                Locale.ROOT,
-                "<text x=\"16\" y=\"%.1f\">%s%s s simulated, %d state changes. Disc: here a robot saw that colour, and state n began.%s</text>%n",
-                legendY,
-                crowd ? result.robots().size() + " robots, " : "",
-                Json.seconds(result.endMicros()),
-                result.states().size() - 1,
-                crowd ? "" : " Faint body: start."));
+        for (String line : Svg.wrap(caption(), pageWidth - 2 * LEFT_PX, FONT_PX)) {
+            legendY += LINE_PX;
+            legend.append(Svg.text(LEFT_PX, legendY, "class=\"caption\"", line));
+        }
     }
 
-    private void entry(String title, int letters, String style) {
-        double wide = LEGEND_LINE_PX + letters * LETTER_PX + LINE_PX;
-        if (legendX > 16 && legendX + wide > width * scale) {
-            legendX = 16;
+    private String caption() {
+        String tag = "Tag s2: here a robot saw that colour, and state 2 began.";
+        if (crowd) {
+            return result.robots().size() + " robots, " + Json.seconds(result.endMicros()) + " s simulated. " + tag
+                    + " Faint paths are old, strong ones new; bodies stand where the robots ended.";
+        }
+        return tag + " Faint body: start; body with a number: that robot at the end. Ring: where a robot was "
+                + "after so many seconds.";
+    }
+
+    private void entry(String words, String style) {
+        double wide = LEGEND_LINE_PX + Svg.width(words, FONT_PX) + LINE_PX;
+        if (legendX > LEFT_PX && legendX + wide - LINE_PX > pageWidth - LEFT_PX) {
+            legendX = LEFT_PX;
             legendY += LINE_PX;
         }
         legend.append(String.format(
                 Locale.ROOT,
-                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" %s/><text x=\"%.1f\" y=\"%.1f\">%s</text>%n",
+                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" %s/>",
                 legendX,
                 legendY - 5,
                 legendX + LEGEND_LINE_PX - 6,
                 legendY - 5,
-                style,
-                legendX + LEGEND_LINE_PX,
-                legendY,
-                title));
+                style));
+        legend.append(Svg.text(legendX + LEGEND_LINE_PX, legendY, "", words));
         legendX += wide;
     }
 
@@ -217,7 +334,8 @@ final class TrajectorySvg {
     }
 
     private String dash(int robot) {
-        return robot == 0 || crowd ? "" : " stroke-dasharray=\"7 3\"";
+        String dash = crowd ? "" : DASHES.get(robot % DASHES.size());
+        return dash.isEmpty() ? "" : " stroke-dasharray=\"" + dash + "\"";
     }
 
     private static double edge(List<Point> corners, ToDoubleFunction<Point> coordinate, double sign) {
@@ -225,18 +343,14 @@ final class TrajectorySvg {
     }
 
     private double x(double worldX) {
-        return (worldX - left) * scale;
+        return shiftX + (worldX - left) * scale;
     }
 
     private double y(double worldY) {
-        return (top - worldY) * scale;
+        return shiftY + (top - worldY) * scale;
     }
 
     private void append(String format, Object... values) {
         svg.append(String.format(Locale.ROOT, format, values));
-    }
-
-    private static String escape(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 }

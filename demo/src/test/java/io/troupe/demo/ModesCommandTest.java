@@ -56,6 +56,10 @@ class ModesCommandTest {
             }
         }
         assertThat(bars).isEqualTo(states);
+        assertThat(picture.getDocumentElement().getAttribute("role")).isEqualTo("img");
+        assertThat(picture.getDocumentElement().getAttribute("aria-label"))
+                .isEqualTo(picture.getElementsByTagName("title").item(0).getTextContent());
+        assertThat(directory.resolve("modes.svg")).content().doesNotContain("#00ff00");
     }
 
     @Test

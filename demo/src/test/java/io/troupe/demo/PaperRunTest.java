@@ -219,7 +219,7 @@ class PaperRunTest {
         String svg = new TrajectorySvg(ScenarioReader.read(WORLD).world(), result).draw();
         assertThat(svg).startsWith("<svg").endsWith("</svg>" + System.lineSeparator());
         assertThat(svg).contains("<title>red box 1</title>", "wallFollower", "spaceWanderer", "stroke-dasharray");
-        assertThat(svg.split("<circle", -1)).hasSize(result.states().size()); // one for each change, none for the start
+        assertThat(svg.split("<g class=\"state\"", -1)).hasSize(result.states().size()); // one for each change, none for the start
         javax.xml.parsers.DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
                 .parse(new java.io.ByteArrayInputStream(svg.getBytes(java.nio.charset.StandardCharsets.UTF_8)));

@@ -1,6 +1,9 @@
 package io.troupe.petri;
 
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 
 /**
  * The nets of the paper's fifth section: four components, and what they make together.
@@ -130,6 +133,20 @@ public final class PaperNets {
     public static PetriNet corrected(Reading reading) {
         var waitsAt = reading == Reading.A ? "S10" : "S4";
         return Composition.fuse(whole("corrected " + reading, service(reading, waitsAt)), "Tstop", STOPS);
+    }
+
+    /** The places of a whole net by their component, which is what the first letter of their names says. */
+    public static Map<String, List<Place>> components(PetriNet whole) {
+        var components = new LinkedHashMap<String, List<Place>>();
+        for (var component : List.of("robot", "player", "middleware", "service")) {
+            var letter = component.substring(0, 1).toUpperCase(Locale.ROOT);
+            components.put(
+                    component,
+                    whole.places().stream()
+                            .filter(place -> place.name().startsWith(letter))
+                            .toList());
+        }
+        return components;
     }
 
     private static PetriNet whole(String name, PetriNet service) {

@@ -1,5 +1,6 @@
 package io.troupe.demo.draw;
 
+import io.troupe.demo.svg.Svg;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.scenario.CargoSpec;
@@ -21,6 +22,15 @@ import java.util.stream.Stream;
 final class WorldDrawing {
     private static final double LONGEST_PX = 1000;
     private static final double MARGIN_M = 0.3;
+    private static final double FONT_PX = 14;
+    private static final double TITLE_PX = 36;
+    private static final double LEGEND_PX = 40;
+    private static final double LEFT_PX = 16;
+    /** The picture of a narrower world has white beside it, so that the legend has room. */
+    private static final double LEAST_WIDTH_PX = 560;
+
+    private static final String SONAR = "#d9822b";
+    private static final String LASER = "#8fb3d9";
 
     private final WorldSpec world;
     private final Snapshot now;
@@ -30,6 +40,8 @@ final class WorldDrawing {
     private final double widthM;
     private final double heightM;
     private final double pixelsPerMetre;
+    private final double pageWidth;
+    private final double shiftX;
 
     WorldDrawing(WorldSpec world, Snapshot now) {
         this.world = world;
@@ -47,6 +59,8 @@ final class WorldDrawing {
         widthM = x.getMax() + MARGIN_M - left;
         heightM = top - y.getMin() + MARGIN_M;
         pixelsPerMetre = LONGEST_PX / Math.max(widthM, heightM);
+        pageWidth = Math.max(LEAST_WIDTH_PX, widthM * pixelsPerMetre);
+        shiftX = (pageWidth - widthM * pixelsPerMetre) / 2;
     }
 
     private static Stream<Point> corners(Shape shape, Pose pose) {
@@ -58,10 +72,9 @@ final class WorldDrawing {
     }
 
     String svg() {
-        append(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\">%n",
-                widthM * pixelsPerMetre, heightM * pixelsPerMetre);
-        append("<title>%s</title>%n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>%n", escape(world.name()));
+        double bottom = TITLE_PX + heightM * pixelsPerMetre;
+        svg.append(Svg.begin(pageWidth, bottom + LEGEND_PX, FONT_PX, title()));
+        svg.append(Svg.text(LEFT_PX, TITLE_PX - 10, "font-size=\"17\"", title()));
         for (int i = 0; i < world.robots().size(); i++) {
             rays(i);
         }
@@ -76,6 +89,10 @@ final class WorldDrawing {
             }
             nose(robot, pose(i));
         }
+        for (int i = 0; i < world.robots().size(); i++) {
+            name(world.robots().get(i), pose(i));
+        }
+        legend(bottom + 24);
         append("</svg>%n");
         return svg.toString();
     }
@@ -87,8 +104,45 @@ final class WorldDrawing {
                         line.stream().map(pose::place).map(this::place).collect(Collectors.joining(" L", "M", " Z")))
                 .collect(Collectors.joining(" "));
         append(
-                "<path d=\"%s\" fill=\"#%06x\" fill-rule=\"evenodd\" stroke=\"#444444\" stroke-width=\"0.5\"><title>%s</title></path>%n",
-                path, colour, escape(name));
+                "<path d=\"%s\" fill=\"%s\" fill-rule=\"evenodd\" stroke=\"#444444\" stroke-width=\"0.5\"><title>%s</title></path>%n",
+                path, Svg.colour(colour), Svg.escape(name));
+    }
+
+    private String title() {
+        int robots = world.robots().size();
+        int obstacles = world.obstacles().size();
+        return world.name() + ": " + (robots == 1 ? "1 robot" : robots + " robots") + ", "
+                + (obstacles == 1 ? "1 obstacle" : obstacles + " obstacles");
+    }
+
+    /** Above the robot, or below it if it looks upwards. */
+    private void name(RobotSpec robot, Pose pose) {
+        double y = (top - pose.y()) * pixelsPerMetre;
+        double gap = (robot.lengthM() + robot.widthM()) / 2 * pixelsPerMetre;
+        svg.append(Svg.textOnLines(
+                shiftX + (pose.x() - left) * pixelsPerMetre,
+                TITLE_PX + (StrictMath.sin(pose.headingRad()) > 0.5 ? y + gap + 10 : y - gap + 4),
+                "class=\"name\" text-anchor=\"middle\" font-weight=\"bold\" fill=\"#222222\"",
+                robot.name()));
+    }
+
+    private void legend(double y) {
+        svg.append(Svg.scaleBar(LEFT_PX, y - 5, pixelsPerMetre));
+        double x = LEFT_PX + Svg.scaleBarWidth(pixelsPerMetre, FONT_PX) + 30;
+        if (world.robots().stream().anyMatch(robot -> robot.sonar() != null)) {
+            x = sample(x, y, SONAR, "sonar, first reading");
+        }
+        if (world.robots().stream().anyMatch(robot -> !robot.rangers().isEmpty())) {
+            sample(x, y, LASER, "laser, first reading");
+        }
+    }
+
+    private double sample(double x, double y, String colour, String words) {
+        append(
+                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"2\"/>",
+                x, y - 5, x + 30, y - 5, colour);
+        svg.append(Svg.text(x + 38, y, "", words));
+        return x + 38 + Svg.width(words, FONT_PX) + 20;
     }
 
     /** Where a robot looks. */
@@ -105,7 +159,7 @@ final class WorldDrawing {
         List<Double> sonarM = now.robots().get(robot).sonarM();
         if (sonar != null && sonarM != null) {
             for (int i = 0; i < sonarM.size(); i++) {
-                ray(pose(robot).compose(sonar.mounts().get(i)), sonarM.get(i), "#d9822b");
+                ray(pose(robot).compose(sonar.mounts().get(i)), sonarM.get(i), SONAR);
             }
         }
         for (int i = 0; i < spec.rangers().size(); i++) {
@@ -114,7 +168,7 @@ final class WorldDrawing {
             for (RangeSensorSpec sensor : spec.rangers().get(i).sensors()) {
                 Pose mount = pose(robot).compose(sensor.mount());
                 for (double leftRad : Ranger.directionsRad(sensor)) {
-                    ray(mount.compose(new Pose(0, 0, leftRad)), rangesM.get(ray++), "#8fb3d9");
+                    ray(mount.compose(new Pose(0, 0, leftRad)), rangesM.get(ray++), LASER);
                 }
             }
         }
@@ -129,14 +183,13 @@ final class WorldDrawing {
 
     private String place(Point point) {
         return String.format(
-                Locale.ROOT, "%.1f %.1f", (point.x() - left) * pixelsPerMetre, (top - point.y()) * pixelsPerMetre);
+                Locale.ROOT,
+                "%.1f %.1f",
+                shiftX + (point.x() - left) * pixelsPerMetre,
+                TITLE_PX + (top - point.y()) * pixelsPerMetre);
     }
 
     private void append(String format, Object... values) {
         svg.append(String.format(Locale.ROOT, format, values));
-    }
-
-    private static String escape(String text) {
-        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 }

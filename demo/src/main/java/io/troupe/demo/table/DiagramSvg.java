@@ -1,6 +1,7 @@
 package io.troupe.demo.table;
 
 import io.troupe.demo.table.Diagram.Node;
+import io.troupe.demo.table.SvgText.Point;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -22,8 +23,6 @@ final class DiagramSvg {
     private static final String BOX = "fill=\"#f6f6f6\" stroke=\"#444\" stroke-width=\"1.5\"";
     private static final String FINAL_BOX = BOX + " stroke-dasharray=\"6 4\"";
     private static final String CENTRED = "text-anchor=\"middle\"";
-
-    private record Point(double x, double y) {}
 
     private final Diagram diagram;
     private final double boxWidth;
@@ -55,21 +54,21 @@ final class DiagramSvg {
                 diagram.notes().stream().mapToDouble(SvgText::width).max().orElse(0);
         var svg = new SvgText(
                 Math.max(width, notes + 2 * MARGIN_PX),
-                height + diagram.notes().size() * SvgText.LINE_PX,
+                diagram.notes().isEmpty() ? height : height + diagram.notes().size() * SvgText.LINE_PX + MARGIN_PX,
                 diagram.title());
         for (int line = 0; line < diagram.notes().size(); line++) {
-            svg.line(diagram.notes().get(line), MARGIN_PX, height + line * SvgText.LINE_PX, "");
+            svg.line(diagram.notes().get(line), MARGIN_PX, height + (line + 1) * SvgText.LINE_PX - 4, "");
         }
         return svg;
     }
 
     private void box(SvgText svg, Node node, Point centre) {
-        svg.box(centre.x - boxWidth / 2, centre.y - boxHeight / 2, boxWidth, boxHeight, node.ends() ? BOX : FINAL_BOX);
-        double y = centre.y - (node.lines().size()) * SvgText.LINE_PX / 2 + 5;
-        svg.line(node.heading(), centre.x, y, CENTRED + " font-weight=\"bold\"");
+        svg.box(centre.x() - boxWidth / 2, centre.y() - boxHeight / 2, boxWidth, boxHeight, node.ends() ? BOX : FINAL_BOX);
+        double y = centre.y() - (node.lines().size()) * SvgText.LINE_PX / 2 + 5;
+        svg.line(node.heading(), centre.x(), y, CENTRED + " font-weight=\"bold\"");
         for (String line : node.lines()) {
             y += SvgText.LINE_PX;
-            svg.line(line, centre.x, y, CENTRED);
+            svg.line(line, centre.x(), y, CENTRED);
         }
     }
 
@@ -88,11 +87,13 @@ final class DiagramSvg {
             default ->
                 List.of(new Point(width / 2, top), new Point(left, top + down), new Point(left + across, top + down));
         };
-        double bottom = centres.getLast().y + boxHeight / 2;
-        SvgText svg = begin(width, bottom + 2 * MARGIN_PX + (count == 1 ? 0 : 30));
+        double bottom = centres.getLast().y() + boxHeight / 2;
+        // arrows beside each other bow below the lowest boxes, if these are low
+        double bow = count == 1 ? 0 : Math.max(0, (MOST_BOW_PX + SvgText.LINE_PX) / 2 + 4 - boxHeight / 2);
+        SvgText svg = begin(width, bottom + bow + MARGIN_PX);
         Point first = centres.getFirst();
-        svg.dot(first.x, MARGIN_PX);
-        svg.arrow(path(new Point(first.x, MARGIN_PX), new Point(first.x, first.y - boxHeight / 2)));
+        svg.dot(first.x(), MARGIN_PX);
+        straight(svg, new Point(first.x(), MARGIN_PX), new Point(first.x(), first.y() - boxHeight / 2));
         for (var arrow : diagram.arrows()) {
             arc(
                     svg,
@@ -108,15 +109,15 @@ final class DiagramSvg {
 
     /** An arrow that keeps to its left, so that there and back are two. */
     private void arc(SvgText svg, Point from, Point to, Node entered) {
-        double dx = to.x - from.x;
-        double dy = to.y - from.y;
+        double dx = to.x() - from.x();
+        double dy = to.y() - from.y();
         double length = Math.hypot(dx, dy);
         double bow = Math.min(MOST_BOW_PX, length * 0.3);
-        var bend = new Point((from.x + to.x) / 2 + dy / length * bow, (from.y + to.y) / 2 - dx / length * bow);
+        var bend = new Point((from.x() + to.x()) / 2 + dy / length * bow, (from.y() + to.y()) / 2 - dx / length * bow);
         Point start = edge(from, bend);
         Point end = edge(to, bend);
-        svg.arrow("M" + pair(start) + " Q" + pair(bend) + " " + pair(end));
-        svg.label(entered.enters(), entered.colour(), onCurve(start.x, bend.x, end.x), onCurve(start.y, bend.y, end.y));
+        svg.arrow("M" + pair(start) + " Q" + pair(bend) + " ", bend, end);
+        svg.label(entered.enters(), entered.colour(), onCurve(start.x(), bend.x(), end.x()), onCurve(start.y(), bend.y(), end.y()));
     }
 
     /** A coordinate of the label: before the middle, so that the labels of there and back are apart. */
@@ -127,10 +128,10 @@ final class DiagramSvg {
 
     /** Where the line from a box's centre to a point outside leaves the box. */
     private Point edge(Point centre, Point outside) {
-        double dx = outside.x - centre.x;
-        double dy = outside.y - centre.y;
+        double dx = outside.x() - centre.x();
+        double dy = outside.y() - centre.y();
         double share = Math.min(dx == 0 ? 1 : boxWidth / 2 / Math.abs(dx), dy == 0 ? 1 : boxHeight / 2 / Math.abs(dy));
-        return new Point(centre.x + dx * Math.min(1, share), centre.y + dy * Math.min(1, share));
+        return new Point(centre.x() + dx * Math.min(1, share), centre.y() + dy * Math.min(1, share));
     }
 
     /** The bar, and the states in one column to its right, or in two on both sides. */
@@ -148,7 +149,7 @@ final class DiagramSvg {
         double side = arrow + boxWidth + 40; // the first state's beginning needs room
         double barX = MARGIN_PX + (twoSided ? side : 0);
         double height = rows * (boxHeight + GAP_PX) - GAP_PX;
-        SvgText svg = begin(barX + BAR_PX + side + MARGIN_PX, height + 3 * MARGIN_PX);
+        SvgText svg = begin(barX + BAR_PX + side + MARGIN_PX, height + 2 * MARGIN_PX);
         svg.box(barX, MARGIN_PX, BAR_PX, height, "fill=\"#e4e4e4\" stroke=\"#444\"");
         var words = RobotGroups.wrap(Diagram.BAR, 18);
         double y = MARGIN_PX + height / 2 - (words.size() - 1) * SvgText.LINE_PX / 2 + 5;
@@ -162,23 +163,23 @@ final class DiagramSvg {
             double edgeX = left ? barX : barX + BAR_PX;
             double rowY = MARGIN_PX + boxHeight / 2 + (twoSided ? index % rows : index) * (boxHeight + GAP_PX);
             Node node = diagram.nodes().get(index);
-            svg.arrow(path(new Point(edgeX, rowY), new Point(edgeX + sign * arrow, rowY)));
+            straight(svg, new Point(edgeX, rowY), new Point(edgeX + sign * arrow, rowY));
             svg.label(node.enters(), node.colour(), edgeX + sign * (arrow / 2 - 4), rowY);
             double outer = edgeX + sign * (arrow + boxWidth);
             if (index == 0) {
                 svg.dot(outer + sign * 32, rowY);
-                svg.arrow(path(new Point(outer + sign * 32, rowY), new Point(outer, rowY)));
+                straight(svg, new Point(outer + sign * 32, rowY), new Point(outer, rowY));
             }
             box(svg, node, new Point(edgeX + sign * (arrow + boxWidth / 2), rowY));
         }
         return svg.end();
     }
 
-    private static String path(Point from, Point to) {
-        return "M" + pair(from) + " L" + pair(to);
+    private static void straight(SvgText svg, Point from, Point to) {
+        svg.arrow("M" + pair(from) + " L", from, to);
     }
 
     private static String pair(Point point) {
-        return SvgText.number(point.x) + "," + SvgText.number(point.y);
+        return SvgText.number(point.x()) + "," + SvgText.number(point.y());
     }
 }

@@ -1,26 +1,22 @@
 package io.troupe.demo.table;
 
+import io.troupe.demo.svg.Svg;
 import java.util.Locale;
 
 /** Writes the few elements of SVG that diagrams are made of. */
 final class SvgText {
     static final double FONT_PX = 14;
     static final double LINE_PX = 19;
+    private static final double HEAD_PX = 9;
     /** Of a sans-serif font; generous, because fonts differ. */
     private static final double LETTER_PX = 8;
+
+    record Point(double x, double y) {}
 
     private final StringBuilder text = new StringBuilder();
 
     SvgText(double width, double height, String title) {
-        add(
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%s\" height=\"%s\" viewBox=\"0 0 %s %s\" font-family=\"sans-serif\" font-size=\"%s\">",
-                width, height, width, height, FONT_PX);
-        add("<title>%s</title>", title);
-        text.append(
-                        "<defs><marker id=\"arrow\" viewBox=\"0 0 8 6\" refX=\"7.5\" refY=\"3\" markerWidth=\"9\" markerHeight=\"7\"")
-                .append(
-                        " markerUnits=\"userSpaceOnUse\" orient=\"auto\"><path d=\"M0,0 L8,3 L0,6 z\" fill=\"#444\"/></marker></defs>\n")
-                .append("<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n");
+        text.append(Svg.begin(width, height, FONT_PX, title));
     }
 
     /** How wide a line is. */
@@ -36,8 +32,15 @@ final class SvgText {
         add("<text x=\"%s\" y=\"%s\" " + style + ">%s</text>", x, y, words);
     }
 
-    void arrow(String path) {
-        add("<path d=\"" + path + "\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\" marker-end=\"url(#arrow)\"/>");
+    /** A line of SVG's path data whose end comes from a point before it. */
+    void arrow(String start, Point before, Point tip) {
+        double direction = StrictMath.atan2(tip.y() - before.y(), tip.x() - before.x());
+        var end = new Point(
+                tip.x() - HEAD_PX / 2 * StrictMath.cos(direction), tip.y() - HEAD_PX / 2 * StrictMath.sin(direction));
+        add(
+                "<path class=\"arrow\" d=\"" + start + number(end.x()) + "," + number(end.y())
+                        + "\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\"/>");
+        text.append(Svg.head(tip.x(), tip.y(), direction, HEAD_PX, "#444"));
     }
 
     void dot(double x, double y) {
@@ -52,7 +55,7 @@ final class SvgText {
                 x - width / 2 - 3, y - LINE_PX / 2, width + 6, LINE_PX);
         add(
                 "<rect x=\"%s\" y=\"%s\" width=\"12\" height=\"12\" fill=\"%s\" stroke=\"#444\"/>",
-                x - width / 2, y - 6, String.format(Locale.ROOT, "#%06x", colour));
+                x - width / 2, y - 6, Svg.colour(colour));
         line(words, x - width / 2 + 18, y + 5, "");
     }
 
@@ -63,7 +66,7 @@ final class SvgText {
     private void add(String format, Object... values) {
         var safe = new Object[values.length];
         for (int index = 0; index < values.length; index++) {
-            safe[index] = values[index] instanceof Double number ? number(number) : escape(values[index].toString());
+            safe[index] = values[index] instanceof Double number ? number(number) : Svg.escape(values[index].toString());
         }
         text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, safe))
                 .append('\n');
@@ -71,12 +74,5 @@ final class SvgText {
 
     static String number(double value) {
         return String.format(Locale.ROOT, "%.1f", value).replaceFirst("\\.0$", "");
-    }
-
-    static String escape(String words) {
-        return words.replace("&", "&amp;")
-                .replace("<", "&lt;")
-                .replace(">", "&gt;")
-                .replace("\"", "&quot;");
     }
 }

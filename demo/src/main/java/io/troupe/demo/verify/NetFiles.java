@@ -1,6 +1,7 @@
 package io.troupe.demo.verify;
 
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.ReachabilityGraph;
@@ -21,9 +22,9 @@ final class NetFiles {
     /** All of one reading: both nets, the shortest way to a deadlock, the low priorities, and the graphs. */
     void write(ReadingStudy study) throws IOException {
         var reading = study.reading();
-        write("uncorrected-" + reading, study.uncorrected().net());
-        write("corrected-" + reading, study.corrected().net());
-        write("low-priority-" + reading, study.lowPriority());
+        writeWhole("uncorrected-" + reading, study.uncorrected().net());
+        writeWhole("corrected-" + reading, study.corrected().net());
+        writeWhole("low-priority-" + reading, study.lowPriority());
         writeDeadlock("deadlock-" + reading, study.uncorrected().graph());
         write("graph-robot-player-" + reading, study.robotAndPlayer().graph());
         write(
@@ -31,6 +32,12 @@ final class NetFiles {
                 study.middlewareAndService().graph());
         write("graph-uncorrected-" + reading, study.uncorrected().graph());
         write("graph-corrected-" + reading, study.corrected().graph());
+    }
+
+    /** All four components of the paper's net, each in its tint. */
+    private void writeWhole(String name, PetriNet net) throws IOException {
+        Pnml.write(net, directory.resolve(name + ".pnml"));
+        draw(name, NetDrawing.of(net).tinting(PaperNets.components(net)));
     }
 
     void write(String name, PetriNet net) throws IOException {

@@ -1,10 +1,13 @@
 package io.troupe.demo.draw;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.demo.svg.ScaleBar;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -17,8 +20,8 @@ class DrawCommandTest {
 
     /** Areas and titles: one for each thing and robot; rays: 16 sonars a robot, 181 more of the laser. */
     @ParameterizedTest
-    @CsvSource({"paper-arena, 2, 32", "office, 2, 213", "track, 1, 16"})
-    void world_isDrawnWithAllThatIsInIt(String name, int robots, int rays) throws Exception {
+    @CsvSource({"paper-arena, 2, 32, 12.4", "office, 2, 213, 16.4", "track, 1, 16, 20.4"})
+    void world_isDrawnWithAllThatIsInIt(String name, int robots, int rays, double widthM) throws Exception {
         var out = new StringWriter();
         Path picture = directory.resolve("w.svg");
 
@@ -32,5 +35,19 @@ class DrawCommandTest {
         var svg = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(picture.toFile());
         assertThat(svg.getElementsByTagName("title").getLength()).isEqualTo(1 + things + robots);
         assertThat(svg.getElementsByTagName("path").getLength()).isEqualTo(things + 2 * robots + rays);
+        var root = svg.getDocumentElement();
+        assertThat(root.getAttribute("role")).isEqualTo("img");
+        assertThat(root.getAttribute("aria-label"))
+                .isEqualTo(root.getElementsByTagName("title").item(0).getTextContent())
+                .contains(robots == 1 ? "1 robot," : robots + " robots,");
+        var texts = new ArrayList<String>();
+        for (int i = 0; i < svg.getElementsByTagName("text").getLength(); i++) {
+            texts.add(svg.getElementsByTagName("text").item(i).getTextContent());
+        }
+        assertThat(texts).contains("robot1", "sonar, first reading");
+        assertThat(texts.contains("laser, first reading")).isEqualTo(name.equals("office"));
+        assertThat(new ScaleBar(root).pixelsPerMetre())
+                .as("as long as the map is wide: LONGEST_PX over the outer walls and 0.3 m on both sides")
+                .isCloseTo(1000 / (widthM + 0.6), within(0.05));
     }
 }

@@ -46,7 +46,7 @@ class TableCommandTest {
     }
 
     private static long arrows(String svg) {
-        return svg.lines().filter(line -> line.contains("marker-end")).count();
+        return svg.lines().filter(line -> line.contains("class=\"arrow\"")).count();
     }
 
     @Test
@@ -68,6 +68,32 @@ class TableCommandTest {
         for (String name : List.of("states.svg", "rules.svg")) {
             assertThat(xml(file(name)).getElementsByTagName("title").getLength())
                     .isEqualTo(1);
+        }
+    }
+
+    @Test
+    void pictures_haveTrianglesForMarkers_noGlaringGreen_andNoEmptyStripBelow() throws Exception {
+        table();
+        for (String name : List.of("states.svg", "rules.svg")) {
+            String svg = file(name);
+            var root = xml(svg).getDocumentElement();
+            assertThat(root.getAttribute("role")).isEqualTo("img");
+            assertThat(root.getAttribute("aria-label"))
+                    .isEqualTo(root.getElementsByTagName("title").item(0).getTextContent());
+            assertThat(svg).doesNotContain("marker", "#00ff00");
+            assertThat(svg.split("class=\"head\"", -1)).hasSize(1 + 1 + 6);
+            double lowest = 0;
+            for (String element : new String[] {"rect", "text"}) {
+                var found = root.getElementsByTagName(element);
+                for (int i = 0; i < found.getLength(); i++) {
+                    var each = (org.w3c.dom.Element) found.item(i);
+                    if (!each.getAttribute("y").isEmpty()) {
+                        double height = element.equals("rect") ? Double.parseDouble(each.getAttribute("height")) : 0;
+                        lowest = Math.max(lowest, Double.parseDouble(each.getAttribute("y")) + height);
+                    }
+                }
+            }
+            assertThat(Double.parseDouble(root.getAttribute("height"))).isBetween(lowest, lowest + 40);
         }
     }
 

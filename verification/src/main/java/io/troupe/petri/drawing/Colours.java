@@ -1,5 +1,7 @@
 package io.troupe.petri.drawing;
 
+import java.util.List;
+
 /** The colours of both kinds of drawing; they stay apart in grey and for the colour-blind. */
 final class Colours {
     static final String LINE = "#333333";
@@ -9,6 +11,11 @@ final class Colours {
     static final String PATH_FILL = "#fde3e1";
     static final String DEAD_FILL = "#f4b183";
     static final String MARKED_FILL = "#fff4cc";
+
+    /** Of transitions, unless all around them is of one component. */
+    static final String BETWEEN_FILL = "#eeeeee";
+    /** Of components. */
+    static final List<String> TINTS = List.of("#fbd9a8", "#bfdcf5", "#c9e8bd", "#e6cdea", "#f2f0b0", "#d0d0d0");
 
     private Colours() {}
 }

@@ -3,6 +3,7 @@ package io.troupe.petri.drawing;
 import io.troupe.petri.ReachabilityGraph.State;
 import java.util.Arrays;
 import java.util.List;
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
 /**
  * Writes a reachability graph too large for names as dots in rows, one row for each distance from the initial marking.
@@ -18,7 +19,7 @@ final class GraphMapSvg {
     /** Height over width, as far as the rows allow. */
     private static final double SHAPE = 0.75;
 
-    private static final Sketch.Style STYLE = new Sketch.Style(true, false, true, 5, 10, 1);
+    private static final Sketch.Style STYLE = new Sketch.Style(true, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
 
     private final GraphContent content;
     private final int[] distances;
@@ -73,32 +74,27 @@ final class GraphMapSvg {
 
     String write() {
         // back first, path last: what matters more lies on top
-        content.edges.stream().filter(edge -> !isForward(edge)).forEach(edge -> edge(edge, Colours.BACK, "arrow-back"));
+        content.edges.stream().filter(edge -> !isForward(edge)).forEach(edge -> edge(edge, Colours.BACK));
         content.edges.stream()
                 .filter(edge -> isForward(edge) && !edge.onPath())
-                .forEach(edge -> edge(edge, Colours.FAINT, "arrow-faint"));
+                .forEach(edge -> edge(edge, Colours.FAINT));
         content.edges.stream()
                 .filter(GraphContent.Edge::onPath)
-                .forEach(edge -> edge(edge, Colours.PATH, "arrow-path"));
+                .forEach(edge -> edge(edge, Colours.PATH));
         content.states.forEach(this::state);
         return svg.end();
     }
 
-    private void edge(GraphContent.Edge edge, String colour, String arrow) {
+    private void edge(GraphContent.Edge edge, String colour) {
         svg.open("g", "class", edge.onPath() ? "edge path" : isForward(edge) ? "edge" : "edge back");
         svg.title(content.title(edge));
-        svg.empty(
-                "path",
-                "d",
-                isForward(edge) ? straight(edge) : bent(edge),
-                "fill",
-                "none",
-                "stroke",
-                colour,
-                "stroke-width",
-                edge.onPath() ? 2 : 0.5,
-                "marker-end",
-                "url(#" + arrow + ")");
+        double width = edge.onPath() ? 2 : 0.5;
+        double head = edge.onPath() ? 8 : 4;
+        if (isForward(edge)) {
+            svg.arrow(straight(edge), colour, width, head);
+        } else {
+            svg.arrow(bent(edge), colour, width, head);
+        }
         if (edge.onPath()) {
             var middle = (centres[edge.from()].y() + centres[edge.to()].y()) / 2;
             svg.text(edge.transition().name(), "x", MARGIN / 2, "y", middle + FONT_PX * 0.35, "fill", colour);
@@ -106,19 +102,19 @@ final class GraphMapSvg {
         svg.close("g");
     }
 
-    private String straight(GraphContent.Edge edge) {
+    private List<Point> straight(GraphContent.Edge edge) {
         var from = centres[edge.from()];
         var to = centres[edge.to()];
-        return Svg.along(List.of(towards(from, to), towards(to, from)));
+        return List.of(towards(from, to), towards(to, from));
     }
 
     /** A curve that leaves the straight way by a tenth, so that edges there and back stay apart; a loop from a marking to itself. */
-    private String bent(GraphContent.Edge edge) {
+    private Svg.Curve bent(GraphContent.Edge edge) {
         var from = centres[edge.from()];
         var to = centres[edge.to()];
         if (edge.from() == edge.to()) {
             var side = from.x() + RADIUS;
-            return Svg.curve(
+            return new Svg.Curve(
                     new Point(side, from.y() - 1),
                     new Point(side + 2 * RADIUS, from.y() - 2 * RADIUS),
                     new Point(side + 2 * RADIUS, from.y() + 2 * RADIUS),
@@ -127,7 +123,7 @@ final class GraphMapSvg {
         var x = (from.x() + to.x()) / 2 + (to.y() - from.y()) * 0.1;
         var y = (from.y() + to.y()) / 2 - (to.x() - from.x()) * 0.1;
         var bend = new Point(Math.clamp(x, left, size.width()), Math.clamp(y, 0, size.height()));
-        return Svg.curve(towards(from, bend), bend, bend, towards(to, bend));
+        return new Svg.Curve(towards(from, bend), bend, bend, towards(to, bend));
     }
 
     /** Where the way from the centre of a dot to another point leaves the dot. */

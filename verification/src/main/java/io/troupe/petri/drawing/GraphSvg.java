@@ -2,6 +2,7 @@ package io.troupe.petri.drawing;
 
 import io.troupe.petri.ReachabilityGraph.State;
 import java.util.List;
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
 /** Lays out and writes a reachability graph that is small enough to name all markings and edges. */
 final class GraphSvg {
@@ -9,7 +10,7 @@ final class GraphSvg {
     private static final double EDGE_FONT_PX = 11;
     private static final double WRAP_PX = 90;
     private static final double GAP_PX = 3;
-    private static final Sketch.Style STYLE = new Sketch.Style(true, false, true, 16, 18, 8);
+    private static final Sketch.Style STYLE = new Sketch.Style(true, CycleBreakingStrategy.MODEL_ORDER, 16, 18, 8);
 
     private final GraphContent content;
     private final Layout layout;
@@ -60,18 +61,7 @@ final class GraphSvg {
         var colour = edge.onPath() ? Colours.PATH : Colours.LINE;
         svg.open("g", "class", edge.onPath() ? "edge path" : "edge");
         svg.title(content.title(edge));
-        svg.empty(
-                "path",
-                "d",
-                Svg.along(layout.route(number)),
-                "fill",
-                "none",
-                "stroke",
-                colour,
-                "stroke-width",
-                edge.onPath() ? 2 : 1,
-                "marker-end",
-                edge.onPath() ? "url(#arrow-path)" : "url(#arrow)");
+        svg.arrow(layout.route(number), colour, edge.onPath() ? 2 : 1, 8);
         var corner = layout.label(number);
         var label = label(edge);
         if (corner != null) {

@@ -49,18 +49,7 @@ final class NetArcs {
         var centre = new Point(corner.x() + NetSvg.RADIUS, corner.y() + NetSvg.RADIUS);
         var end = arc.input ? 0 : route.size() - 1;
         route.set(end, ontoCircle(route.get(end), route.get(arc.input ? 1 : end - 1), centre));
-        svg.empty(
-                "path",
-                "d",
-                Svg.along(route),
-                "fill",
-                "none",
-                "stroke",
-                coloured ? Colours.PATH : Colours.LINE,
-                "stroke-width",
-                coloured ? 2 : 1,
-                "marker-end",
-                coloured ? "url(#arrow-path)" : "url(#arrow)");
+        svg.arrow(route, coloured ? Colours.PATH : Colours.LINE, coloured ? 2 : 1, 8);
         var label = layout.label(number);
         if (label != null) {
             weight(arc.weight, label, coloured);

@@ -4,8 +4,13 @@ import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.Marking;
 import io.troupe.petri.PetriNet;
+import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /**
@@ -21,16 +26,19 @@ public final class NetDrawing {
     private final PetriNet net;
     private final Marking marking;
     private final Set<Transition> highlighted;
+    private final Map<String, List<Place>> components;
 
-    private NetDrawing(PetriNet net, Marking marking, Set<Transition> highlighted) {
+    private NetDrawing(
+            PetriNet net, Marking marking, Set<Transition> highlighted, Map<String, List<Place>> components) {
         this.net = net;
         this.marking = marking;
         this.highlighted = highlighted;
+        this.components = components;
     }
 
     /** The net in its initial marking. */
     public static NetDrawing of(PetriNet net) {
-        return new NetDrawing(requireNonNull(net, "net"), net.initialMarking(), Set.of());
+        return new NetDrawing(requireNonNull(net, "net"), net.initialMarking(), Set.of(), Map.of());
     }
 
     /** The same picture in another marking. */
@@ -39,7 +47,7 @@ public final class NetDrawing {
             require(net.places().contains(place), "place " + place + " of marking " + other + " is not of net ");
         }
         net.places().forEach(other::tokens);
-        return new NetDrawing(net, other, highlighted);
+        return new NetDrawing(net, other, highlighted, components);
     }
 
     /** The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times. */
@@ -47,7 +55,26 @@ public final class NetDrawing {
         for (var firing : firings) {
             require(net.transitions().contains(firing), "transition " + firing + " is not of net ");
         }
-        return new NetDrawing(net, marking, Set.copyOf(firings));
+        return new NetDrawing(net, marking, Set.copyOf(firings), components);
+    }
+
+    /**
+     * The same picture with the places of each component in a tint of their own, and a legend with the components' names.
+     * A transition has a tint if all places around it belong to one component; those of several components stay grey.
+     *
+     * @param places by the name of the component, in the order of the legend; only {@link #svg} shows them
+     */
+    public NetDrawing tinting(Map<String, List<Place>> places) {
+        var copy = new LinkedHashMap<String, List<Place>>();
+        places.forEach((component, its) -> {
+            for (var place : its) {
+                require(
+                        net.places().contains(place),
+                        "place " + place + " of component " + component + " is not of net ");
+            }
+            copy.put(component, List.copyOf(its));
+        });
+        return new NetDrawing(net, marking, highlighted, Collections.unmodifiableMap(copy));
     }
 
     /** For Graphviz, which lays it out. */
@@ -57,7 +84,7 @@ public final class NetDrawing {
 
     /** A complete SVG file, laid out from left to right. */
     public String svg() {
-        return new NetSvg(net, marking, highlighted).write();
+        return new NetSvg(net, marking, highlighted, components).write();
     }
 
     private void require(boolean condition, String message) {

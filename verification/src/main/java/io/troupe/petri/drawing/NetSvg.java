@@ -5,8 +5,12 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
 /** Lays out and writes one net. */
 final class NetSvg {
@@ -15,21 +19,31 @@ final class NetSvg {
     static final double RADIUS = 13;
     private static final double BOX_HEIGHT = 22;
     private static final double BOX_WIDTH = 26;
+    private static final double MARGIN_PX = 12;
+    private static final double LEGEND_PX = 30;
+    private static final double SAMPLE_PX = 14;
     private static final int MOST_DOTS = 4;
-    /** More nodes than this are drawn in rows. */
-    private static final int ONE_ROW = 24;
+    /** Up to so many nodes, one long chain is the clearest. */
+    private static final int FEW_NODES = 24;
 
     private final PetriNet net;
     private final Marking marking;
     private final Set<Transition> highlighted;
+    private final List<String> components;
+    private final Map<Place, String> tints = new HashMap<>();
     private final List<NetArcs.Drawn> arcs = new ArrayList<>();
     private final Layout layout;
     private final Svg svg;
 
-    NetSvg(PetriNet net, Marking marking, Set<Transition> highlighted) {
+    NetSvg(PetriNet net, Marking marking, Set<Transition> highlighted, Map<String, List<Place>> components) {
         this.net = net;
         this.marking = marking;
         this.highlighted = highlighted;
+        this.components = List.copyOf(components.keySet());
+        for (var i = 0; i < this.components.size(); i++) {
+            var tint = Colours.TINTS.get(i % Colours.TINTS.size());
+            components.get(this.components.get(i)).forEach(place -> tints.put(place, tint));
+        }
         for (var transition : net.transitions()) {
             transition
                     .inputs()
@@ -39,13 +53,17 @@ final class NetSvg {
                     .forEach(arc -> arcs.add(new NetArcs.Drawn(transition, arc.place(), false, arc.weight())));
         }
         layout = Layout.of(sketch());
-        svg = new Svg(layout.size(), net + " in " + marking, FONT_PX);
+        var legend = this.components.isEmpty() ? 0 : LEGEND_PX;
+        var size = new Size(
+                Math.max(layout.size().width(), legendX(this.components.size())),
+                layout.size().height() + legend);
+        svg = new Svg(size, net + " in " + marking, FONT_PX);
     }
 
     private Sketch sketch() {
         var nodes = net.places().size() + net.transitions().size();
-        var wrapped = nodes > ONE_ROW && arcs.stream().allMatch(arc -> arc.weight() == 1);
-        var sketch = new Sketch(new Sketch.Style(false, wrapped, false, 14, 22, 9));
+        var order = nodes > FEW_NODES ? CycleBreakingStrategy.BFS_NODE_ORDER : CycleBreakingStrategy.DEPTH_FIRST;
+        var sketch = new Sketch(new Sketch.Style(false, order, 14, 22, 9));
         for (var place : net.places()) {
             sketch.node(new Size(2 * RADIUS, 2 * RADIUS), Lettering.size(List.of(place.name()), FONT_PX));
         }
@@ -80,7 +98,57 @@ final class NetSvg {
         new NetArcs(svg, layout, highlighted).write(arcs);
         net.places().forEach(this::place);
         net.transitions().forEach(this::transition);
+        legend();
         return svg.end();
+    }
+
+    /** Below the net: a sample of each tint. */
+    private void legend() {
+        var middle = layout.size().height() + LEGEND_PX / 2 - MARGIN_PX / 2;
+        for (var i = 0; i < components.size(); i++) {
+            var x = legendX(i);
+            svg.empty(
+                    "rect",
+                    "class",
+                    "tint",
+                    "x",
+                    x,
+                    "y",
+                    middle - SAMPLE_PX / 2,
+                    "width",
+                    SAMPLE_PX,
+                    "height",
+                    SAMPLE_PX,
+                    "fill",
+                    Colours.TINTS.get(i % Colours.TINTS.size()),
+                    "stroke",
+                    Colours.LINE);
+            svg.text(components.get(i), "x", x + SAMPLE_PX + 6, "y", middle + FONT_PX * 0.35);
+        }
+    }
+
+    private double legendX(int number) {
+        return MARGIN_PX
+                + components.stream()
+                        .limit(number)
+                        .mapToDouble(component -> SAMPLE_PX + 6 + Lettering.width(component, FONT_PX) + 18)
+                        .sum();
+    }
+
+    private String fill(Place place, int tokens) {
+        return tints.getOrDefault(place, tokens > 0 ? Colours.MARKED_FILL : "white");
+    }
+
+    /** The tint that all places around a transition have, or grey. */
+    private String fill(Transition transition) {
+        if (highlighted.contains(transition)) {
+            return Colours.PATH_FILL;
+        }
+        var around = Stream.concat(transition.inputs().stream(), transition.outputs().stream())
+                .map(arc -> tints.getOrDefault(arc.place(), Colours.BETWEEN_FILL))
+                .distinct()
+                .toList();
+        return around.size() == 1 ? around.getFirst() : Colours.BETWEEN_FILL;
     }
 
     private void place(Place place) {
@@ -98,11 +166,11 @@ final class NetSvg {
                 "r",
                 RADIUS,
                 "fill",
-                tokens > 0 ? Colours.MARKED_FILL : "white",
+                fill(place, tokens),
                 "stroke",
                 Colours.LINE,
                 "stroke-width",
-                1.3);
+                tokens > 0 && tints.containsKey(place) ? 2.4 : 1.3);
         tokens(tokens, centre);
         var below = new Point(centre.x(), centre.y() + RADIUS + 2 + Lettering.lineHeight(FONT_PX) / 2);
         svg.lines(List.of(place.name()), below, FONT_PX, "black");
@@ -147,7 +215,7 @@ final class NetSvg {
                 "height",
                 size.height(),
                 "fill",
-                coloured ? Colours.PATH_FILL : "#eeeeee",
+                fill(transition),
                 "stroke",
                 coloured ? Colours.PATH : Colours.LINE,
                 "stroke-width",

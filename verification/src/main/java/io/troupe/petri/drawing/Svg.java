@@ -1,11 +1,17 @@
 package io.troupe.petri.drawing;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /** Writes an SVG file, element by element. */
 final class Svg {
     private static final double CORNER_PX = 5;
+    /** Half the width of an arrow's head over its length. */
+    private static final double HEAD_SLIMNESS = 0.375;
+
+    /** A cubic curve and the two points that bend it. */
+    record Curve(Point from, Point first, Point second, Point to) {}
 
     private final StringBuilder text = new StringBuilder();
 
@@ -23,41 +29,16 @@ final class Svg {
                 height,
                 "viewBox",
                 "0 0 " + width + " " + height,
+                "role",
+                "img",
+                "aria-label",
+                title,
                 "font-family",
                 Lettering.FONTS,
                 "font-size",
                 fontPx);
         title(title);
-        text.append("<defs>");
-        arrowHead("arrow", Colours.LINE, 8);
-        arrowHead("arrow-faint", Colours.FAINT, 4);
-        arrowHead("arrow-back", Colours.BACK, 4);
-        arrowHead("arrow-path", Colours.PATH, 8);
-        text.append("</defs>\n");
         empty("rect", "width", "100%", "height", "100%", "fill", "white");
-    }
-
-    private void arrowHead(String id, String colour, double lengthPx) {
-        open(
-                "marker",
-                "id",
-                id,
-                "viewBox",
-                "0 0 8 6",
-                "refX",
-                7.5,
-                "refY",
-                3,
-                "markerWidth",
-                lengthPx,
-                "markerHeight",
-                lengthPx * 0.75,
-                "markerUnits",
-                "userSpaceOnUse",
-                "orient",
-                "auto");
-        empty("path", "d", "M0,0 L8,3 L0,6 z", "fill", colour);
-        close("marker");
     }
 
     /** Starts an element; attributes are names and values in turn. */
@@ -109,8 +90,59 @@ final class Svg {
         }
     }
 
+    /** An arrow along {@code route}, with rounded corners. */
+    void arrow(List<Point> route, String colour, double widthPx, double headPx) {
+        var end = route.size() - 1;
+        var shortened = new ArrayList<>(route);
+        shortened.set(end, nearer(route.get(end), route.get(end - 1), headPx));
+        line(along(shortened), colour, widthPx);
+        head(route.get(end - 1), route.get(end), colour, headPx);
+    }
+
+    /** An arrow along a cubic curve. */
+    void arrow(Curve curve, String colour, double widthPx, double headPx) {
+        var shortened = nearer(curve.to, curve.second, headPx);
+        line(
+                "M" + pair(curve.from) + " C" + pair(curve.first) + " " + pair(curve.second) + " " + pair(shortened),
+                colour,
+                widthPx);
+        head(curve.second, curve.to, colour, headPx);
+    }
+
+    private void line(String data, String colour, double widthPx) {
+        empty("path", "d", data, "fill", "none", "stroke", colour, "stroke-width", widthPx);
+    }
+
+    /** A plain triangle: not all renderers draw SVG's markers, and some turn them wrongly. */
+    private void head(Point before, Point tip, String colour, double lengthPx) {
+        var dx = tip.x() - before.x();
+        var dy = tip.y() - before.y();
+        var length = Math.hypot(dx, dy);
+        var x = length == 0 ? 1 : dx / length;
+        var y = length == 0 ? 0 : dy / length;
+        var base = new Point(tip.x() - lengthPx * x, tip.y() - lengthPx * y);
+        var half = lengthPx * HEAD_SLIMNESS;
+        empty(
+                "path",
+                "class",
+                "head",
+                "d",
+                "M" + pair(tip)
+                        + " L" + pair(new Point(base.x() - half * y, base.y() + half * x))
+                        + " L" + pair(new Point(base.x() + half * y, base.y() - half * x)) + " z",
+                "fill",
+                colour);
+    }
+
+    /** Ends a line under the triangle, so that it does not look out at the tip. */
+    private static Point nearer(Point tip, Point before, double headPx) {
+        var length = Math.hypot(tip.x() - before.x(), tip.y() - before.y());
+        var part = length == 0 ? 0 : Math.min(1, headPx / 2 / length);
+        return new Point(tip.x() + (before.x() - tip.x()) * part, tip.y() + (before.y() - tip.y()) * part);
+    }
+
     /** The data of a path along {@code route} with rounded corners. */
-    static String along(List<Point> route) {
+    private static String along(List<Point> route) {
         var data = new StringBuilder("M").append(pair(route.getFirst()));
         for (var i = 1; i < route.size() - 1; i++) {
             var corner = route.get(i);
@@ -119,11 +151,6 @@ final class Svg {
             data.append(' ').append(pair(towards(corner, route.get(i + 1))));
         }
         return data.append(" L").append(pair(route.getLast())).toString();
-    }
-
-    /** The data of a cubic curve. */
-    static String curve(Point from, Point first, Point second, Point to) {
-        return "M" + pair(from) + " C" + pair(first) + " " + pair(second) + " " + pair(to);
     }
 
     /** A point a little from the corner, at most half of the way, so that two corners do not meet. */

@@ -182,6 +182,48 @@ class NetDrawingTest {
     }
 
     @Test
+    void picture_saysWhatItIs_andHasTrianglesForArrows_insteadOfMarkers() {
+        var svg = NetDrawing.of(UNCORRECTED).svg();
+        var picture = new Picture(svg);
+
+        assertThat(picture.attribute("role")).isEqualTo("img");
+        assertThat(picture.attribute("aria-label")).isEqualTo(picture.title());
+        assertThat(svg).doesNotContain("marker");
+        assertThat(picture.groups("arc")).allSatisfy(arc -> assertThat(Picture.elements(arc, "path").stream()
+                        .filter(path -> path.getAttribute("class").equals("head")))
+                .hasSize(1));
+    }
+
+    @Test
+    void arcs_ofTheWholeNet_areNoLongerThanThePictureIsWide() {
+        var picture = new Picture(NetDrawing.of(PaperNets.corrected(Reading.A)).svg());
+
+        assertThat(picture.viewBox().right()).isLessThan(1600);
+        assertThat(picture.viewBox().bottom()).isLessThan(800);
+        assertThat(picture.groups("arc").stream().mapToDouble(Picture::lengthOfFirstPath))
+                .allSatisfy(px -> assertThat(px).isLessThan(1000));
+    }
+
+    @Test
+    void components_haveATintEach_andALegend_andMeldedTransitionsAreGrey() {
+        var net = PaperNets.corrected(Reading.A);
+
+        var picture = new Picture(
+                NetDrawing.of(net).tinting(PaperNets.components(net)).svg());
+
+        assertThat(picture.fills("place")).containsEntry("R1", "#fbd9a8").containsEntry("P4", "#bfdcf5");
+        assertThat(picture.fills("place")).containsEntry("M8''", "#c9e8bd").containsEntry("S10", "#e6cdea");
+        assertThat(picture.fills("transition")).containsEntry("Tr1", "#fbd9a8").containsEntry("Tstop", "#eeeeee");
+        assertThat(picture.texts()).contains("robot", "player", "middleware", "service");
+        assertThat(picture.viewBox().bottom())
+                .isGreaterThan(
+                        new Picture(NetDrawing.of(net).svg()).viewBox().bottom());
+        assertThatThrownBy(() -> NetDrawing.of(PaperNets.robot()).tinting(PaperNets.components(net)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("place R3'' of component robot is not of net robot");
+    }
+
+    @Test
     void markingOrTransition_ofAnotherNet_isRefused() {
         var drawing = NetDrawing.of(PaperNets.robot());
         var player = PaperNets.player();

@@ -6,6 +6,8 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.w3c.dom.Element;
@@ -42,6 +44,37 @@ final class Picture {
 
     String title() {
         return title(root);
+    }
+
+    String attribute(String name) {
+        return root.getAttribute(name);
+    }
+
+    List<String> texts() {
+        return texts(root);
+    }
+
+    /** The colours of the groups' first circles or rectangles, by the groups' first texts. */
+    Map<String, String> fills(String word) {
+        return groups(word).stream()
+                .collect(Collectors.toMap(
+                        group -> texts(group).getFirst(),
+                        group -> elements(group, word.equals("place") ? "circle" : "rect")
+                                .getFirst()
+                                .getAttribute("fill")));
+    }
+
+    /** Of a line between the points that its data name, in pixels. */
+    static double lengthOfFirstPath(Element group) {
+        var numbers = Arrays.stream(elements(group, "path").getFirst().getAttribute("d").split("[^0-9.-]+"))
+                .filter(number -> !number.isEmpty())
+                .mapToDouble(Double::parseDouble)
+                .toArray();
+        var length = 0.0;
+        for (var i = 2; i + 1 < numbers.length; i += 2) {
+            length += Math.hypot(numbers[i] - numbers[i - 2], numbers[i + 1] - numbers[i - 1]);
+        }
+        return length;
     }
 
     Box viewBox() {

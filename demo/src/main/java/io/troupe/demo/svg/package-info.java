@@ -1,0 +1,5 @@
+/** What the pictures of the command line have in common. */
+@NullMarked
+package io.troupe.demo.svg;
+
+import org.jspecify.annotations.NullMarked;
