@@ -48,7 +48,7 @@ public class PlayerClient extends ServerInquiries {
     private final AtomicBoolean commandLimitWasRefused = new AtomicBoolean();
 
     /**
-     * Connects.
+     * Connects, and asks for the server's devices: {@link #getPDDList} has them from the beginning.
      *
      * @throws PlayerException if there is no server
      */
@@ -61,6 +61,7 @@ public class PlayerClient extends ServerInquiries {
                 server = new RemoteServer(serverName, portNumber);
             }
             connection = server.connect(incoming, space);
+            deviceList.put(listOf(connection.devices())); // connecting has asked for them
         } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
             throw new PlayerException(
                     "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()

@@ -3,9 +3,11 @@ package io.troupe.player;
 import io.troupe.player.structures.PlayerDevAddr;
 import io.troupe.player.structures.player.PlayerDeviceDevlist;
 import io.troupe.player.structures.player.PlayerDeviceDriverInfo;
+import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.ReplaceRule;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
+import java.util.List;
 import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
@@ -14,7 +16,7 @@ abstract class ServerInquiries extends OfferedInterfaces {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final long REPLY_LIMIT_MILLIS = 10_000;
 
-    private final Latest<PlayerDeviceDevlist> deviceList = new Latest<>();
+    final Latest<PlayerDeviceDevlist> deviceList = new Latest<>();
     private final Latest<PlayerDeviceDriverInfo> driverInfo = new Latest<>();
     private final int port;
     private volatile long readTimeoutMillis = REPLY_LIMIT_MILLIS;
@@ -26,20 +28,22 @@ abstract class ServerInquiries extends OfferedInterfaces {
 
     /** Asks which devices the server has; the answer is there when this returns. */
     public void requestDeviceList() {
-        var answer = new PlayerDeviceDevlist();
-        answer.setDevList(calling(connection()::devices).stream()
-                .map(PlayerDevice::convert)
-                .toArray(PlayerDevAddr[]::new));
-        answer.setDeviceCount(answer.getDevList().length);
-        deviceList.put(answer);
+        deviceList.put(listOf(calling(connection()::devices)));
     }
 
-    /** True once for each answer to {@link #requestDeviceList}. */
+    static PlayerDeviceDevlist listOf(List<DeviceAddress> devices) {
+        var answer = new PlayerDeviceDevlist();
+        answer.setDevList(devices.stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
+        answer.setDeviceCount(answer.getDevList().length);
+        return answer;
+    }
+
+    /** True once for each answer to {@link #requestDeviceList}, and once for the list that a new client has. */
     public boolean isReadyPDDList() {
         return deviceList.takeNew();
     }
 
-    /** The answer to {@link #requestDeviceList}, or null before. */
+    /** The server's devices: as a new client has found them, or the newest answer to {@link #requestDeviceList}. */
     public @Nullable PlayerDeviceDevlist getPDDList() {
         return deviceList.get();
     }

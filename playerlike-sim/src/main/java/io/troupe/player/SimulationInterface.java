@@ -2,7 +2,9 @@ package io.troupe.player;
 
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
+import io.troupe.player.structures.simulation.PlayerSimulationData;
 import io.troupe.player.structures.simulation.PlayerSimulationPose2dReq;
+import io.troupe.player.structures.simulation.PlayerSimulationPose3dReq;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
@@ -44,9 +46,44 @@ public class SimulationInterface extends PlayerDevice {
         return pose.get();
     }
 
+    /** The same as {@link #getPose2D}, by the original's name. */
+    public @Nullable PlayerSimulationPose2dReq getSimulationPose2D() {
+        return getPose2D();
+    }
+
     /** True once for each answer to {@link #get2DPose}. */
     public boolean isPose2DReady() {
         return pc.findsReply(pose);
+    }
+
+    /** Not offered: throws {@link PlayerException}, as the next five do, since poses in space and data of a simulation are not served here. */
+    public void get3DPose(String model) {
+        throw notServed("the pose of model '" + model + "' in space");
+    }
+
+    public PlayerSimulationPose3dReq getSimulationPose3D() {
+        throw notServed("a pose in space");
+    }
+
+    public boolean isPose3DReady() {
+        throw notServed("a pose in space");
+    }
+
+    public PlayerSimulationData getData() {
+        throw notServed("data of the simulation");
+    }
+
+    public boolean isDataReady() {
+        throw notServed("data of the simulation");
+    }
+
+    public void setPosition(byte command) {
+        throw notServed("command " + command + " of the simulation");
+    }
+
+    private static PlayerException notServed(String what) {
+        return new PlayerException("[PlayerClient] " + what + " is not offered by this client, whose simulation device has"
+                + " get2DPose, set2DPose, pause, reset and save");
     }
 
     /** Stops the world's time, or lets it go on. A world of ours goes on, too, when the client that has stopped it leaves. */

@@ -15,155 +15,155 @@ abstract class UnofferedInterfaces extends Thread implements PlayerConstants {
 
     abstract PlayerException notOffered(String device);
 
-    public PlayerDevice requestInterfacePower(int index, int access) {
+    public PowerInterface requestInterfacePower(int index, int access) {
         throw notOffered("power:" + index);
     }
 
-    public PlayerDevice requestInterfaceGripper(int index, int access) {
+    public GripperInterface requestInterfaceGripper(int index, int access) {
         throw notOffered("gripper:" + index);
     }
 
-    public PlayerDevice requestInterfacePtz(int index, int access) {
+    public PtzInterface requestInterfacePtz(int index, int access) {
         throw notOffered("ptz:" + index);
     }
 
-    public PlayerDevice requestInterfaceFiducial(int index, int access) {
+    public FiducialInterface requestInterfaceFiducial(int index, int access) {
         throw notOffered("fiducial:" + index);
     }
 
-    public PlayerDevice requestInterfaceSpeech(int index, int access) {
+    public SpeechInterface requestInterfaceSpeech(int index, int access) {
         throw notOffered("speech:" + index);
     }
 
-    public PlayerDevice requestInterfaceGPS(int index, int access) {
+    public GPSInterface requestInterfaceGPS(int index, int access) {
         throw notOffered("gps:" + index);
     }
 
-    public PlayerDevice requestInterfaceBumper(int index, int access) {
+    public BumperInterface requestInterfaceBumper(int index, int access) {
         throw notOffered("bumper:" + index);
     }
 
-    public PlayerDevice requestInterfaceDIO(int index, int access) {
+    public DIOInterface requestInterfaceDIO(int index, int access) {
         throw notOffered("dio:" + index);
     }
 
-    public PlayerDevice requestInterfaceAIO(int index, int access) {
+    public AIOInterface requestInterfaceAIO(int index, int access) {
         throw notOffered("aio:" + index);
     }
 
-    public PlayerDevice requestInterfaceIR(int index, int access) {
+    public IRInterface requestInterfaceIR(int index, int access) {
         throw notOffered("ir:" + index);
     }
 
-    public PlayerDevice requestInterfaceWiFi(int index, int access) {
+    public WiFiInterface requestInterfaceWiFi(int index, int access) {
         throw notOffered("wifi:" + index);
     }
 
-    public PlayerDevice requestInterfaceWaveform(int index, int access) {
+    public WaveformInterface requestInterfaceWaveform(int index, int access) {
         throw notOffered("waveform:" + index);
     }
 
-    public PlayerDevice requestInterfaceLocalize(int index, int access) {
+    public LocalizeInterface requestInterfaceLocalize(int index, int access) {
         throw notOffered("localize:" + index);
     }
 
-    public PlayerDevice requestInterfaceMCom(int index, int access) {
+    public MComInterface requestInterfaceMCom(int index, int access) {
         throw notOffered("mcom:" + index);
     }
 
-    public PlayerDevice requestInterfaceSound(int index, int access) {
+    public SoundInterface requestInterfaceSound(int index, int access) {
         throw notOffered("sound:" + index);
     }
 
-    public PlayerDevice requestInterfaceAudioDSP(int index, int access) {
+    public AudioDSPInterface requestInterfaceAudioDSP(int index, int access) {
         throw notOffered("audiodsp:" + index);
     }
 
-    public PlayerDevice requestInterfaceAudioMixer(int index, int access) {
+    public AudioMixerInterface requestInterfaceAudioMixer(int index, int access) {
         throw notOffered("audiomixer:" + index);
     }
 
-    public PlayerDevice requestInterfacePosition3D(int index, int access) {
+    public Position3DInterface requestInterfacePosition3D(int index, int access) {
         throw notOffered("position3d:" + index);
     }
 
-    public PlayerDevice requestInterfaceBlinkenlight(int index, int access) {
+    public BlinkenlightInterface requestInterfaceBlinkenlight(int index, int access) {
         throw notOffered("blinkenlight:" + index);
     }
 
-    public PlayerDevice requestInterfaceCamera(int index, int access) {
+    public CameraInterface requestInterfaceCamera(int index, int access) {
         throw notOffered("camera:" + index);
     }
 
-    public PlayerDevice requestInterfaceMap(int index, int access) {
+    public MapInterface requestInterfaceMap(int index, int access) {
         throw notOffered("map:" + index);
     }
 
-    public PlayerDevice requestInterfacePlanner(int index, int access) {
+    public PlannerInterface requestInterfacePlanner(int index, int access) {
         throw notOffered("planner:" + index);
     }
 
-    public PlayerDevice requestInterfaceLog(int index, int access) {
+    public LogInterface requestInterfaceLog(int index, int access) {
         throw notOffered("log:" + index);
     }
 
-    public PlayerDevice requestInterfaceJoystick(int index, int access) {
+    public JoystickInterface requestInterfaceJoystick(int index, int access) {
         throw notOffered("joystick:" + index);
     }
 
-    public PlayerDevice requestInterfaceSpeechRecognition(int index, int access) {
+    public SpeechRecognitionInterface requestInterfaceSpeechRecognition(int index, int access) {
         throw notOffered("speech_recognition:" + index);
     }
 
-    public PlayerDevice requestInterfaceOpaque(int index, int access) {
+    public OpaqueInterface requestInterfaceOpaque(int index, int access) {
         throw notOffered("opaque:" + index);
     }
 
-    public PlayerDevice requestInterfacePosition1D(int index, int access) {
+    public Position1DInterface requestInterfacePosition1D(int index, int access) {
         throw notOffered("position1d:" + index);
     }
 
-    public PlayerDevice requestInterfaceActarray(int index, int access) {
+    public ActarrayInterface requestInterfaceActarray(int index, int access) {
         throw notOffered("actarray:" + index);
     }
 
-    public PlayerDevice requestInterfaceLimb(int index, int access) {
+    public LimbInterface requestInterfaceLimb(int index, int access) {
         throw notOffered("limb:" + index);
     }
 
-    public PlayerDevice requestInterfaceGraphics2D(int index, int access) {
+    public Graphics2DInterface requestInterfaceGraphics2D(int index, int access) {
         throw notOffered("graphics2d:" + index);
     }
 
-    public PlayerDevice requestInterfaceGraphics3D(int index, int access) {
+    public Graphics3DInterface requestInterfaceGraphics3D(int index, int access) {
         throw notOffered("graphics3d:" + index);
     }
 
-    public PlayerDevice requestInterfaceRFID(int index, int access) {
+    public RFIDInterface requestInterfaceRFID(int index, int access) {
         throw notOffered("rfid:" + index);
     }
 
-    public PlayerDevice requestInterfaceWSN(int index, int access) {
+    public WSNInterface requestInterfaceWSN(int index, int access) {
         throw notOffered("wsn:" + index);
     }
 
-    public PlayerDevice requestInterfaceHealth(int index, int access) {
+    public HealthInterface requestInterfaceHealth(int index, int access) {
         throw notOffered("health:" + index);
     }
 
-    public PlayerDevice requestInterfaceIMU(int index, int access) {
+    public IMUInterface requestInterfaceIMU(int index, int access) {
         throw notOffered("imu:" + index);
     }
 
-    public PlayerDevice requestInterfacePointCloud3D(int index, int access) {
+    public PointCloud3DInterface requestInterfacePointCloud3D(int index, int access) {
         throw notOffered("pointcloud3d:" + index);
     }
 
-    public PlayerDevice requestInterfaceAudio(int index, int access) {
+    public AudioInterface requestInterfaceAudio(int index, int access) {
         throw notOffered("audio:" + index);
     }
 
-    public PlayerDevice requestInterfaceStereo(int index, int access) {
+    public StereoInterface requestInterfaceStereo(int index, int access) {
         throw notOffered("stereo:" + index);
     }
 }

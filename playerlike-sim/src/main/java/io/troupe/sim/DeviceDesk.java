@@ -12,6 +12,7 @@ import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -53,16 +54,14 @@ final class DeviceDesk {
         }
     }
 
-    /** Sideways speeds are ignored: these robots have two wheels. */
+    /** Sideways speeds are ignored: these robots have two wheels. So is the byte {@code state}, as Stage does: 0 drives, too. */
     private void drive(Offer offer, DeviceCommand command) {
         int robot = offer.robot();
         long limitMicros = commandLimitsMicros.getOrDefault(offer, 0L);
         Runnable action = switch (command) {
             case DeviceCommand.Velocity to -> {
                 checkFinite(offer, to, to.vx(), to.va());
-                yield to.enabled()
-                        ? () -> world.command(robot, to.vx(), to.va(), limitMicros)
-                        : () -> world.stop(robot);
+                yield () -> world.command(robot, to.vx(), to.va(), limitMicros);
             }
             case DeviceCommand.Car to -> {
                 checkFinite(offer, to, to.velocityMps(), to.angleRad());
@@ -74,9 +73,7 @@ final class DeviceDesk {
             }
             case DeviceCommand.GoTo to -> {
                 checkFinite(offer, to, to.px(), to.py(), to.pa());
-                yield to.enabled()
-                        ? () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()))
-                        : () -> world.stop(robot);
+                yield () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()));
             }
             case DeviceCommand.Pause other -> throw notUnderstood(offer, other);
             case DeviceCommand.Reset other -> throw notUnderstood(offer, other);
@@ -119,12 +116,12 @@ final class DeviceDesk {
             case POSITION2D -> ofPosition(offer, request);
             case SONAR ->
                 switch (request) {
-                    case DeviceRequest.Geometry geometry -> DeviceMessages.sonarGeometry(robot(offer));
+                    case DeviceRequest.Geometry geometry -> DeviceMessages.sonarGeometry(robot(offer), offer.ranger());
                     case DeviceRequest.Power power -> sensorPower(offer, power.on());
                     default -> NOT_OFFERED;
                 };
             case LASER -> ofLaser(offer, robot(offer).rangers().get(offer.ranger()), request);
-            case RANGER -> ofRanger(offer, robot(offer).rangers().get(offer.ranger()), request);
+            case RANGER -> ofRanger(offer, ranger(offer), request);
             case BLOBFINDER -> NOT_OFFERED;
             case SIMULATION -> ofSimulation(offer, request);
         };
@@ -132,6 +129,13 @@ final class DeviceDesk {
 
     private RobotSpec robot(Offer offer) {
         return world.spec().robots().get(offer.robot());
+    }
+
+    private RangerSpec ranger(Offer offer) {
+        RobotSpec robot = robot(offer);
+        return DeviceMessages.isRing(offer.type(), offer.ranger())
+                ? RangerMessages.ring(Objects.requireNonNull(robot.sonar()))
+                : robot.rangers().get(offer.ranger());
     }
 
     private DeviceReply ofPosition(Offer offer, DeviceRequest request) {
@@ -190,7 +194,9 @@ final class DeviceDesk {
             case DeviceRequest.Geometry geometry -> RangerMessages.laserGeometry(laser);
             case DeviceRequest.GetConfiguration get -> new DeviceReply.OfLaser(configuration);
             case DeviceRequest.SetLaserConfiguration set ->
-                set.configuration().equals(configuration) ? new DeviceReply.OfLaser(configuration) : AS_IN_THE_FILE;
+                RangerMessages.isSame(set.configuration(), configuration)
+                        ? new DeviceReply.OfLaser(configuration)
+                        : AS_IN_THE_FILE;
             case DeviceRequest.Power power -> sensorPower(offer, power.on());
             case DeviceRequest.LaserId id ->
                 new DeviceReply.LaserId(offer.address().index());

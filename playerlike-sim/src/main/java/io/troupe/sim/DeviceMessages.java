@@ -3,12 +3,16 @@ package io.troupe.sim;
 import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.Interfaces;
 import io.troupe.sim.PortServer.Offer;
 import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.Odometry;
+import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangeSensorSpec;
 import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 import java.util.Objects;
@@ -21,8 +25,12 @@ final class DeviceMessages {
         RobotReading reading = now.robots().get(offer.robot());
         DeviceData data = switch (offer.type()) {
             case POSITION2D -> position(reading.odometry());
-            case SONAR -> new DeviceData.SonarRanges(floats(Objects.requireNonNull(reading.sonarM())));
-            case RANGER -> new DeviceData.RangerRanges(reading.rangersM().get(offer.ranger()));
+            case SONAR -> new DeviceData.SonarRanges(floats(sonarM(offer, world, reading)));
+            case RANGER ->
+                new DeviceData.RangerRanges(
+                        isRing(offer.type(), offer.ranger())
+                                ? Objects.requireNonNull(reading.sonarM())
+                                : reading.rangersM().get(offer.ranger()));
             case LASER ->
                 RangerMessages.scan(
                         world.robots().get(offer.robot()).rangers().get(offer.ranger()),
@@ -32,6 +40,18 @@ final class DeviceMessages {
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };
         return new DataMessage(offer.address(), now.timeMicros() / 1e6, data);
+    }
+
+    /** Whether a device is the robot's sonar ring, offered as a ranger. */
+    static boolean isRing(Interfaces type, int ranger) {
+        return type == Interfaces.RANGER && ranger == DeviceBinding.SONAR_RING;
+    }
+
+    /** Of the robot's ring, or where it has none of the ranger that stands for one. */
+    private static List<Double> sonarM(Offer offer, WorldSpec world, RobotReading reading) {
+        return world.robots().get(offer.robot()).sonar() == null
+                ? reading.rangersM().get(offer.ranger())
+                : Objects.requireNonNull(reading.sonarM());
     }
 
     private static DeviceData position(Odometry odometry) {
@@ -68,7 +88,7 @@ final class DeviceMessages {
                 (float) blob.rangeM());
     }
 
-    /** The image is 0 x 0 when it shows no blob, as Stage's is. */
+    /** From right to left, as Stage lists them. The image is 0 x 0 when it shows no blob, as Stage's is. */
     private static DeviceData blobs(BlobImage image) {
         boolean empty = image.blobs().isEmpty();
         return new DeviceData.Blobs(
@@ -76,7 +96,9 @@ final class DeviceMessages {
                 empty ? 0 : image.heightPx(),
                 empty
                         ? List.of()
-                        : image.blobs().stream().map(DeviceMessages::blob).toList());
+                        : image.blobs().reversed().stream()
+                                .map(DeviceMessages::blob)
+                                .toList());
     }
 
     static DeviceReply positionGeometry(RobotSpec robot) {
@@ -85,8 +107,14 @@ final class DeviceMessages {
                 origin.x(), origin.y(), origin.headingRad(), robot.lengthM(), robot.widthM());
     }
 
-    static DeviceReply sonarGeometry(RobotSpec robot) {
-        return new DeviceReply.SonarGeometry(Objects.requireNonNull(robot.sonar()).mounts().stream()
+    static DeviceReply sonarGeometry(RobotSpec robot, int ranger) {
+        SonarSpec ring = robot.sonar();
+        List<Pose> mounts = ring != null
+                ? ring.mounts()
+                : robot.rangers().get(ranger).sensors().stream()
+                        .map(RangeSensorSpec::mount)
+                        .toList();
+        return new DeviceReply.SonarGeometry(mounts.stream()
                 .map(mount -> new DeviceReply.SonarMount(mount.x(), mount.y(), mount.headingRad()))
                 .toList());
     }

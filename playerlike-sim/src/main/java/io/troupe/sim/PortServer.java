@@ -20,7 +20,12 @@ final class PortServer implements PlayerServer {
     /** 127.0.0.1 as Player writes it. */
     private static final int LOOPBACK = 0x0100007f;
 
-    /** A device, the robot it belongs to, -1 for the simulation device, and which of the robot's rangers it is. */
+    /**
+     * A device.
+     *
+     * @param robot it belongs to, -1 for the simulation device
+     * @param ranger which of the robot's rangers answers, as in {@link DeviceBinding}
+     */
     record Offer(DeviceAddress address, Interfaces type, int robot, int ranger) {
         boolean publishes() {
             return robot >= 0;
@@ -52,7 +57,6 @@ final class PortServer implements PlayerServer {
         }
         List<Offer> offers = bindings.stream()
                 .map(binding -> offer(binding, robots.getOrDefault(binding.model(), -1)))
-                .sorted(FRAME_ORDER)
                 .toList();
         this.addresses = offers.stream().map(Offer::address).toList();
         offers.forEach(offer -> byAddress.putIfAbsent(offer.address, offer));
@@ -65,17 +69,19 @@ final class PortServer implements PlayerServer {
                 .orElseThrow(() -> new IllegalArgumentException(
                         binding.where() + ": interface " + binding.interfaceName() + " is not offered"));
         var address = new DeviceAddress(LOOPBACK, port, type.code(), binding.index());
-        if (type == Interfaces.LASER || type == Interfaces.RANGER) {
-            checkRanger(binding, type, robot);
+        if (type == Interfaces.SONAR || type == Interfaces.LASER || type == Interfaces.RANGER) {
+            checkSensor(binding, type, robot);
         }
         return new Offer(address, type, robot, binding.ranger());
     }
 
-    private void checkRanger(DeviceBinding binding, Interfaces type, int robot) {
-        List<RangerSpec> rangers = robot < 0
-                ? List.of()
-                : simulation.world().spec().robots().get(robot).rangers();
+    private void checkSensor(DeviceBinding binding, Interfaces type, int robot) {
+        RobotSpec spec = robot < 0 ? null : simulation.world().spec().robots().get(robot);
         int number = binding.ranger();
+        if (spec != null && spec.sonar() != null && (type == Interfaces.SONAR || DeviceMessages.isRing(type, number))) {
+            return;
+        }
+        List<RangerSpec> rangers = spec == null ? List.of() : spec.rangers();
         boolean there = number >= 0 && number < rangers.size();
         boolean laser = there && rangers.get(number).kind() == RangerSpec.Kind.LASER;
         if (!there || laser != (type == Interfaces.LASER)) {
@@ -89,7 +95,7 @@ final class PortServer implements PlayerServer {
         return port;
     }
 
-    /** All devices, in the order in which clients get their messages. */
+    /** All devices, in the order in which the configuration provides them. */
     List<DeviceAddress> addresses() {
         return addresses;
     }

@@ -7,18 +7,55 @@ import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.RangerConfiguration;
 import io.troupe.player.wire.Size3d;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangeNoise;
 import io.troupe.sim.scenario.RangeSensorSpec;
 import io.troupe.sim.scenario.RangerSpec;
+import io.troupe.sim.scenario.SonarSpec;
 import java.util.List;
 
 /**
  * Lasers and rangers in the words of Player.
  *
  * <p>The resolution is the angle between two rays, so that the first angle and the number of ranges lead to the last angle; Stage divides the field of view by
- * the number of rays, one too many. Readings have no steps of their own, so the range resolution is 0, and there are no intensities.
+ * the number of rays, one too many. Readings have no steps of their own: the range resolution is 1 for a laser, as
+ * Stage says, and 0 for a ranger. There are no intensities.
  */
 final class RangerMessages {
+    private static final float LASER_RANGE_RESOLUTION = 1;
+    /** Clients round, and count the beams or the steps between them. */
+    private static final float ROUNDING = 0.01f;
+
     private RangerMessages() {}
+
+    /** A ring of sonars as a ranger with one sensor for each. */
+    static RangerSpec ring(SonarSpec sonar) {
+        return new RangerSpec(
+                RangerSpec.Kind.RANGER,
+                Pose.ORIGIN,
+                0,
+                0,
+                sonar.mounts().stream()
+                        .map(mount -> new RangeSensorSpec(
+                                mount, sonar.minRangeM(), sonar.maxRangeM(), sonar.fovRad(), 1, 0, 0, RangeNoise.NONE))
+                        .toList());
+    }
+
+    /**
+     * Whether a client asks for what a laser does already. Its range resolution does not matter, and a frequency of 0 is none, as in messages of javaclient3,
+     * which have no such field.
+     */
+    static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
+        return isNear(asked.minAngleRad(), real.minAngleRad())
+                && isNear(asked.maxAngleRad(), real.maxAngleRad())
+                && isNear(asked.resolutionRad(), real.resolutionRad())
+                && isNear(asked.maxRangeM(), real.maxRangeM())
+                && asked.intensities() == real.intensities()
+                && (asked.frequencyHz() == 0 || isNear(asked.frequencyHz(), real.frequencyHz()));
+    }
+
+    private static boolean isNear(float asked, float real) {
+        return Math.abs(asked - real) <= ROUNDING * Math.abs(real);
+    }
 
     static DeviceData scan(RangerSpec laser, List<Double> rangesM, long tick) {
         RangeSensorSpec sensor = laser.sensors().getFirst();
@@ -56,7 +93,7 @@ final class RangerMessages {
                 (float) (sensor.fovRad() / 2),
                 (float) resolutionRad(sensor),
                 (float) sensor.maxRangeM(),
-                0,
+                LASER_RANGE_RESOLUTION,
                 false,
                 1000f / intervalMillis);
     }

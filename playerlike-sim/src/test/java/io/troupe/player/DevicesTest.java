@@ -205,7 +205,8 @@ class DevicesTest implements PlayerConstants {
         var methods = Arrays.stream(PlayerClient.class.getMethods())
                 .filter(method -> method.getName().startsWith("requestInterface")
                         && method.getParameterCount() == 2
-                        && method.getReturnType() == PlayerDevice.class)
+                        && (UnofferedDevice.class.isAssignableFrom(method.getReturnType())
+                                || method.getReturnType() == Position3DInterface.class))
                 .toList();
         assertThat(methods).hasSize(38);
         for (var method : methods) {
@@ -244,8 +245,16 @@ class DevicesTest implements PlayerConstants {
     }
 
     @Test
+    void deviceList_isThereFromTheBeginning() {
+        assertThat(client.getPDDList().getDeviceCount()).isEqualTo(6);
+        assertThat(client.getPDDList().getDevList()[1].getInterf()).isEqualTo(PLAYER_SONAR_CODE);
+        assertThat(client.isReadyPDDList()).isTrue();
+        assertThat(client.isReadyPDDList()).as("once for each list").isFalse();
+    }
+
+    @Test
     void deviceList_andDriver_areToldOnRequest() {
-        assertThat(client.isReadyPDDList()).isFalse();
+        assertThat(client.isReadyPDDList()).isTrue();
         client.requestDeviceList();
         assertThat(client.isReadyPDDList()).isTrue();
         assertThat(client.isReadyPDDList()).isFalse();

@@ -142,11 +142,22 @@ class SimulatedDevicesTest {
     @Test
     void configuration_isThatOfTheFile_andCannotBeAnother() {
         var laser = new LaserConfiguration(
-                (float) (-45 * DEGREE), (float) (45 * DEGREE), (float) (45 * DEGREE), 8, 0, false, 10);
+                (float) (-45 * DEGREE), (float) (45 * DEGREE), (float) (45 * DEGREE), 8, 1, false, 10);
         assertThat(client.ask(LASER, 0, new DeviceRequest.GetConfiguration()))
                 .isEqualTo(new DeviceReply.OfLaser(laser));
         assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(laser)))
                 .isEqualTo(new DeviceReply.OfLaser(laser));
+        var rounded = new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0); // javaclient3 has no frequency
+        assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(rounded)))
+                .as("what it is already, in round numbers")
+                .isEqualTo(new DeviceReply.OfLaser(laser));
+        for (var other : List.of(
+                new LaserConfiguration(-0.785f, 0.785f, 0.775f, 8, 1, false, 0),
+                new LaserConfiguration(-0.785f, 0.785f, Float.NaN, 8, 1, false, 0),
+                new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, true, 0),
+                new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, false, 20))) {
+            assertRefused(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(other)), "world file");
+        }
         var finer = new LaserConfiguration(0, 1, 0.1f, 8, 0, false, 10);
         assertRefused(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(finer)), "world file");
         var ranger = new RangerConfiguration(-7.5 * DEGREE, 7.5 * DEGREE, 15 * DEGREE, 0.1, 8, 0, 10);
@@ -194,7 +205,7 @@ class SimulatedDevicesTest {
     }
 
     @Test
-    void goTo_andVelocityHeading_areUnderstood_andDisabledOnesStop() {
+    void goTo_andVelocityHeading_areUnderstood() {
         client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.GoTo(0.5, 0, 1, 0, 0, 0, true));
         ticks(120);
         assertThat(pose(0).x()).isCloseTo(0.5, within(0.02));
@@ -202,11 +213,17 @@ class SimulatedDevicesTest {
         client.tell(POSITION2D, 0, new DeviceCommand.VelocityHeading(0.1, -1));
         ticks(60);
         assertThat(pose(0).headingRad()).isCloseTo(-1, within(0.02));
-        client.tell(POSITION2D, 0, new DeviceCommand.GoTo(9, 9, 1, 0, 0, 0, false));
-        ticks(1);
-        Pose before = pose(0);
-        ticks(3);
-        assertThat(pose(0)).isEqualTo(before);
+    }
+
+    @Test
+    void stateZero_drives_asInStage() {
+        client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.GoTo(0.5, 0, 1, 0, 0, 0, false));
+        ticks(120);
+        assertThat(pose(0).x()).isCloseTo(0.5, within(0.02));
+        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.1, 0, 0, false));
+        ticks(2);
+        assertThat(simulation.latest().robots().getFirst().odometry().forwardMps())
+                .isEqualTo(0.1);
     }
 
     @Test

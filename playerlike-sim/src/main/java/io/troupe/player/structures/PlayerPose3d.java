@@ -56,4 +56,13 @@ public class PlayerPose3d {
     public synchronized void setPyaw(double value) {
         pyaw = value;
     }
+
+    /** The yaw, by the name that it has in a pose in the plane: older programs read the pose of a laser so. */
+    public synchronized double getPa() {
+        return pyaw;
+    }
+
+    public synchronized void setPa(double value) {
+        pyaw = value;
+    }
 }

@@ -2,10 +2,10 @@ package io.troupe.player.wire;
 
 /** The content of a CMD message. */
 public sealed interface DeviceCommand {
-    /** position2d CMD 1: metres and radians per second in the robot's frame; a false {@code enabled} stops the motors. */
+    /** position2d CMD 1: metres and radians per second in the robot's frame; Stage ignores {@code enabled}. */
     record Velocity(double vx, double vy, double va, boolean enabled) implements DeviceCommand {}
 
-    /** position2d CMD 2: a goal in the odometry frame, and the speeds to go there with, which Stage ignores. */
+    /** position2d CMD 2: a goal in the odometry frame, and the speeds to go there with; Stage ignores these and {@code enabled}. */
     record GoTo(double px, double py, double pa, double vx, double vy, double va, boolean enabled)
             implements DeviceCommand {}
 

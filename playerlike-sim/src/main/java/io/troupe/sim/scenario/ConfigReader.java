@@ -119,7 +119,7 @@ final class ConfigReader {
                 .filter(candidate -> candidate.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> noRobot(driver, name));
-        List<String> offered = DeviceOffer.of(robot);
+        List<String> offered = DeviceOffer.ofConfiguration(robot);
         String type = provided.interfaceName();
         int count = Collections.frequency(offered, type);
         if (count == 0) {

@@ -53,6 +53,31 @@ final class DeviceOffer {
         return offer;
     }
 
+    /**
+     * What a configuration may provide on top of {@link #of}: one ring of sonars by both of its interfaces, as programs of both dialects expect them.
+     */
+    static List<String> ofConfiguration(RobotSpec robot) {
+        var offer = new ArrayList<>(of(robot));
+        if (robot.sonar() != null) {
+            offer.add(RANGER);
+        } else if (ringOf(robot) >= 0) {
+            offer.add(SONAR);
+        }
+        return offer;
+    }
+
+    /** The ranger that can stand for a ring of sonars: one range for each place; -1 if there is none. */
+    private static int ringOf(RobotSpec robot) {
+        for (int i = 0; i < robot.rangers().size(); i++) {
+            RangerSpec ranger = robot.rangers().get(i);
+            if (ranger.kind() == RangerSpec.Kind.RANGER
+                    && ranger.sensors().stream().allMatch(sensor -> sensor.samples() == 1)) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
     private static String interfaceOf(RangerSpec ranger) {
         return switch (ranger.kind()) {
             case LASER -> LASER;
@@ -60,15 +85,18 @@ final class DeviceOffer {
         };
     }
 
-    /** Which of the robot's rangers is its n-th device of an interface; 0 for interfaces that are not of rangers. */
+    /** Which of the robot's rangers is its n-th device of an interface, as {@link DeviceBinding#ranger} has it. */
     static int rangerOf(RobotSpec robot, String interfaceName, int nth) {
+        if (interfaceName.equals(SONAR)) {
+            return robot.sonar() == null ? Math.max(0, ringOf(robot)) : 0;
+        }
         int left = nth;
         for (int i = 0; i < robot.rangers().size(); i++) {
             if (interfaceOf(robot.rangers().get(i)).equals(interfaceName) && left-- == 0) {
                 return i;
             }
         }
-        return 0;
+        return interfaceName.equals(RANGER) ? DeviceBinding.SONAR_RING : 0; // after the rangers
     }
 
     /** Everything in the world, as {@link ScenarioReader#read(java.nio.file.Path)} describes it. */

@@ -80,7 +80,7 @@ class ConfigReaderTest {
             value = {
                 "\"positon2d:0\"               | t.cfg:2:34: unknown interface \"positon2d\" in \"positon2d:0\"; did you mean \"position2d\"? known: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"wheels:0\"                  | t.cfg:2:34: unknown interface \"wheels\" in \"wheels:0\"; known: blobfinder, laser, position2d, ranger, simulation, sonar",
-                "\"laser:0\"                   | t.cfg:2:34: robot \"full\" (w.world:1:1) cannot provide laser; it can provide position2d, sonar, blobfinder",
+                "\"laser:0\"                   | t.cfg:2:34: robot \"full\" (w.world:1:1) cannot provide laser; it can provide position2d, sonar, blobfinder, ranger",
                 "\"speech:0\"                  | t.cfg:2:34: interface \"speech\" is not supported; supported: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"sonar:x\"                   | t.cfg:2:34: the index in \"sonar:x\" must be a whole number from 0 to 65535, not \"x\"",
                 "\"sonar:\"                    | t.cfg:2:34: the index in \"sonar:\" must be a whole number from 0 to 65535, not \"\"",
@@ -178,8 +178,36 @@ class ConfigReaderTest {
     }
 
     @Test
-    void ranger_ofStage4_isTheOnlyInterfaceOfItsSensors() {
-        worlds.write("w.world", "position ( name \"full\" ranger ( sensor () ) ranger ( sensor ( samples 180 ) ) )");
+    void ring_ofSonars_isProvidedByBothInterfaces() {
+        Scenario scenario = ScenarioReader.readConfig(worlds.write(
+                "t.cfg",
+                STAGE + "driver ( name \"stage\" provides [ \"ranger:0\" \"sonar:0\" ] model \"full\" )"));
+
+        assertThat(scenario.devices())
+                .extracting(d -> d.interfaceName() + ":" + d.index() + " " + d.ranger())
+                .containsExactly("simulation:0 0", "ranger:0 " + DeviceBinding.SONAR_RING, "sonar:0 0");
+        assertThat(worlds.configProblem(STAGE
+                        + "driver ( name \"stage\" provides [ \"ranger:0\" \"ranger:1\" ] model \"full\" )"))
+                .isEqualTo("t.cfg:2:45: robot \"full\" has one ranger, and it is already provided at t.cfg:2:34");
+    }
+
+    @Test
+    void ring_inTheDialectOfStage4_isProvidedByBothInterfaces_andAScanIsNot() {
+        worlds.write("w.world", """
+                position ( name "full" ranger ( sensor ( samples 180 ) )
+                  ranger ( sensor ( samples 1 ) sensor ( samples 1 ) ) )
+                """);
+        String both = "driver ( name \"stage\" provides [ \"sonar:0\" \"ranger:0\" \"ranger:1\" ] model \"full\" )";
+
+        assertThat(ScenarioReader.readConfig(worlds.write("t.cfg", STAGE + both))
+                        .devices())
+                .extracting(DeviceBinding::ranger)
+                .containsExactly(0, 1, 0, 1);
+    }
+
+    @Test
+    void scan_ofStage4_isNoRingOfSonars() {
+        worlds.write("w.world", "position ( name \"full\" ranger ( sensor ( samples 90 ) ) ranger ( sensor ( samples 180 ) ) )");
         String driver = "driver ( name \"stage\" provides [ \"%s\" ] model \"full\" )";
 
         assertThat(ScenarioReader.readConfig(worlds.write("t.cfg", STAGE + driver.formatted("ranger:0\" \"ranger:1")))

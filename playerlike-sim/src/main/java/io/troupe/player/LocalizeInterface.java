@@ -1,0 +1,41 @@
+package io.troupe.player;
+
+import io.troupe.player.structures.localize.PlayerLocalizeData;
+import io.troupe.player.structures.localize.PlayerLocalizeGetParticles;
+import io.troupe.player.structures.localize.PlayerLocalizeSetPose;
+
+/**
+ * A localization, which this client does not offer: a name for programs that mention it.
+ *
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Source.</b> Player interface localize.
+ */
+public class LocalizeInterface extends UnofferedDevice {
+    public LocalizeInterface(PlayerClient client) {
+        super(client, "localize");
+    }
+
+    public void setPose(PlayerLocalizeSetPose value) {
+        throw notOffered();
+    }
+
+    public void queryParticles() {
+        throw notOffered();
+    }
+
+    public PlayerLocalizeData getData() {
+        throw notOffered();
+    }
+
+    public PlayerLocalizeGetParticles getParticleData() {
+        throw notOffered();
+    }
+
+    public boolean isDataReady() {
+        throw notOffered();
+    }
+
+    public boolean isParticleDataReady() {
+        throw notOffered();
+    }
+}

@@ -1,0 +1,45 @@
+package io.troupe.player;
+
+import io.troupe.player.structures.PlayerPose2d;
+import io.troupe.player.structures.planner.PlayerPlannerData;
+import io.troupe.player.structures.planner.PlayerPlannerWaypointsReq;
+
+/**
+ * A path planner, which this client does not offer: a name for programs that mention it.
+ *
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Source.</b> Player interface planner.
+ */
+public class PlannerInterface extends UnofferedDevice {
+    public PlannerInterface(PlayerClient client) {
+        super(client, "planner");
+    }
+
+    public void setGoal(PlayerPose2d goal) {
+        throw notOffered();
+    }
+
+    public void getWaypoints() {
+        throw notOffered();
+    }
+
+    public void setRobotMotion(int state) {
+        throw notOffered();
+    }
+
+    public PlayerPlannerData getData() {
+        throw notOffered();
+    }
+
+    public boolean isDataReady() {
+        throw notOffered();
+    }
+
+    public PlayerPlannerWaypointsReq getWaypointData() {
+        throw notOffered();
+    }
+
+    public boolean isReadyWaypointData() {
+        throw notOffered();
+    }
+}

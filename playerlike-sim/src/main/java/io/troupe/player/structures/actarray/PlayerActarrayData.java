@@ -1,0 +1,23 @@
+package io.troupe.player.structures.actarray;
+
+/** Data of an array of actuators; no device here uses it. */
+public class PlayerActarrayData {
+    private int actuators_count;
+    private PlayerActarrayActuator[] actuators = new PlayerActarrayActuator[0];
+
+    public synchronized int getActuators_count() {
+        return actuators_count;
+    }
+
+    public synchronized void setActuators_count(int value) {
+        actuators_count = value;
+    }
+
+    public synchronized PlayerActarrayActuator[] getActuators() {
+        return actuators;
+    }
+
+    public synchronized void setActuators(PlayerActarrayActuator[] value) {
+        actuators = value;
+    }
+}

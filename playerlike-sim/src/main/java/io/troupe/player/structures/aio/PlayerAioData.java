@@ -1,0 +1,23 @@
+package io.troupe.player.structures.aio;
+
+/** Data of analogue inputs and outputs; no device here uses it. */
+public class PlayerAioData {
+    private int voltages_count;
+    private float[] voltages = new float[0];
+
+    public synchronized int getVoltages_count() {
+        return voltages_count;
+    }
+
+    public synchronized void setVoltages_count(int value) {
+        voltages_count = value;
+    }
+
+    public synchronized float[] getVoltages() {
+        return voltages;
+    }
+
+    public synchronized void setVoltages(float[] value) {
+        voltages = value;
+    }
+}

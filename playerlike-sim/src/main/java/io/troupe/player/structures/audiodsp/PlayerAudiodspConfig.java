@@ -1,0 +1,32 @@
+package io.troupe.player.structures.audiodsp;
+
+/** A setting or a question of a sound processor; no device here uses it. */
+public class PlayerAudiodspConfig {
+    private int format;
+    private float frequency;
+    private int channels;
+
+    public synchronized int getFormat() {
+        return format;
+    }
+
+    public synchronized void setFormat(int value) {
+        format = value;
+    }
+
+    public synchronized float getFrequency() {
+        return frequency;
+    }
+
+    public synchronized void setFrequency(float value) {
+        frequency = value;
+    }
+
+    public synchronized int getChannels() {
+        return channels;
+    }
+
+    public synchronized void setChannels(int value) {
+        channels = value;
+    }
+}

@@ -1,0 +1,37 @@
+package io.troupe.player.structures.fiducial;
+
+import io.troupe.player.structures.PlayerBbox;
+import io.troupe.player.structures.PlayerBbox2d;
+import io.troupe.player.structures.PlayerBbox3d;
+import io.troupe.player.structures.PlayerPose3d;
+
+/** A part of the messages of a finder of marks; no device here uses it. */
+public class PlayerFiducialGeom {
+    private PlayerPose3d pose = new PlayerPose3d();
+    private PlayerBbox3d size = new PlayerBbox3d();
+    private PlayerBbox fiducial_size = new PlayerBbox();
+
+    public synchronized PlayerPose3d getPose() {
+        return pose;
+    }
+
+    public synchronized void setPose(PlayerPose3d value) {
+        pose = value;
+    }
+
+    public synchronized PlayerBbox3d getSize() {
+        return size;
+    }
+
+    public synchronized void setSize(PlayerBbox3d value) {
+        size = value;
+    }
+
+    public synchronized PlayerBbox getFiducial_size() {
+        return fiducial_size;
+    }
+
+    public synchronized void setFiducial_size(PlayerBbox2d value) {
+        fiducial_size = PlayerBbox.of(value);
+    }
+}

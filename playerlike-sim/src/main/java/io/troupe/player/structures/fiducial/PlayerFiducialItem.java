@@ -1,0 +1,34 @@
+package io.troupe.player.structures.fiducial;
+
+import io.troupe.player.structures.PlayerPose3d;
+
+/** A part of the messages of a finder of marks; no device here uses it. */
+public class PlayerFiducialItem {
+    private int id;
+    private PlayerPose3d pose = new PlayerPose3d();
+    private PlayerPose3d upose = new PlayerPose3d();
+
+    public synchronized int getId() {
+        return id;
+    }
+
+    public synchronized void setId(int value) {
+        id = value;
+    }
+
+    public synchronized PlayerPose3d getPose() {
+        return pose;
+    }
+
+    public synchronized void setPose(PlayerPose3d value) {
+        pose = value;
+    }
+
+    public synchronized PlayerPose3d getUpose() {
+        return upose;
+    }
+
+    public synchronized void setUpose(PlayerPose3d value) {
+        upose = value;
+    }
+}

@@ -1,0 +1,23 @@
+package io.troupe.player.structures.log;
+
+/** A part of the messages of a recorder; no device here uses it. */
+public class PlayerLogGetState {
+    private byte type;
+    private byte state;
+
+    public synchronized byte getType() {
+        return type;
+    }
+
+    public synchronized void setType(byte value) {
+        type = value;
+    }
+
+    public synchronized byte getState() {
+        return state;
+    }
+
+    public synchronized void setState(byte value) {
+        state = value;
+    }
+}

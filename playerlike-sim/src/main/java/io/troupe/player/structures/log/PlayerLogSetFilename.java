@@ -1,0 +1,23 @@
+package io.troupe.player.structures.log;
+
+/** A part of the messages of a recorder; no device here uses it. */
+public class PlayerLogSetFilename {
+    private int filename_count;
+    private char[] filename = new char[0];
+
+    public synchronized int getFilename_count() {
+        return filename_count;
+    }
+
+    public synchronized void setFilename_count(int value) {
+        filename_count = value;
+    }
+
+    public synchronized char[] getFilename() {
+        return filename;
+    }
+
+    public synchronized void setFilename(char[] value) {
+        filename = value;
+    }
+}

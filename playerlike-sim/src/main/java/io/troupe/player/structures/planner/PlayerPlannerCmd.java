@@ -1,0 +1,17 @@
+package io.troupe.player.structures.planner;
+
+import io.troupe.player.structures.PlayerPose;
+import io.troupe.player.structures.PlayerPose2d;
+
+/** A command of a path planner; no device here uses it. */
+public class PlayerPlannerCmd {
+    private PlayerPose goal = new PlayerPose();
+
+    public synchronized PlayerPose getGoal() {
+        return goal;
+    }
+
+    public synchronized void setGoal(PlayerPose2d value) {
+        goal = PlayerPose.of(value);
+    }
+}

@@ -1,0 +1,32 @@
+package io.troupe.player.structures.position1d;
+
+/** A setting or a question of a linear actuator; no device here uses it. */
+public class PlayerPosition1dPositionPidReq {
+    private float kp;
+    private float ki;
+    private float kd;
+
+    public synchronized float getKp() {
+        return kp;
+    }
+
+    public synchronized void setKp(float value) {
+        kp = value;
+    }
+
+    public synchronized float getKi() {
+        return ki;
+    }
+
+    public synchronized void setKi(float value) {
+        ki = value;
+    }
+
+    public synchronized float getKd() {
+        return kd;
+    }
+
+    public synchronized void setKd(float value) {
+        kd = value;
+    }
+}

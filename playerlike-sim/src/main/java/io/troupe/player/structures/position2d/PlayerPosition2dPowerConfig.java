@@ -1,0 +1,14 @@
+package io.troupe.player.structures.position2d;
+
+/** A setting or a question of the position2d interface, by its name in the original client. */
+public class PlayerPosition2dPowerConfig {
+    private byte state;
+
+    public synchronized byte getState() {
+        return state;
+    }
+
+    public synchronized void setState(byte value) {
+        state = value;
+    }
+}

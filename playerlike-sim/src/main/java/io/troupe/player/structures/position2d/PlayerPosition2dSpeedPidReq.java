@@ -1,0 +1,32 @@
+package io.troupe.player.structures.position2d;
+
+/** A setting or a question of the position2d interface, by its name in the original client. */
+public class PlayerPosition2dSpeedPidReq {
+    private float kp;
+    private float ki;
+    private float kd;
+
+    public synchronized float getKp() {
+        return kp;
+    }
+
+    public synchronized void setKp(float value) {
+        kp = value;
+    }
+
+    public synchronized float getKi() {
+        return ki;
+    }
+
+    public synchronized void setKi(float value) {
+        ki = value;
+    }
+
+    public synchronized float getKd() {
+        return kd;
+    }
+
+    public synchronized void setKd(float value) {
+        kd = value;
+    }
+}

@@ -1,0 +1,26 @@
+package io.troupe.player.structures.position3d;
+
+import io.troupe.player.structures.PlayerBbox3d;
+import io.troupe.player.structures.PlayerPose3d;
+
+/** A part of the messages of a robot that moves in space; no device here uses it. */
+public class PlayerPosition3dGeom {
+    private PlayerPose3d pose = new PlayerPose3d();
+    private PlayerBbox3d size = new PlayerBbox3d();
+
+    public synchronized PlayerPose3d getPose() {
+        return pose;
+    }
+
+    public synchronized void setPose(PlayerPose3d value) {
+        pose = value;
+    }
+
+    public synchronized PlayerBbox3d getSize() {
+        return size;
+    }
+
+    public synchronized void setSize(PlayerBbox3d value) {
+        size = value;
+    }
+}

@@ -1,0 +1,23 @@
+package io.troupe.player.structures.position3d;
+
+/** A setting or a question of a robot that moves in space; no device here uses it. */
+public class PlayerPosition3dSpeedProfReq {
+    private float speed;
+    private float acc;
+
+    public synchronized float getSpeed() {
+        return speed;
+    }
+
+    public synchronized void setSpeed(float value) {
+        speed = value;
+    }
+
+    public synchronized float getAcc() {
+        return acc;
+    }
+
+    public synchronized void setAcc(float value) {
+        acc = value;
+    }
+}

@@ -1,0 +1,23 @@
+package io.troupe.player.structures.rfid;
+
+/** Data of a reader of radio tags; no device here uses it. */
+public class PlayerRfidData {
+    private int tags_count;
+    private PlayerRfidTag[] tags = new PlayerRfidTag[0];
+
+    public synchronized int getTags_count() {
+        return tags_count;
+    }
+
+    public synchronized void setTags_count(int value) {
+        tags_count = value;
+    }
+
+    public synchronized PlayerRfidTag[] getTags() {
+        return tags;
+    }
+
+    public synchronized void setTags(PlayerRfidTag[] value) {
+        tags = value;
+    }
+}

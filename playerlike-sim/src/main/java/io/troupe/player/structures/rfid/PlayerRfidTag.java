@@ -1,0 +1,32 @@
+package io.troupe.player.structures.rfid;
+
+/** A part of the messages of a reader of radio tags; no device here uses it. */
+public class PlayerRfidTag {
+    private int type;
+    private int guid_count;
+    private byte[] guid = new byte[0];
+
+    public synchronized int getType() {
+        return type;
+    }
+
+    public synchronized void setType(int value) {
+        type = value;
+    }
+
+    public synchronized int getGuid_count() {
+        return guid_count;
+    }
+
+    public synchronized void setGuid_count(int value) {
+        guid_count = value;
+    }
+
+    public synchronized byte[] getGuid() {
+        return guid;
+    }
+
+    public synchronized void setGuid(byte[] value) {
+        guid = value;
+    }
+}

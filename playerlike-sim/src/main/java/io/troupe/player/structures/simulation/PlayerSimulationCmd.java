@@ -1,0 +1,14 @@
+package io.troupe.player.structures.simulation;
+
+/** A command of the simulation interface, by its name in the original client. */
+public class PlayerSimulationCmd {
+    private byte cmd;
+
+    public synchronized byte getCmd() {
+        return cmd;
+    }
+
+    public synchronized void setCmd(byte value) {
+        cmd = value;
+    }
+}

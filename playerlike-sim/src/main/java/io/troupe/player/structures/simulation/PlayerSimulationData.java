@@ -1,0 +1,14 @@
+package io.troupe.player.structures.simulation;
+
+/** Data of the simulation interface, by its name in the original client. */
+public class PlayerSimulationData {
+    private byte data;
+
+    public synchronized byte getData() {
+        return data;
+    }
+
+    public synchronized void setData(byte value) {
+        data = value;
+    }
+}

@@ -1,0 +1,223 @@
+package io.troupe.player;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.ActorSpace;
+import java.io.IOException;
+import java.io.StringWriter;
+import java.lang.reflect.Constructor;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.jspecify.annotations.NullMarked;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Programs that are compiled by javac alone, with what docs/guide/04-bring-your-player-program.md names and nothing else. */
+@Timeout(300)
+class UserProgramTest {
+    /** What a program needs to be compiled: playerlike-sim, actor-core and JSpecify. */
+    private static final List<Class<?>> NAMED_IN_THE_GUIDE =
+            List.of(PlayerClient.class, ActorSpace.class, NullMarked.class);
+
+    /** For javaclient3, of both generations, but for the prefix of the imports; it mentions what no server here offers. */
+    private static final String MENTIONS_EVERYTHING = """
+            import io.troupe.player.*;
+            import io.troupe.player.structures.*;
+            import io.troupe.player.structures.actarray.*;
+            import io.troupe.player.structures.aio.*;
+            import io.troupe.player.structures.audio.*;
+            import io.troupe.player.structures.audiodsp.*;
+            import io.troupe.player.structures.audiomixer.*;
+            import io.troupe.player.structures.blinkenlight.*;
+            import io.troupe.player.structures.blobfinder.*;
+            import io.troupe.player.structures.bumper.*;
+            import io.troupe.player.structures.camera.*;
+            import io.troupe.player.structures.dio.*;
+            import io.troupe.player.structures.fiducial.*;
+            import io.troupe.player.structures.gps.*;
+            import io.troupe.player.structures.graphics2d.*;
+            import io.troupe.player.structures.graphics3d.*;
+            import io.troupe.player.structures.gripper.*;
+            import io.troupe.player.structures.health.*;
+            import io.troupe.player.structures.imu.*;
+            import io.troupe.player.structures.ir.*;
+            import io.troupe.player.structures.joystick.*;
+            import io.troupe.player.structures.laser.*;
+            import io.troupe.player.structures.limb.*;
+            import io.troupe.player.structures.localize.*;
+            import io.troupe.player.structures.log.*;
+            import io.troupe.player.structures.map.*;
+            import io.troupe.player.structures.mcom.*;
+            import io.troupe.player.structures.opaque.*;
+            import io.troupe.player.structures.planner.*;
+            import io.troupe.player.structures.player.*;
+            import io.troupe.player.structures.pointcloud3d.*;
+            import io.troupe.player.structures.position1d.*;
+            import io.troupe.player.structures.position2d.*;
+            import io.troupe.player.structures.position3d.*;
+            import io.troupe.player.structures.power.*;
+            import io.troupe.player.structures.ptz.*;
+            import io.troupe.player.structures.ranger.*;
+            import io.troupe.player.structures.rfid.*;
+            import io.troupe.player.structures.simulation.*;
+            import io.troupe.player.structures.sonar.*;
+            import io.troupe.player.structures.sound.*;
+            import io.troupe.player.structures.speech.*;
+            import io.troupe.player.structures.speechrecognition.*;
+            import io.troupe.player.structures.stereo.*;
+            import io.troupe.player.structures.waveform.*;
+            import io.troupe.player.structures.wifi.*;
+            import io.troupe.player.structures.wsn.*;
+
+            public class Everything implements PlayerConstants {
+                ActarrayInterface arm; AIOInterface aio; AudioInterface audio; AudioDSPInterface dsp;
+                AudioMixerInterface mixer; BlinkenlightInterface lamp; BumperInterface bumper; CameraInterface camera;
+                DIOInterface dio; FiducialInterface fiducial; GPSInterface gps; Graphics2DInterface g2d;
+                Graphics3DInterface g3d; GripperInterface gripper; HealthInterface health; IMUInterface imu;
+                IRInterface ir; JoystickInterface joystick; LimbInterface limb; LocalizeInterface localize;
+                LogInterface log; MapInterface map; MComInterface mcom; OpaqueInterface opaque;
+                PlannerInterface planner; PointCloud3DInterface cloud; Position1DInterface p1; Position3DInterface p3;
+                PowerInterface power; PtzInterface ptz; RFIDInterface rfid; SoundInterface sound;
+                SpeechInterface speech; SpeechRecognitionInterface ear; StereoInterface stereo;
+                WaveformInterface waveform; WiFiInterface wifi; WSNInterface wsn;
+
+                void drive(PlayerClient robot) {
+                    bumper = robot.requestInterfaceBumper(0, PLAYER_OPEN_MODE);
+                    log = robot.requestInterfaceLog(0, PLAYER_OPEN_MODE);
+                    map = robot.requestInterfaceMap(0, PLAYER_OPEN_MODE);
+                    ptz = robot.requestInterfacePtz(0, PLAYER_OPEN_MODE);
+                    fiducial = robot.requestInterfaceFiducial(0, PLAYER_OPEN_MODE);
+                    gripper = robot.requestInterfaceGripper(0, PLAYER_OPEN_MODE);
+                    localize = robot.requestInterfaceLocalize(0, PLAYER_OPEN_MODE);
+                    planner = robot.requestInterfacePlanner(0, PLAYER_OPEN_MODE);
+                    rfid = robot.requestInterfaceRFID(0, PLAYER_OPEN_MODE);
+                    dio = robot.requestInterfaceDIO(0, PLAYER_OPEN_MODE);
+                    arm = robot.requestInterfaceActarray(0, PLAYER_OPEN_MODE);
+                    stereo = robot.requestInterfaceStereo(0, PLAYER_OPEN_MODE);
+                    PlayerBumperData hits = bumper.getData();
+                    byte[] each = hits.getBumpers();
+                    PlayerPtzCmd look = new PlayerPtzCmd();
+                    look.setPan(0.5f);
+                    ptz.setPTZ(look);
+                    for (PlayerFiducialItem item : fiducial.getData().getFiducials())
+                        System.out.println(item.getId() + " " + item.getPose().getPyaw());
+                    gripper.setGripper(PLAYER_GRIPPER_CMD_OPEN);
+                    log.setFileName("run.log");
+                    map.requestMapInformation();
+                    PlayerMapInfo info = map.getData();
+                    PlayerPose2d origin = info.getOrigin();
+                    planner.setGoal(new PlayerPose(1, 2, 0));
+                    planner.setGoal(new PlayerPose2d(1, 2, 0));
+                    PlayerPose[] way = planner.getWaypointData().getWaypoints();
+                    PlayerLocalizeHypoth[] where = localize.getData().getHypoths();
+                    PlayerRfidTag[] tags = rfid.getData().getTags();
+                    dio.setOutputBitfield(8, 1);
+                    arm.setPosition(0, 0.5f);
+                    p3.setSpeed(0.1, 0);
+
+                    SimulationInterface simulation = robot.requestInterfaceSimulation(0, PLAYER_OPEN_MODE);
+                    simulation.get2DPose("robot1");
+                    while (!simulation.isPose2DReady());
+                    PlayerSimulationPose2dReq pose = simulation.getSimulationPose2D();
+                    PlayerSimulationPose3dReq inSpace = simulation.getSimulationPose3D();
+                    LaserInterface laser = robot.requestInterfaceLaser(0, PLAYER_OPEN_MODE);
+                    double heading = laser.getPlayerLaserGeom().getPose().getPa();
+                    robot.nextData().thenAccept(none -> System.out.println(heading));
+                }
+            }
+            """;
+
+    @TempDir
+    private Path folder;
+
+    /** What javac says; empty if it has nothing to say. */
+    private String compile(List<Path> sources) {
+        String classPath = NAMED_IN_THE_GUIDE.stream()
+                .map(UserProgramTest::placeOf)
+                .distinct()
+                .collect(Collectors.joining(java.io.File.pathSeparator));
+        var options = List.of("-cp", classPath, "-d", folder.resolve("out").toString(), "-proc:none");
+        var compiler = ToolProvider.getSystemJavaCompiler();
+        var said = new StringWriter();
+        try (var files = compiler.getStandardFileManager(null, null, null)) {
+            boolean compiled = compiler.getTask(
+                            said, files, null, options, null, files.getJavaFileObjectsFromPaths(sources))
+                    .call();
+            return compiled ? said.toString() : "failed: " + said;
+        } catch (IOException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static String placeOf(Class<?> type) {
+        return Path.of(java.net.URI.create(
+                        type.getProtectionDomain().getCodeSource().getLocation().toString()))
+                .toString();
+    }
+
+    @Test
+    void programs_compile_withWhatTheGuideNames() throws IOException {
+        try (Stream<Path> programs = Files.list(Path.of("src/test/java/io/troupe/player/programs"))) {
+            List<Path> sources = programs.filter(each -> !each.endsWith("package-info.java"))
+                    .sorted()
+                    .toList();
+            assertThat(sources).hasSizeGreaterThan(9);
+            assertThat(compile(sources)).isEmpty();
+        }
+    }
+
+    @Test
+    void program_thatMentionsWhatIsNotOffered_compiles() throws IOException {
+        Path source = Files.writeString(folder.resolve("Everything.java"), MENTIONS_EVERYTHING);
+        assertThat(compile(List.of(source))).isEmpty();
+    }
+
+    static List<Class<?>> unoffered() {
+        return Arrays.stream(UnofferedInterfaces.class.getDeclaredMethods())
+                .filter(each -> each.getName().startsWith("requestInterface"))
+                .<Class<?>>map(Method::getReturnType)
+                .distinct()
+                .toList();
+    }
+
+    @ParameterizedTest
+    @MethodSource("unoffered")
+    void methods_ofAnInterfaceThatIsNotOffered_sayWhatThereIs(Class<?> type) throws Exception {
+        var server = new ScriptedServer();
+        try (var port = PlayerPorts.open(ScriptedServer.PORT, server)) {
+            assertThat(port).isNotNull();
+            var client = new PlayerClient("localhost", ScriptedServer.PORT);
+            Constructor<?> constructor = type.getConstructor(PlayerClient.class);
+            Object device = constructor.newInstance(client);
+            for (Method method : type.getDeclaredMethods()) {
+                if (!Modifier.isPublic(method.getModifiers()) || method.isSynthetic()) {
+                    continue;
+                }
+                Object[] arguments = Arrays.stream(method.getParameterTypes())
+                        .map(UserProgramTest::argument)
+                        .toArray();
+                assertThatThrownBy(() -> method.invoke(device, arguments))
+                        .as("%s", method)
+                        .cause()
+                        .isInstanceOf(PlayerException.class)
+                        .hasMessageContaining("is not offered by this client, which has position2d, sonar");
+            }
+            client.close();
+        }
+    }
+
+    private static Object argument(Class<?> type) {
+        return java.lang.reflect.Array.get(java.lang.reflect.Array.newInstance(type, 1), 0);
+    }
+}
