@@ -74,11 +74,12 @@ final class PaperRun {
         this.endMicros = StrictMath.round(seconds * 1e6);
         this.realtime = realtime;
         this.manner = manner;
-        this.port = check(scenario, table.robots());
+        this.port = check(scenario, table);
     }
 
     /** Whether the world has what the services of the table need; the port on which it is offered. */
-    private static int check(Scenario scenario, int expected) {
+    private static int check(Scenario scenario, SubsumptionTable table) {
+        int expected = table.robots();
         List<RobotSpec> robots = scenario.world().robots();
         if (robots.size() != expected) {
             throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot") + ", expected "
@@ -112,6 +113,15 @@ final class PaperRun {
                             "robot '" + robot.name() + "' is not " + type + ":" + index + " on port " + port
                                     + " of the configuration, expected the robots' devices in the order of the world file on one port");
                 }
+            }
+        }
+        for (int number : table.robotsWithLaser()) {
+            RobotSpec robot = robots.get(number - 1);
+            if (!offered.contains(new Binding("laser", number - 1, robot.name()))) {
+                throw new WorldFileException(
+                        robot.where(),
+                        "robot '" + robot.name() + "' has no laser:" + (number - 1) + " on port " + port
+                                + ", expected one for the services that the table gives to robot " + number);
             }
         }
         return port;

@@ -6,6 +6,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
@@ -13,7 +14,6 @@ import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
-import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -102,12 +102,9 @@ final class Demo1 implements Runnable {
     private int SW(
             Behaviour behaviour, Position2DInterface position, SonarInterface sonar, BlobfinderInterface blobfinder) {
         cycle(behaviour, position, sonar);
-        var sightings = Arrays.stream(blobfinder.getData().getBlobs())
-                .map(blob -> new ColourFinder.Sighting(blob.getColor(), blob.getArea(), blob.getLeft()))
-                .toList();
         var states = SubsumptionTable.ofThePaper();
         return ColourFinder.find(
-                        sightings,
+                        Blob.of(blobfinder.getData()),
                         colour -> colour != color1 && states.state(colour).isPresent())
                 .orElse(0);
     }

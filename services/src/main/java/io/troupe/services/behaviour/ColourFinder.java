@@ -17,19 +17,11 @@ public final class ColourFinder {
     /** Anything smaller is taken for noise. */
     public static final int MIN_AREA_PX2 = 10;
 
-    /**
-     * A patch of colour in the image.
-     *
-     * @param colour {@code 0x00RRGGBB}
-     * @param leftPx its first column
-     */
-    public record Sighting(int colour, int areaPx2, int leftPx) {}
-
     private ColourFinder() {}
 
     /** The colour of the largest patch among those that are of interest. */
-    public static OptionalInt find(List<Sighting> sightings, IntPredicate ofInterest) {
-        return inOrder(sightings, colour -> 0).filter(ofInterest).findFirst();
+    public static OptionalInt find(List<Blob> blobs, IntPredicate ofInterest) {
+        return inOrder(blobs, colour -> 0).filter(ofInterest).findFirst();
     }
 
     /**
@@ -37,16 +29,16 @@ public final class ColourFinder {
      *
      * @param priority of a colour
      */
-    public static IntStream inOrder(List<Sighting> sightings, IntUnaryOperator priority) {
-        if (sightings.isEmpty()) {
+    public static IntStream inOrder(List<Blob> blobs, IntUnaryOperator priority) {
+        if (blobs.isEmpty()) {
             return IntStream.empty(); // mostly, and for many robots many times a second
         }
-        return sightings.stream()
-                .filter(sighting -> sighting.areaPx2 >= MIN_AREA_PX2)
-                .sorted(Comparator.<Sighting>comparingInt(sighting -> priority.applyAsInt(sighting.colour))
-                        .thenComparingInt(Sighting::areaPx2)
+        return blobs.stream()
+                .filter(blob -> blob.areaPx2() >= MIN_AREA_PX2)
+                .sorted(Comparator.<Blob>comparingInt(blob -> priority.applyAsInt(blob.colour()))
+                        .thenComparingInt(Blob::areaPx2)
                         .reversed()
-                        .thenComparingInt(Sighting::leftPx))
-                .mapToInt(Sighting::colour);
+                        .thenComparingInt(Blob::leftPx))
+                .mapToInt(Blob::colour);
     }
 }

@@ -53,6 +53,9 @@ final class Charges implements AutoCloseable {
                     + other.service() + " of another robot: give each service a reference of its own");
         }
         RobotLink link = links.connect(robot);
+        if (service.usesLaser()) {
+            link.devices().useLaser(); // the table need not have the service
+        }
         var loop =
                 new ServiceLoop(space, robot, service, link, reference, finder, observer, links.takeReconnected(robot));
         inCharge.put(robot, loop);

@@ -1,6 +1,6 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Blob;
 import java.util.List;
 import java.util.OptionalInt;
 
@@ -8,12 +8,12 @@ import java.util.OptionalInt;
 @FunctionalInterface
 public interface ColourRule {
     /** None: for services without a colour finder. */
-    ColourRule NONE = (sightings, secondsInCharge) -> OptionalInt.empty();
+    ColourRule NONE = (blobs, secondsInCharge) -> OptionalInt.empty();
 
     /**
      * Picks a colour.
      *
      * @param secondsInCharge since the robot's service took charge, on the robot's clock
      */
-    OptionalInt pick(List<Sighting> sightings, double secondsInCharge);
+    OptionalInt pick(List<Blob> blobs, double secondsInCharge);
 }

@@ -1,23 +1,28 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.player.BlobfinderInterface;
+import io.troupe.player.LaserInterface;
 import io.troupe.player.PlayerClient;
+import io.troupe.player.PlayerException;
 import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.LaserScan;
 import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
-import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One robot's sensors and wheels on a connection.
  *
- * <p><b>Threads.</b> That of the connection. <b>Errors.</b> {@link io.troupe.player.PlayerException} when the server refuses or has gone.
+ * <p><b>Threads.</b> That of the connection. <b>Errors.</b> {@link PlayerException} when the server refuses or has
+ * gone.
  * <p><b>Source.</b> Paper, Figure 7.
  */
 final class RobotDevices {
@@ -27,20 +32,44 @@ final class RobotDevices {
     private final Position2DInterface position;
     private final SonarInterface sonar;
     private final BlobfinderInterface blobfinder;
+    private final PlayerClient client;
+    private final int robot;
+    private @Nullable LaserInterface laser;
+    private @Nullable PlayerBlobfinderData image;
+    private List<Blob> blobs = List.of(); // of that image
     private final ReadingTime time = new ReadingTime();
     private Velocity told = Velocity.STOP;
     private double toldAtSeconds;
 
-    RobotDevices(PlayerClient client, int robot) {
+    /** @param usesLaser whether the laser is subscribed to at once */
+    RobotDevices(PlayerClient client, int robot, boolean usesLaser) {
+        this.client = client;
+        this.robot = robot;
         position = client.requestInterfacePosition2D(robot, PlayerConstants.PLAYER_OPEN_MODE);
         DriverLimits.limit(position);
         sonar = client.requestInterfaceSonar(robot, PlayerConstants.PLAYER_OPEN_MODE);
         blobfinder = client.requestInterfaceBlobfinder(robot, PlayerConstants.PLAYER_OPEN_MODE);
+        if (usesLaser) {
+            useLaser();
+        }
+    }
+
+    /** Subscribes to the laser, unless that has been done: a scan is the largest reading of all, and costs traffic. */
+    void useLaser() {
+        if (laser == null) {
+            try {
+                laser = client.requestInterfaceLaser(robot, PlayerConstants.PLAYER_OPEN_MODE);
+            } catch (PlayerException refused) {
+                throw new PlayerException(
+                        "robot " + (robot + 1) + " is to use its laser: " + refused.getMessage(), refused);
+            }
+        }
     }
 
     /** Whether there has been a reading yet. */
     boolean hasData() {
-        return position.getData() != null && sonar.getData() != null && blobfinder.getData() != null;
+        return position.getData() != null && sonar.getData() != null && blobfinder.getData() != null
+                && (laser == null || laser.getData() != null);
     }
 
     /** When the sonar readings were taken, in seconds on the robot's clock; it never goes back. */
@@ -56,20 +85,23 @@ final class RobotDevices {
     /** The newest readings. */
     Senses senses() {
         var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());
-        return new Senses(timeSeconds(), SonarRing.of(sonar.getData().getRanges()), pose);
+        return new Senses(
+                timeSeconds(),
+                SonarRing.of(sonar.getData().getRanges()),
+                pose,
+                position.getData().getStall() != 0,
+                blobs(),
+                laser == null ? LaserScan.EMPTY : LaserScan.of(laser.getData()));
     }
 
-    /** What the blobfinder saw at the same time. */
-    List<Sighting> sightings() {
-        var blobs = blobfinder.getData().getBlobs();
-        if (blobs.length == 0) {
-            return List.of();
+    /** What the blobfinder saw at the same time; made once for each image, as finder and behaviour both ask for it. */
+    List<Blob> blobs() {
+        var newest = blobfinder.getData();
+        if (newest != image) {
+            blobs = Blob.of(newest);
+            image = newest;
         }
-        List<Sighting> sightings = new ArrayList<>(blobs.length);
-        for (var blob : blobs) {
-            sightings.add(new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()));
-        }
-        return sightings;
+        return blobs;
     }
 
     void drive(Velocity velocity) {

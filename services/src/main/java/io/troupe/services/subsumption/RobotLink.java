@@ -19,19 +19,19 @@ final class RobotLink implements AutoCloseable {
     private @Nullable Deferred<Boolean> waiting;
     private @Nullable Promise<Boolean> reading;
 
-    private RobotLink(PlayerClient client, int robot) {
+    private RobotLink(PlayerClient client, int robot, boolean usesLaser) {
         this.client = client;
         client.requestDataDeliveryMode(
                 PlayerConstants.PLAYER_DATAMODE_PULL); // behind a socket, too, a frame is all readings of a time
         DriverLimits.watch(client);
-        devices = new RobotDevices(client, robot);
+        devices = new RobotDevices(client, robot, usesLaser);
         client.runThreaded(-1, -1);
     }
 
-    static RobotLink connect(String host, int port, int robot) {
+    static RobotLink connect(String host, int port, int robot, boolean usesLaser) {
         var client = new PlayerClient(host, port);
         try {
-            return new RobotLink(client, robot);
+            return new RobotLink(client, robot, usesLaser);
         } catch (RuntimeException refused) {
             client.close();
             throw refused;

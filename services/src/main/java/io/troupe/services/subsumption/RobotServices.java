@@ -96,7 +96,7 @@ public class RobotServices extends Actor {
 
     /** For a state that is not in the table: each of its colours leads somewhere else, at once. */
     private static ColourRule anyOf(SubsumptionTable table) {
-        return (sightings, seconds) -> ColourFinder.inOrder(sightings, table::priority)
+        return (blobs, seconds) -> ColourFinder.inOrder(blobs, table::priority)
                 .filter(colour -> table.state(colour).isPresent())
                 .findFirst();
     }
@@ -116,7 +116,7 @@ public class RobotServices extends Actor {
         var seen = new OptionalInt[] {OptionalInt.empty()};
         return begin(robot, service, reference, (devices, secondsInCharge) -> {
                     if (colourFinder.get() == ServiceLoop.RUN) {
-                        seen[0] = rule.pick(devices.sightings(), secondsInCharge);
+                        seen[0] = rule.pick(devices.blobs(), secondsInCharge);
                         seen[0].ifPresent(colour -> {
                             settings.observer().colourSent(robot, colour);
                             reference.set(ServiceLoop.STOP);
@@ -203,7 +203,7 @@ public class RobotServices extends Actor {
     /** Each once, though there may be several patches of it. Black is walls everywhere, but a table may give it a state. */
     private IntStream coloursToSend(RobotDevices devices) {
         var table = settings.table();
-        return ColourFinder.inOrder(devices.sightings(), table::priority)
+        return ColourFinder.inOrder(devices.blobs(), table::priority)
                 .filter(colour -> colour != Colours.BLACK || table.state(colour).isPresent())
                 .distinct();
     }

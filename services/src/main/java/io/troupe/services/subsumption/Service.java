@@ -18,9 +18,11 @@ import java.util.stream.Stream;
  *
  * @param name as printed; one name in a table means one service
  * @param findsColours whether the robot looks for colours meanwhile, so that it can change the state
+ * @param usesLaser whether its behaviour gets the scans of the robot's laser. The laser of a robot is subscribed to if
+ *     any state of the table gives the robot such a service; a robot without a laser is an error then.
  * @param behaviour makes the control law, anew each time the service takes charge
  */
-public record Service(String name, boolean findsColours, Supplier<Behaviour> behaviour) {
+public record Service(String name, boolean findsColours, boolean usesLaser, Supplier<Behaviour> behaviour) {
     /** Paper, section 3.1. */
     public static final Service WALL_FOLLOWER = wallFollower(CornerStyle.FORWARD);
     /** Paper, section 3.2, with its colour finder. */
@@ -29,6 +31,16 @@ public record Service(String name, boolean findsColours, Supplier<Behaviour> beh
 
     /** Between the names of layers. */
     static final String OVER = " > ";
+
+    /** Without the laser. */
+    public Service(String name, boolean findsColours, Supplier<Behaviour> behaviour) {
+        this(name, findsColours, false, behaviour);
+    }
+
+    /** The same with the laser, so that {@link io.troupe.services.behaviour.Senses#laser} is not empty. */
+    public Service withLaser() {
+        return new Service(name, findsColours, true, behaviour);
+    }
 
     /** The paper's wall follower with another way round corners. */
     public static Service wallFollower(CornerStyle cornerStyle) {
@@ -50,6 +62,7 @@ public record Service(String name, boolean findsColours, Supplier<Behaviour> beh
         return new Service(
                 highestFirst.stream().map(Service::name).collect(Collectors.joining(OVER)),
                 highestFirst.stream().anyMatch(Service::findsColours),
+                highestFirst.stream().anyMatch(Service::usesLaser),
                 new Layers(highestFirst));
     }
 

@@ -35,15 +35,34 @@ public final class ServiceCatalogue {
      * @param name a word
      * @param findsColours whether its robots look for colours, unless a table says otherwise
      * @param yields whether it has nothing to say at times, so that a layer below it makes sense
+     * @param usesLaser whether its behaviour gets the robot's laser, see {@link Service#usesLaser}
      * @param maker reads the arguments, once, and answers what makes the control law, anew each time the service takes charge; what it does not ask
      *     for is refused, and so is what it refuses with an {@link IllegalArgumentException}
      */
     public record Kind(
-            String name, boolean findsColours, boolean yields, Function<ServiceArguments, Supplier<Behaviour>> maker) {
+            String name,
+            boolean findsColours,
+            boolean yields,
+            boolean usesLaser,
+            Function<ServiceArguments, Supplier<Behaviour>> maker) {
         public Kind {
             if (!name.matches(TableLine.WORD)) {
                 throw new IllegalArgumentException("a kind of service is called '" + name + "', expected a word");
             }
+        }
+
+        /** Without the laser. */
+        public Kind(
+                String name,
+                boolean findsColours,
+                boolean yields,
+                Function<ServiceArguments, Supplier<Behaviour>> maker) {
+            this(name, findsColours, yields, false, maker);
+        }
+
+        /** The same with the laser. */
+        public Kind withLaser() {
+            return new Kind(name, findsColours, yields, true, maker);
         }
     }
 

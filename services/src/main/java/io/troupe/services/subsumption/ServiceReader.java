@@ -41,7 +41,7 @@ final class ServiceReader {
         }
         var arguments = new ServiceArguments(line);
         boolean findsColours = line.skips("colours") || !isBlind(line) && kind.findsColours();
-        var service = new Service(name, findsColours, define(line, kindAt, kind, arguments));
+        var service = new Service(name, findsColours, kind.usesLaser(), define(line, kindAt, kind, arguments));
         declared.put(name, service);
         return service;
     }
@@ -96,6 +96,9 @@ final class ServiceReader {
                     at, "there is no service called '" + name + "'" + TableLine.expected("one of", name, known));
         }
         return new Service(
-                name, kind.findsColours(), define(line, at, kind, new ServiceArguments(new TableLine("", 0, ""))));
+                name,
+                kind.findsColours(),
+                kind.usesLaser(),
+                define(line, at, kind, new ServiceArguments(new TableLine("", 0, ""))));
     }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -141,13 +142,28 @@ public final class SubsumptionTable {
 
     /** What the colour finders of a state look for: the colour of the highest priority that ends it, of equal ones the largest. */
     public ColourRule ruleIn(State state) {
-        return (sightings, secondsInCharge) -> ColourFinder.inOrder(sightings, this::priority)
+        return (blobs, secondsInCharge) -> ColourFinder.inOrder(blobs, this::priority)
                 .filter(colour -> next(state, colour, secondsInCharge).isPresent())
                 .findFirst();
     }
 
     public int robots() {
         return first().services().size();
+    }
+
+    /** Whether any state gives a robot, by Player index, a service that uses its laser. */
+    boolean usesLaser(int robot) {
+        return robot >= 0
+                && robot < robots()
+                && states.stream().anyMatch(state -> state.services().get(robot).usesLaser());
+    }
+
+    /** The robots, by number from 1, that some state gives a service that uses the laser, so that they need one. */
+    public List<Integer> robotsWithLaser() {
+        return IntStream.rangeClosed(1, robots())
+                .filter(number -> usesLaser(number - 1))
+                .boxed()
+                .toList();
     }
 
     @Override

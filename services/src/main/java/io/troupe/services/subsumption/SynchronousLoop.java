@@ -92,7 +92,7 @@ final class SynchronousLoop implements AutoCloseable {
             client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // all robots' readings at a time
             DriverLimits.watch(client);
             for (int robot = 0; robot < settings.table().robots(); robot++) {
-                robots.add(new RobotDevices(client, robot));
+                robots.add(new RobotDevices(client, robot, settings.table().usesLaser(robot)));
             }
             putInCharge(null);
             begun.countDown();
@@ -149,7 +149,7 @@ final class SynchronousLoop implements AutoCloseable {
         var service = cycles.get(robot).service();
         var rule = service.findsColours() ? settings.table().ruleIn(state) : ColourRule.NONE;
         cycles.get(robot)
-                .run((devices, secondsInCharge) -> seen = rule.pick(devices.sightings(), secondsInCharge), () -> true);
+                .run((devices, secondsInCharge) -> seen = rule.pick(devices.blobs(), secondsInCharge), () -> true);
         return seen.isEmpty() ? Optional.empty() : settings.table().next(state, seen.getAsInt());
     }
 

@@ -21,6 +21,7 @@ import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.ReplaceRule;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -43,6 +44,8 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     private final float[][] ranges;
     private final int[][] colours;
     private final List<List<DeviceCommand.Velocity>> commands;
+    private final Set<Integer> stalled = new HashSet<>();
+    private final Set<Integer> withLaser = new HashSet<>();
     private long tick;
     private int connectionsMade;
     private boolean refuses;
@@ -73,6 +76,24 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     /** From now on one of the robot's sonars reads so much. */
     public void range(int robot, int sonar, double rangeM) {
         ranges[robot][sonar] = (float) rangeM;
+    }
+
+    /** From now on something holds the robot. */
+    public void stall(int robot) {
+        stalled.add(robot);
+    }
+
+    /** The robot has a laser of three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
+    public void giveLaser(int robot) {
+        withLaser.add(robot);
+    }
+
+    /** How many connections have subscribed to a robot's laser. */
+    public long laserSubscriptions(int robot) {
+        return lines.stream()
+                .flatMap(line -> line.subscribed.stream())
+                .filter(device -> device.interfaceCode() == Interfaces.LASER.code() && device.index() == robot)
+                .count();
     }
 
     /** Delivers the readings of the next moment, so many milliseconds after the last, to all clients in one turn of the space. */
@@ -197,7 +218,11 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
                 }
                 return new DeviceData.Blobs(80, 60, blobs);
             }
-            return new DeviceData.Position2d(0, 0, 0, 0, 0, 0, false);
+            if (device.interfaceCode() == Interfaces.LASER.code()) {
+                float quarter = (float) (Math.PI / 2);
+                return new DeviceData.LaserScan(-quarter, quarter, quarter, 8, List.of(1f, 2f, 3f), List.of(), 0);
+            }
+            return new DeviceData.Position2d(0, 0, 0, 0, 0, 0, stalled.contains(device.index()));
         }
 
         @Override
@@ -205,7 +230,8 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
             return IntStream.range(0, robots)
                     .boxed()
                     .flatMap(robot -> java.util.stream.Stream.of(
-                                    Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER)
+                                    Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER, Interfaces.LASER)
+                            .filter(type -> type != Interfaces.LASER || withLaser.contains(robot))
                             .map(type -> new DeviceAddress(0, PORT, type.code(), robot)))
                     .toList();
         }

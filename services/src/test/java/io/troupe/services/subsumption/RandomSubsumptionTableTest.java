@@ -2,8 +2,9 @@ package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Patch;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -145,9 +146,9 @@ class RandomSubsumptionTableTest {
         for (long seed = 0; seed < TABLES; seed++) {
             SubsumptionTable table = table(seed);
             State state = table.states().get(random.nextInt(table.states().size()));
-            List<Sighting> seen = IntStream.range(0, random.nextInt(6))
+            List<Blob> seen = IntStream.range(0, random.nextInt(6))
                     .mapToObj(left ->
-                            new Sighting(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
+                            Patch.of(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
                     .collect(Collectors.toCollection(ArrayList::new));
             Collections.shuffle(seen, random);
             double seconds = random.nextInt(20) / 10.0;
@@ -169,9 +170,9 @@ class RandomSubsumptionTableTest {
     }
 
     /** The words of the guide, patch by patch. */
-    private static OptionalInt byEye(SubsumptionTable table, State state, List<Sighting> seen, double seconds) {
-        Sighting best = null;
-        for (Sighting each : seen) {
+    private static OptionalInt byEye(SubsumptionTable table, State state, List<Blob> seen, double seconds) {
+        Blob best = null;
+        for (Blob each : seen) {
             boolean other = table.states().stream().anyMatch(to -> to.colour() == each.colour())
                     && each.colour() != state.colour();
             int priority = table.priorities().getOrDefault(each.colour(), 0);
@@ -184,7 +185,7 @@ class RandomSubsumptionTableTest {
         return best == null ? OptionalInt.empty() : OptionalInt.of(best.colour());
     }
 
-    private static boolean isBefore(SubsumptionTable table, Sighting one, Sighting other) {
+    private static boolean isBefore(SubsumptionTable table, Blob one, Blob other) {
         int priority = table.priorities().getOrDefault(one.colour(), 0);
         int otherPriority = table.priorities().getOrDefault(other.colour(), 0);
         if (priority != otherPriority) {

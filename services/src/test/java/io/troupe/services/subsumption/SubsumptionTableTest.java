@@ -3,7 +3,7 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Patch;
 import io.troupe.services.behaviour.SpaceWanderer;
 import java.util.List;
 import java.util.Optional;
@@ -173,9 +173,9 @@ class SubsumptionTableTest {
         assertThat(table.next(table.state(Colours.GREEN).orElseThrow(), Colours.RED, 1))
                 .isEmpty();
         var both = List.of(
-                new Sighting(Colours.RED, 500, 0),
-                new Sighting(Colours.GREEN, 20, 0),
-                new Sighting(Colours.BLACK, 900, 0));
+                Patch.of(Colours.RED, 500, 0),
+                Patch.of(Colours.GREEN, 20, 0),
+                Patch.of(Colours.BLACK, 900, 0));
         assertThat(table.ruleIn(blue).pick(both, 5)).hasValue(Colours.GREEN);
         assertThat(table.ruleIn(blue).pick(both.subList(0, 1), 1)).isEmpty();
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1).hold(Double.NaN))
@@ -197,7 +197,7 @@ class SubsumptionTableTest {
                 .when(Colours.GREEN, Service.SPACE_WANDERER)
                 .priority(Colours.RED, Integer.MIN_VALUE)
                 .build();
-        var seen = List.of(new Sighting(Colours.RED, 900, 0), new Sighting(Colours.GREEN, 20, 40));
+        var seen = List.of(Patch.of(Colours.RED, 900, 0), Patch.of(Colours.GREEN, 20, 40));
         assertThat(table.ruleIn(table.first()).pick(seen, 0)).hasValue(Colours.GREEN);
     }
 

@@ -7,6 +7,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.actor.time.Clock;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Senses;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -66,6 +67,37 @@ class SynchronousLoopTest {
             assertCommands(2, 1);
             run.check();
         }
+    }
+
+    @Test
+    void service_getsBlobsStallAndLaser_asInTheOtherModes() throws InterruptedException {
+        robots.giveLaser(1);
+        robots.stall(1);
+        robots.show(1, Colours.RED);
+        List<Senses> readings = Collections.synchronizedList(new ArrayList<>());
+        var looking = new Service("looking", false, () -> senses -> {
+                    readings.add(senses);
+                    return Optional.empty();
+                })
+                .withLaser();
+        var table = SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, WF, looking)
+                .allowFinal()
+                .build();
+        var settings = new SubsumptionRun.Settings(
+                Mode.SYNC, "localhost", FakeRobots.PORT, table, Clock.system(), charge, (state, seenBy) -> {});
+        try (var run = SubsumptionRun.start(settings)) {
+            assertThat(robots.laserSubscriptions(0)).isZero();
+            assertThat(robots.laserSubscriptions(1)).isOne();
+            robots.tickAndAwait(100);
+            robots.tickAndAwait(100);
+            run.check();
+        }
+        assertThat(readings).singleElement().satisfies(senses -> {
+            assertThat(senses.stalled()).isTrue();
+            assertThat(senses.largestBlob(Colours.RED)).isPresent();
+            assertThat(senses.laser().nearestM(-0.1, 0.1)).isEqualTo(2);
+        });
     }
 
     @Test

@@ -2,11 +2,14 @@ package io.troupe.services.component.kinds;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.LaserScan;
 import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ComponentCommunication;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -19,6 +22,9 @@ final class BehaviourCommunication implements ComponentCommunication<BehaviourIn
     private @Nullable Behaviour behaviour;
     private @Nullable Signals<? super Velocity> signals;
     private RobotPose pose = UNKNOWN;
+    private boolean stalled;
+    private List<Blob> blobs = List.of();
+    private LaserScan scan = LaserScan.EMPTY;
     private final ReadingTime time = new ReadingTime();
     private double lastSeconds = Double.NEGATIVE_INFINITY;
 
@@ -36,7 +42,12 @@ final class BehaviourCommunication implements ComponentCommunication<BehaviourIn
     @Override
     public void data(BehaviourInput input) {
         switch (input) {
-            case BehaviourInput.Pose(RobotPose newest) -> pose = newest;
+            case BehaviourInput.Position position -> {
+                pose = position.pose();
+                stalled = position.stalled();
+            }
+            case BehaviourInput.Image image -> blobs = image.blobs();
+            case BehaviourInput.Laser laser -> scan = laser.scan();
             case BehaviourInput.Ranges ranges -> step(ranges);
         }
     }
@@ -49,7 +60,7 @@ final class BehaviourCommunication implements ComponentCommunication<BehaviourIn
         lastSeconds = nowSeconds;
         Optional<Velocity> wanted;
         try {
-            wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose));
+            wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose, stalled, blobs, scan));
         } catch (RuntimeException | Error thrown) {
             signals.data(Velocity.STOP); // nobody is left who would
             throw thrown;

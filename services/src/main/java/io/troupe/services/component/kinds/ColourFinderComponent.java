@@ -53,7 +53,7 @@ public final class ColourFinderComponent {
 
         @Override
         public void data(BlobsReading picture) {
-            var found = ColourFinder.find(picture.sightings(), colour -> !ignored.contains(colour));
+            var found = ColourFinder.find(picture.blobs(), colour -> !ignored.contains(colour));
             if (found.isPresent() && !found.equals(inSight) && signals != null) {
                 signals.data(new ColourSeen(picture.timeSeconds(), found.getAsInt()));
             }

@@ -58,14 +58,18 @@ public final class Kinds {
                         new Parameter("host", "where the server is", "localhost"),
                         new Parameter("port", "its port", "6665"),
                         new Parameter("robots", "their numbers, 1 for Player index 0", "1"),
-                        new Parameter("camera", "yes or no: whether they have blobfinders", "yes")),
+                        new Parameter("camera", "yes or no: whether they have blobfinders", "yes"),
+                        new Parameter("laser", "yes or no: whether they have lasers, and scans are published", "no")),
                 (name, arguments) -> PlayerComponent.of(new PlayerComponent.Settings(
                         arguments.text("host"),
                         arguments.integer("port", 1, LAST_PORT),
                         arguments.integers("robots", 1, MOST_ROBOTS),
-                        arguments
-                                .oneOf("camera", List.of("yes", "no"), word -> word)
-                                .equals("yes"))));
+                        isYes(arguments, "camera"),
+                        isYes(arguments, "laser"))));
+    }
+
+    private static boolean isYes(Arguments arguments, String name) {
+        return arguments.oneOf(name, List.of("yes", "no"), word -> word).equals("yes");
     }
 
     private static Kind wallFollower() {

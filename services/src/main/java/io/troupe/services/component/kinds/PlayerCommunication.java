@@ -29,8 +29,7 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
         try {
             DriverLimits.watch(connected);
             settings.robots()
-                    .forEach(number ->
-                            robots.put(number - 1, new PlayerRobot(connected, number - 1, settings.camera())));
+                    .forEach(number -> robots.put(number - 1, new PlayerRobot(connected, number - 1, settings)));
             connected.runThreaded(-1, -1);
         } catch (RuntimeException refused) {
             connected.close();

@@ -11,7 +11,8 @@ import java.util.Map;
 /**
  * A Player server, ours or a real one, as a component: its robots say what they sense, and hear how to move.
  *
- * <p><b>Role.</b> Robot n publishes {@code robotn/sonar}, {@code robotn/position} and {@code robotn/blobs}, and drives as {@code robotn/velocity} says. When no
+ * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and {@code robotn/blobs} and
+ * {@code robotn/laser} if the settings say that it has these; it drives as {@code robotn/velocity} says. When no
  * velocity has come for {@value PlayerRobot#PATIENCE_READINGS} readings, the robot is stopped, and this is told.
  * <p><b>Threads.</b> A server in this JVM is found by its port; its world waits, in lock step, until the space of the interface has nothing left to do. Connecting to
  * a server behind a socket holds the space meanwhile.
@@ -22,14 +23,20 @@ public final class PlayerComponent {
      * Where the server is, and what of it is used.
      *
      * @param robots by number from 1, which is the Player index plus one
-     * @param camera whether they have blobfinders
+     * @param camera whether they have blobfinders, which are subscribed to then
+     * @param laser whether they have lasers, which are subscribed to then
      */
-    public record Settings(String host, int port, List<Integer> robots, boolean camera) {
+    public record Settings(String host, int port, List<Integer> robots, boolean camera, boolean laser) {
         public Settings {
             robots = List.copyOf(robots);
             if (robots.isEmpty() || robots.stream().anyMatch(number -> number < 1)) {
                 throw new IllegalArgumentException("robots are " + robots + ", expected numbers from 1");
             }
+        }
+
+        /** Without lasers. */
+        public Settings(String host, int port, List<Integer> robots, boolean camera) {
+            this(host, port, robots, camera, false);
         }
 
         String where() {
@@ -51,6 +58,9 @@ public final class PlayerComponent {
             publishes.add(RobotTopics.sonar(robot));
             if (settings.camera()) {
                 publishes.add(RobotTopics.blobs(robot));
+            }
+            if (settings.laser()) {
+                publishes.add(RobotTopics.laser(robot));
             }
         }
         return new Component<>(

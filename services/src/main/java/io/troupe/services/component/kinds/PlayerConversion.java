@@ -1,19 +1,21 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.player.structures.laser.PlayerLaserData;
+import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Conversion;
 import io.troupe.services.component.kinds.PlayerSignal.Blobs;
+import io.troupe.services.component.kinds.PlayerSignal.Laser;
 import io.troupe.services.component.kinds.PlayerSignal.Position;
 import io.troupe.services.component.kinds.PlayerSignal.Reading;
 import io.troupe.services.component.kinds.PlayerSignal.SetSpeed;
 import io.troupe.services.component.kinds.PlayerSignal.Sonar;
 import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
+import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 
@@ -42,12 +44,9 @@ final class PlayerConversion implements Conversion<SetSpeed, Reading> {
                     case Blobs blobs ->
                         new ApplicationData<>(
                                 RobotTopics.blobs(robot),
-                                new BlobsReading(
-                                        timeSeconds,
-                                        Arrays.stream(blobs.data().getBlobs())
-                                                .map(blob ->
-                                                        new Sighting(blob.getColor(), blob.getArea(), blob.getLeft()))
-                                                .toList()));
+                                new BlobsReading(timeSeconds, Blob.of(blobs.data())));
+                    case Laser laser ->
+                        new ApplicationData<>(RobotTopics.laser(robot), scan(timeSeconds, laser.data()));
                 });
     }
 
@@ -57,6 +56,15 @@ final class PlayerConversion implements Conversion<SetSpeed, Reading> {
             metres.add((double) range);
         }
         return metres;
+    }
+
+    private static LaserReading scan(double timeSeconds, PlayerLaserData scan) {
+        return new LaserReading(
+                timeSeconds,
+                scan.getMin_angle(),
+                scan.getMax_angle(),
+                scan.getMax_range(),
+                metres(scan.getRanges()));
     }
 
     private static PositionReading position(double timeSeconds, Position position) {

@@ -1,6 +1,7 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.player.BlobfinderInterface;
+import io.troupe.player.LaserInterface;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
@@ -26,21 +27,28 @@ final class PlayerRobot {
     private final Position2DInterface position;
     private final SonarInterface sonar;
     private final @Nullable BlobfinderInterface blobfinder;
+    private final @Nullable LaserInterface laser;
     private double sonarSeconds = Double.NEGATIVE_INFINITY;
     private double positionSeconds = Double.NEGATIVE_INFINITY;
     private double blobsSeconds = Double.NEGATIVE_INFINITY;
+    private double laserSeconds = Double.NEGATIVE_INFINITY;
     private boolean moves;
     private int readingsSinceCommand;
 
-    PlayerRobot(PlayerClient client, int index, boolean camera) {
+    PlayerRobot(PlayerClient client, int index, PlayerComponent.Settings settings) {
         this.index = index;
         position = client.requestInterfacePosition2D(index, PlayerConstants.PLAYER_OPEN_MODE);
         DriverLimits.limit(position);
         sonar = client.requestInterfaceSonar(index, PlayerConstants.PLAYER_OPEN_MODE);
-        blobfinder = camera ? client.requestInterfaceBlobfinder(index, PlayerConstants.PLAYER_OPEN_MODE) : null;
+        blobfinder =
+                settings.camera() ? client.requestInterfaceBlobfinder(index, PlayerConstants.PLAYER_OPEN_MODE) : null;
+        laser = settings.laser() ? client.requestInterfaceLaser(index, PlayerConstants.PLAYER_OPEN_MODE) : null;
     }
 
-    /** Says what is new, by another time stamp than before, older ones too: a clock may be set back; the pose and the picture before the ranges, so that whoever reacts to these knows the rest. */
+    /**
+     * Publishes what is new, by another time stamp than before, older ones too: a clock may be set back. Pose, picture
+     * and scan come before the ranges, so that a subscriber that reacts to these knows the rest.
+     */
     void report(Signals<? super PlayerSignal.Reading> signals) {
         var pose = position.getData();
         if (pose != null && position.getTimestamp() != positionSeconds) {
@@ -51,6 +59,11 @@ final class PlayerRobot {
         if (picture != null && blobfinder.getTimestamp() != blobsSeconds) {
             blobsSeconds = blobfinder.getTimestamp();
             signals.data(new PlayerSignal.Blobs(index, blobsSeconds, picture));
+        }
+        var scan = laser == null ? null : laser.getData();
+        if (scan != null && laser.getTimestamp() != laserSeconds) {
+            laserSeconds = laser.getTimestamp();
+            signals.data(new PlayerSignal.Laser(index, laserSeconds, scan));
         }
         var ranges = sonar.getData();
         if (ranges != null && sonar.getTimestamp() != sonarSeconds) {

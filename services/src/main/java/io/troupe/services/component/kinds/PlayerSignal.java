@@ -1,6 +1,7 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.player.structures.laser.PlayerLaserData;
 import io.troupe.player.structures.position2d.PlayerPosition2dData;
 import io.troupe.player.structures.sonar.PlayerSonarData;
 
@@ -17,6 +18,8 @@ sealed interface PlayerSignal {
     }
 
     record Sonar(int index, double timestamp, PlayerSonarData data) implements Reading {}
+
+    record Laser(int index, double timestamp, PlayerLaserData data) implements Reading {}
 
     record Position(int index, double timestamp, PlayerPosition2dData data) implements Reading {}
 

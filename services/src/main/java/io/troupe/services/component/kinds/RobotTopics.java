@@ -1,6 +1,6 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.bus.Topic;
 import java.util.List;
@@ -23,9 +23,23 @@ public final class RobotTopics {
     public record PositionReading(double timeSeconds, double xM, double yM, double headingRad, boolean stalled) {}
 
     /** What the camera sees. */
-    public record BlobsReading(double timeSeconds, List<Sighting> sightings) {
+    public record BlobsReading(double timeSeconds, List<Blob> blobs) {
         public BlobsReading {
-            sightings = List.copyOf(sightings);
+            blobs = List.copyOf(blobs);
+        }
+    }
+
+    /**
+     * A laser's scan, from right to left, with equal angles between its beams.
+     *
+     * @param minBearingRad of the first beam, from the laser's axis, left positive
+     * @param maxBearingRad of the last beam
+     * @param maxRangeM the farthest that the laser measures
+     */
+    public record LaserReading(
+            double timeSeconds, double minBearingRad, double maxBearingRad, double maxRangeM, List<Double> rangesM) {
+        public LaserReading {
+            rangesM = List.copyOf(rangesM);
         }
     }
 
@@ -44,6 +58,10 @@ public final class RobotTopics {
 
     public static Topic<BlobsReading> blobs(String owner) {
         return new Topic<>(owner + "/blobs", BlobsReading.class);
+    }
+
+    public static Topic<LaserReading> laser(String owner) {
+        return new Topic<>(owner + "/laser", LaserReading.class);
     }
 
     public static Topic<Velocity> velocity(String owner) {

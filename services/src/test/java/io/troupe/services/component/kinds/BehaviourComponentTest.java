@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.services.behaviour.Behaviour;
-import io.troupe.services.behaviour.ColourFinder.Sighting;
+import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.Patch;
+import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
@@ -14,7 +16,9 @@ import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.Notes;
+import io.troupe.services.component.kinds.BehaviourComponent.Sense;
 import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
+import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
 import io.troupe.services.subsumption.Colours;
@@ -81,6 +85,39 @@ class BehaviourComponentTest {
         test.run(() -> user.publish(RobotTopics.position("driver"), new PositionReading(0.1, 3, 4, 0.5, false)));
         ranges(0.1, 5);
         assertThat(velocities).containsExactly(new Velocity(3, 0.5));
+    }
+
+    @Test
+    void behaviourThatAsksForThem_getsBlobsLaserAndStall_thatCameBefore() {
+        List<Senses> readings = new ArrayList<>();
+        start(BehaviourComponent.of(
+                "driver", "driving", List.of(), Set.of(Sense.BLOBS, Sense.LASER), () -> senses -> {
+                    readings.add(senses);
+                    return Optional.empty();
+                }));
+        ranges(0.1, 5);
+        test.run(() -> {
+            user.publish(RobotTopics.position("driver"), new PositionReading(0.2, 0, 0, 0, true));
+            user.publish(RobotTopics.laser("driver"), new LaserReading(0.2, -1, 1, 8, List.of(1.0, 2.0, 3.0)));
+        });
+        picture(0.2, Colours.RED);
+        ranges(0.2, 5);
+        assertThat(readings.getFirst().laser().isEmpty()).isTrue();
+        assertThat(readings.getFirst().blobs()).isEmpty();
+        assertThat(readings.getLast().stalled()).isTrue();
+        assertThat(readings.getLast().blobs()).containsExactly(Patch.of(Colours.RED, 100, 0));
+        assertThat(readings.getLast().laser().rangeM(2)).isEqualTo(3);
+        assertThat(readings.getLast().laser().bearingRad(2)).isEqualTo(1);
+    }
+
+    @Test
+    void behaviourThatDoesNotAsk_hearsNeitherBlobsNorLaser() {
+        var plain = BehaviourComponent.of("c", "driving", List.of(), () -> senses -> Optional.empty());
+        assertThat(plain.hears()).containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"));
+        var looking = BehaviourComponent.of(
+                "c", "driving", List.of(), Set.of(Sense.BLOBS), () -> senses -> Optional.empty());
+        assertThat(looking.hears())
+                .containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"), RobotTopics.blobs("c"));
     }
 
     @Test
@@ -173,11 +210,11 @@ class BehaviourComponentTest {
         assertThat(colours).containsExactly("0.2 red", "0.4 green", "0.6 green");
     }
 
-    private void picture(double timeSeconds, int... blobs) {
-        List<Sighting> sightings = new ArrayList<>();
-        for (int colour : blobs) {
-            sightings.add(new Sighting(colour, 100, 0));
+    private void picture(double timeSeconds, int... seen) {
+        List<Blob> blobs = new ArrayList<>();
+        for (int colour : seen) {
+            blobs.add(Patch.of(colour, 100, 0));
         }
-        test.run(() -> user.publish(RobotTopics.blobs("driver"), new BlobsReading(timeSeconds, sightings)));
+        test.run(() -> user.publish(RobotTopics.blobs("driver"), new BlobsReading(timeSeconds, blobs)));
     }
 }

@@ -68,8 +68,8 @@ class PlayerComponentTest {
             user.subscribe(RobotTopics.position("robot2"), (reading, from) -> heard.add("2 at " + reading.xM()));
             user.subscribe(
                     RobotTopics.blobs("robot2"),
-                    (reading, from) -> heard.add("2 sees " + reading.sightings().size() + ", the second "
-                            + Colours.name(reading.sightings().get(1).colour())));
+                    (reading, from) -> heard.add("2 sees " + reading.blobs().size() + ", the second "
+                            + Colours.name(reading.blobs().get(1).colour())));
         });
         started();
         robots.range(0, 3, 1.5);
@@ -78,6 +78,33 @@ class PlayerComponentTest {
         assertThat(heard).containsExactlyInAnyOrder("1 at 0.1 sonar 3 1.5", "2 at 0.0", "2 sees 2, the second red");
         robots.tick(100);
         assertThat(heard).hasSize(6);
+    }
+
+    @Test
+    void laser_isSubscribedToAndPublished_onlyIfTheSettingsSaySo() {
+        robots.giveLaser(0);
+        robots.giveLaser(1);
+        List<RobotTopics.LaserReading> scans = new ArrayList<>();
+        test.run(() -> user.subscribe(RobotTopics.laser("robot1"), (scan, from) -> scans.add(scan)));
+        started();
+        robots.tick(100);
+        assertThat(robots.laserSubscriptions(0)).isZero();
+        assertThat(scans).isEmpty();
+
+        var settings = new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(1), false, true);
+        var withLaser = new ArrayList<ComponentInterface<?, ?>>();
+        test.run(() -> withLaser.add(ComponentInterface.open(bus, "lasers", PlayerComponent.of(settings), notes)));
+        test.get(withLaser.getFirst().start().thenApply(runs -> true));
+        robots.tick(100);
+        assertThat(robots.laserSubscriptions(0)).isOne();
+        assertThat(robots.laserSubscriptions(1)).isZero();
+        assertThat(scans).singleElement().satisfies(scan -> {
+            assertThat(scan.timeSeconds()).isEqualTo(0.2);
+            assertThat(scan.rangesM()).containsExactly(1.0, 2.0, 3.0);
+            assertThat(scan.maxBearingRad()).isEqualTo((float) (Math.PI / 2));
+            assertThat(scan.maxRangeM()).isEqualTo(8);
+        });
+        test.run(withLaser.getFirst()::close);
     }
 
     @Test

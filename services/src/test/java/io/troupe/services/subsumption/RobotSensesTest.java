@@ -1,0 +1,150 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.player.PlayerException;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.LaserScan;
+import io.troupe.services.behaviour.Senses;
+import io.troupe.services.behaviour.Velocity;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** What a behaviour gets of blobs, laser and stall, and what is subscribed to for it. */
+class RobotSensesTest {
+    private final TestSpace test = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(test, 2);
+    private final List<Senses> readings = new ArrayList<>();
+    private final Service looking = new Service("looking", false, this::note);
+    private final Service scanning = new Service("scanning", false, this::note).withLaser();
+
+    private Behaviour note() {
+        return senses -> {
+            readings.add(senses);
+            return Optional.of(new Velocity(senses.laser().isEmpty() ? 0 : senses.laser().rangeM(1), 0));
+        };
+    }
+
+    @AfterEach
+    void close() {
+        test.close();
+        robots.close();
+    }
+
+    private RobotServices services(Service first, Service second) {
+        var table = SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, first, second)
+                .allowFinal()
+                .build();
+        var settings = RobotServices.Settings.ofThePaper()
+                .withPort(FakeRobots.PORT)
+                .withTable(table);
+        return test.spawn(RobotServices.class, () -> new RobotServices(settings));
+    }
+
+    private static AtomicReference<Integer> running() {
+        return new AtomicReference<>(1);
+    }
+
+    private void serve(RobotServices services, int robot, Service service) {
+        services.serve(robot, service, running(), new AtomicReference<>(0), ColourRule.NONE);
+        test.crank();
+    }
+
+    @Test
+    void behaviour_getsBlobsAndStall_ofTheSameReading() {
+        serve(services(looking, looking), 0, looking);
+        robots.tick(100);
+        robots.show(0, Colours.RED);
+        robots.stall(0);
+        robots.tick(100);
+        assertThat(readings).extracting(Senses::stalled).containsExactly(false, true);
+        assertThat(readings.getFirst().largestBlob(Colours.RED)).isEmpty();
+        assertThat(readings.getLast().largestBlob(Colours.RED)).hasValueSatisfying(blob -> {
+            assertThat(List.of(blob.leftPx(), blob.rightPx(), blob.topPx(), blob.bottomPx()))
+                    .containsExactly(35, 45, 25, 35);
+            assertThat(List.of(blob.imageWidthPx(), blob.imageHeightPx())).containsExactly(80, 60);
+            assertThat(blob.rangeM()).isEqualTo(1);
+            assertThat(blob.areaPx2()).isEqualTo(100);
+        });
+    }
+
+    @Test
+    void serviceWithoutLaser_getsAnEmptyScan_andNothingIsSubscribedTo() {
+        robots.giveLaser(0);
+        serve(services(looking, looking), 0, looking);
+        robots.tick(100);
+        assertThat(readings).extracting(Senses::laser).containsExactly(LaserScan.EMPTY);
+        assertThat(robots.laserSubscriptions(0)).isZero();
+    }
+
+    @Test
+    void serviceWithLaser_getsTheScan_andOnlyItsRobotIsSubscribedTo() {
+        robots.giveLaser(0);
+        robots.giveLaser(1);
+        var services = services(scanning, looking);
+        serve(services, 0, scanning);
+        serve(services, 1, looking);
+        robots.tick(100);
+        assertThat(robots.laserSubscriptions(0)).isOne();
+        assertThat(robots.laserSubscriptions(1)).isZero();
+        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(2, 0, 0, true));
+        assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
+        var scan = readings.getFirst().laser();
+        assertThat(scan.bearingRad(2)).isEqualTo((float) (Math.PI / 2));
+        assertThat(scan.maxRangeM()).isEqualTo(8);
+    }
+
+    @Test
+    void layerWithLaser_makesItsServiceUseIt() {
+        robots.giveLaser(0);
+        Service layers = scanning.over(Service.WALL_FOLLOWER);
+        assertThat(layers.usesLaser()).isTrue();
+        serve(services(layers, looking), 0, layers);
+        robots.tick(100);
+        assertThat(readings.getFirst().laser().size()).isEqualTo(3);
+    }
+
+    @Test
+    void serviceThatTheTableDoesNotHave_getsTheLaserAllTheSame() {
+        robots.giveLaser(0);
+        var services = services(looking, looking);
+        var first = running();
+        services.serve(0, looking, first, new AtomicReference<>(0), ColourRule.NONE);
+        robots.tick(100);
+        test.get(services.stop(first));
+        serve(services, 0, scanning);
+        robots.tick(100);
+        robots.tick(100);
+        assertThat(readings).extracting(each -> each.laser().size()).containsExactly(0, 3, 3);
+    }
+
+    @Test
+    void robotWithoutLaser_isAnErrorThatNamesIt() {
+        var services = services(scanning, looking);
+        var end = services.serve(
+                0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);
+        test.crank();
+        assertThat(test.error(end))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageStartingWith("robot 1 is to use its laser: ")
+                .hasMessageContaining("laser:0 is not in the device list");
+        assertThat(robots.connections()).isZero();
+    }
+
+    @Test
+    void kindWithLaser_makesServicesThatUseIt_declaredOrByItsName() {
+        var catalogue = ServiceCatalogue.standard()
+                .with(new ServiceCatalogue.Kind("look", true, true, arguments -> this::note).withLaser());
+        var table = SubsumptionTableReader.parse(
+                "robots 3\nservice far = look\nstate red : far, look, spaceWanderer\n", "t", catalogue);
+        assertThat(table.first().services()).extracting(Service::usesLaser).containsExactly(true, true, false);
+        assertThat(table.robotsWithLaser()).containsExactly(1, 2);
+    }
+}
