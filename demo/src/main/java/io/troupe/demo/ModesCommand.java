@@ -1,10 +1,10 @@
 package io.troupe.demo;
 
 import io.troupe.demo.terminal.OutputDirectory;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
@@ -13,6 +13,7 @@ import java.util.EnumMap;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -36,6 +37,9 @@ final class ModesCommand implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private Path world = Path.of(System.getProperty("troupe.home", ""), "demo", "worlds", "paper-arena.world");
 
+    @Mixin
+    private WorldReading reading;
+
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run in each mode")
     private double seconds = 300;
 
@@ -51,7 +55,7 @@ final class ModesCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        Scenario scenario = ScenarioReader.read(world);
+        Scenario scenario = reading.read(world);
         OutputDirectory.make(spec, out);
         var results = new EnumMap<Mode, RunResult>(Mode.class);
         for (Mode mode : Mode.values()) {

@@ -1,8 +1,8 @@
 package io.troupe.demo.app;
 
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -13,6 +13,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -52,6 +53,9 @@ public final class AppCommand implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
+    @Mixin
+    private WorldReading reading;
+
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
@@ -70,7 +74,7 @@ public final class AppCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        Scenario scenario = ScenarioReader.read(world);
+        Scenario scenario = reading.read(world);
         var interrupted = new AtomicBoolean();
         var finished = new CountDownLatch(1);
         var hook = new Thread(() -> awaitEnd(interrupted, finished), "finish");

@@ -2,6 +2,7 @@ package io.troupe.demo.evaluate;
 
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -15,6 +16,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -93,6 +95,9 @@ public final class EvaluateCommand implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
+    @Mixin
+    private WorldReading reading;
+
     @Option(names = "--out", paramLabel = "DIR", description = "where evaluation.csv and the pictures go")
     private Path out = Path.of("out");
 
@@ -101,10 +106,11 @@ public final class EvaluateCommand implements Callable<Integer> {
         System.setProperty("java.awt.headless", "true"); // pictures need no screen
         var settings = settings();
         prepare(settings.log());
+        var paperWorld = PaperWorld.of(reading.read(world), world);
         long begin = System.nanoTime();
         Measurements measurements;
         try (var progress = new EvaluationProgress(TerminalLine.open())) {
-            measurements = new Evaluation(settings, progress).measure();
+            measurements = new Evaluation(settings, paperWorld, progress).measure();
         }
         double tookSeconds = (System.nanoTime() - begin) / 1e9;
         PrintWriter terminal = spec.commandLine().getOut();

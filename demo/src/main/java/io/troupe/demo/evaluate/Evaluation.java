@@ -14,9 +14,10 @@ final class Evaluation {
     private final EvaluationProgress progress;
     private final Measurements measurements = new Measurements();
 
-    Evaluation(EvaluationSettings settings, EvaluationProgress progress) {
+    /** @param world that of the settings */
+    Evaluation(EvaluationSettings settings, PaperWorld world, EvaluationProgress progress) {
         this.settings = settings;
-        this.world = PaperWorld.read(settings.world());
+        this.world = world;
         this.plan = new Plan(settings);
         this.progress = progress;
     }
