@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every command that reads a world warns of what is not simulated, and of names that nobody knows only with {@code --lenient}. */
+/** Every command that reads a world warns of what is not simulated; unknown names are errors without {@code --lenient}. */
 class WorldWarningsTest {
     @TempDir
     private Path directory;

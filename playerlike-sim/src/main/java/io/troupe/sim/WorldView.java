@@ -76,8 +76,8 @@ public final class WorldView {
     }
 
     /**
-     * How many sonars the robot has: those of its {@code sonar}, or, of a robot without, in the dialect of Stage 4, the sensors of its first {@code ranger} each of which casts one
-     * ray.
+     * How many sonars the robot has: those of its {@code sonar}, or, if it has none, as in the dialect of Stage 4, the
+     * sensors of its first {@code ranger} whose sensors cast one ray each.
      */
     public int sonarCount(int robot) {
         RobotDevices its = world.devices(robot);

@@ -10,7 +10,10 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
-/** How every command reads a world: warnings with their places on the error stream, unknown names only with {@code --lenient}. */
+/**
+ * How every command reads a world: warnings with their places go to the error stream; unknown names are warnings only with
+ * {@code --lenient}.
+ */
 public final class WorldReading {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;

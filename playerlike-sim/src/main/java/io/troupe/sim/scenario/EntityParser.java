@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Reads the grammar that world and configuration files share into a tree, without knowing any entity or property.
  *
- * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one; {@code define new old ( .. )} makes a macro, also of a
- * macro.
+ * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one;
+ * {@code define new old ( .. )} makes a macro, also of a macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;

@@ -1,7 +1,8 @@
 package io.troupe.sim.scenario;
 
 /**
- * A name and its value: {@code size [1 2 3]}, {@code point[0] [0 1]}, {@code polygon[0].point[1] [0 1]} whose name is {@code polygon[0].point}.
+ * A name and its value: {@code size [1 2 3]}, {@code point[0] [0 1]}, {@code polygon[0].point[1] [0 1]} whose name is
+ * {@code polygon[0].point}.
  *
  * @param index the number in brackets after the name, {@link #NO_INDEX} if there is none
  */

@@ -16,9 +16,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Constructs of the worlds that come with Stage 2 to 4: read without an option, with a warning where something is not simulated. */
+/** Constructs of the worlds that come with Stage 2 to 4 are read without an option, some with a warning. */
 class StageWorldsTest {
-    private static final Path RESOURCES = Path.of("src", "test", "resources", "io", "troupe", "sim", "scenario", "stage");
+    private static final Path RESOURCES = Path.of("src/test/resources/io/troupe/sim/scenario/stage");
 
     @TempDir
     private Path dir;
