@@ -1,13 +1,12 @@
 package io.troupe.demo;
 
-import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -17,6 +16,7 @@ import java.util.concurrent.Callable;
 import java.util.stream.Collectors;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -40,6 +40,9 @@ final class ModesCommand implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private Path world = Path.of(System.getProperty("troupe.home", ""), "demo", "worlds", "paper-arena.world");
 
+    @Mixin
+    private WorldReading reading;
+
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run in each mode")
     private double seconds = 300;
 
@@ -55,8 +58,7 @@ final class ModesCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        FileProblems.checkInput(spec, world, "a world file");
-        Scenario scenario = ScenarioReader.read(world);
+        Scenario scenario = reading.read(world);
         OutputDirectory.make(spec, out);
         try (var interruption = Interruption.open()) {
             var results = new EnumMap<Mode, RunResult>(Mode.class);

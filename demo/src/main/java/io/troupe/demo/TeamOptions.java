@@ -2,16 +2,16 @@ package io.troupe.demo;
 
 import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
-import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.scenario.CrowdWorld;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -37,6 +37,9 @@ final class TeamOptions {
             description = "a .world or .cfg file; the paper's arena unless given",
             showDefaultValue = Visibility.NEVER)
     private @Nullable Path world;
+
+    @Mixin
+    private WorldReading reading;
 
     @Option(
             names = "--robots",
@@ -87,8 +90,7 @@ final class TeamOptions {
         refuseWithoutCrowd("--hold", holdSeconds);
         Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
         var services = table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table);
-        FileProblems.checkInput(spec, file, "a world file");
-        return new Team(ScenarioReader.read(file), services);
+        return new Team(reading.read(file), services);
     }
 
     private void refuseWithoutCrowd(String option, @Nullable Number value) {

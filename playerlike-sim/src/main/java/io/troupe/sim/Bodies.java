@@ -16,14 +16,17 @@ final class Bodies {
     private Bodies() {}
 
     /** All bodies of a world where they start. */
-    static Physics atStart(WorldSpec spec, WorldSettings settings, List<Pose> startPoses) {
+    static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
         var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
         for (ObstacleSpec obstacle : spec.obstacles()) {
             begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
         }
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
-            begun.addRobot(startPoses.get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
+            begun.addRobot(starts.poses().get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
+            if (starts.stuck().get(i)) {
+                begun.hold(i);
+            }
         }
         return begun;
     }

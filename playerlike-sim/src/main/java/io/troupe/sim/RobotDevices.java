@@ -8,6 +8,7 @@ import io.troupe.sim.device.Scratch;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.scenario.BlobfinderSpec;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.SonarSpec;
 import io.troupe.sim.scenario.WorldFileException;
@@ -54,6 +55,19 @@ record RobotDevices(
             }
         }
         return all;
+    }
+
+    /** The first ranger that can stand for a ring of sonars, as its sensors cast one ray each; -1 if there is none. */
+    int sonarRanger() {
+        for (int i = 0; i < rangers.size(); i++) {
+            RangerSpec spec = rangers.get(i).spec();
+            // one reading for each sensor, as each has one at least
+            if (spec.kind() == RangerSpec.Kind.RANGER
+                    && rangers.get(i).size() == spec.sensors().size()) {
+                return i;
+            }
+        }
+        return -1;
     }
 
     /** Reads what casts rays. */

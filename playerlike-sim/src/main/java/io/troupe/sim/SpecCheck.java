@@ -17,6 +17,8 @@ final class SpecCheck {
     private static final System.Logger LOG = System.getLogger(SpecCheck.class.getName());
     /** Beyond this, single-precision physics is too coarse: a step of 1 mm is rounded by 3 %. */
     static final double FARTHEST_M = 500;
+    /** Rays reach walls there; robots should not. */
+    private static final double FARTHEST_WALL_M = 5_000;
     /** Beyond this, it begins to be. */
     private static final double FAR_M = 150;
 
@@ -27,11 +29,16 @@ final class SpecCheck {
     static void check(WorldSpec spec, WorldSettings settings) {
         checkSteps(spec, settings);
         for (ObstacleSpec obstacle : spec.obstacles()) {
-            checkBody("obstacle '" + obstacle.name() + "'", obstacle.pose(), obstacle.shape(), obstacle.where());
+            checkBody(
+                    "obstacle '" + obstacle.name() + "'",
+                    obstacle.pose(),
+                    obstacle.shape(),
+                    obstacle.where(),
+                    FARTHEST_WALL_M);
         }
         for (RobotSpec robot : spec.robots()) {
             String title = "robot '" + robot.name() + "'";
-            checkBody(title, robot.pose(), robot.collisionShape(), robot.where());
+            checkBody(title, robot.pose(), robot.collisionShape(), robot.where(), FARTHEST_M);
             if (robot.shape().polygons().isEmpty()) {
                 throw new WorldFileException(robot.where(), title + " has no body");
             }
@@ -106,7 +113,7 @@ final class SpecCheck {
         }
     }
 
-    private static void checkBody(String title, Pose pose, Shape shape, SourcePosition where) {
+    private static void checkBody(String title, Pose pose, Shape shape, SourcePosition where, double farthestM) {
         if (!Double.isFinite(pose.headingRad())) {
             throw new WorldFileException(where, title + " has the heading " + pose.headingRad());
         }
@@ -117,11 +124,11 @@ final class SpecCheck {
             }
             for (Point vertex : polygon) {
                 Point placed = pose.place(vertex);
-                if (!(Math.abs(placed.x()) <= FARTHEST_M && Math.abs(placed.y()) <= FARTHEST_M)) {
+                if (!(Math.abs(placed.x()) <= farthestM && Math.abs(placed.y()) <= farthestM)) {
                     throw new WorldFileException(
                             where,
                             title + " reaches to (" + placed.x() + ", " + placed.y() + "), expected at most "
-                                    + FARTHEST_M + " m from the origin along x and y");
+                                    + farthestM + " m from the origin along x and y");
                 }
             }
             if (!isConvexCounterClockwise(polygon)) {

@@ -8,94 +8,100 @@ import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
-/** Where robots start: where the world file says, moved a little at random if asked for, and clear of everything. */
-final class StartPoses {
-    private static final int MOST_DRAWS = 100;
-
-    private record Body(String title, Outline outline) {}
-
-    private final WorldSettings settings;
-    private final List<Body> placed = new ArrayList<>();
-
-    private StartPoses(WorldSettings settings) {
-        this.settings = settings;
-    }
-
-    static List<Pose> of(WorldSpec spec, WorldSettings settings) {
-        var starts = new StartPoses(settings);
+/**
+ * Where robots start: where the world file says, moved a little at random if asked for, and then clear of everything. A robot
+ * that overlaps something where the file puts it is not moved, and is stuck there.
+ *
+ * @param stuck which robots, by index, overlap an obstacle or each other
+ */
+record StartPoses(List<Pose> poses, BitSet stuck) {
+    static StartPoses of(WorldSpec spec, WorldSettings settings) {
+        var choice = new Choice(settings);
         for (ObstacleSpec obstacle : spec.obstacles()) {
             if (obstacle.blocksBodies()) {
-                starts.add("obstacle", obstacle.name(), new Outline(obstacle.shape(), obstacle.pose()));
+                choice.add("obstacle", obstacle.name(), -1, new Outline(obstacle.shape(), obstacle.pose()));
             }
         }
-        return spec.robots().stream().map(starts::choose).toList();
+        var poses = new ArrayList<Pose>();
+        for (int i = 0; i < spec.robots().size(); i++) {
+            poses.add(choice.choose(spec.robots().get(i), i));
+        }
+        return new StartPoses(List.copyOf(poses), choice.stuck);
     }
 
-    private void add(String kind, String name, Outline outline) {
-        placed.add(new Body(kind + " '" + name + "'", outline));
-    }
+    /** One after the other, by index. */
+    private static final class Choice {
+        private static final int MOST_DRAWS = 100;
 
-    private Pose choose(RobotSpec robot) {
-        Pose wanted = robot.pose();
-        var outline = new Outline(robot.collisionShape(), wanted);
-        Body inTheWay = robot.blocksBodies() ? firstOverlapping(outline) : null;
-        if (inTheWay != null) {
+        /** @param robot its index, -1 for an obstacle */
+        private record Body(String title, int robot, Outline outline) {}
+
+        private final WorldSettings settings;
+        private final List<Body> placed = new ArrayList<>();
+        private final BitSet stuck = new BitSet();
+
+        Choice(WorldSettings settings) {
+            this.settings = settings;
+        }
+
+        void add(String kind, String name, int robot, Outline outline) {
+            placed.add(new Body(kind + " '" + name + "'", robot, outline));
+        }
+
+        Pose choose(RobotSpec robot, int index) {
+            var outline = new Outline(robot.collisionShape(), robot.pose());
+            List<Body> inTheWay = robot.blocksBodies()
+                    ? placed.stream().filter(body -> body.outline().overlaps(outline)).toList()
+                    : List.of();
+            boolean jitter = inTheWay.isEmpty() && (settings.jitterM() > 0 || settings.jitterRad() > 0);
+            Pose chosen = jitter ? jittered(robot, outline) : robot.pose();
+            if (!inTheWay.isEmpty()) {
+                stuck.set(index);
+                inTheWay.stream().filter(body -> body.robot() >= 0).forEach(body -> stuck.set(body.robot()));
+            }
+            outline.place(chosen);
+            if (robot.blocksBodies()) {
+                add("robot", robot.name(), index, outline);
+            }
+            return chosen;
+        }
+
+        private Pose jittered(RobotSpec robot, Outline outline) {
+            var random = new RandomStream(settings.seed(), robot.name(), "start");
+            Pose from = robot.pose();
+            for (int draw = 0; draw < MOST_DRAWS; draw++) {
+                var candidate = new Pose(
+                        from.x() + random.nextWithin(settings.jitterM()),
+                        from.y() + random.nextWithin(settings.jitterM()),
+                        from.headingRad() + random.nextWithin(settings.jitterRad()));
+                outline.place(candidate);
+                if (!robot.blocksBodies()
+                        || placed.stream().noneMatch(body -> body.outline().isWithin(outline, Physics.SKIN_M))) {
+                    return candidate;
+                }
+            }
+            outline.place(from);
+            String nearest = nearest(outline).title();
             throw new WorldFileException(
-                    robot.where(), "robot '" + robot.name() + "' overlaps " + inTheWay.title() + ": move one of them");
+                    robot.where(),
+                    "robot '" + robot.name() + "' has no room to start up to " + settings.jitterM() + " m and "
+                            + settings.jitterRad() + " rad from its pose: " + MOST_DRAWS + " draws with seed "
+                            + settings.seed() + " were all nearer than " + Physics.SKIN_M
+                            + " m to another body; nearest is "
+                            + nearest);
         }
-        boolean jitter = settings.jitterM() > 0 || settings.jitterRad() > 0;
-        Pose chosen = jitter ? jittered(robot, outline) : wanted;
-        outline.place(chosen);
-        if (robot.blocksBodies()) {
-            add("robot", robot.name(), outline);
-        }
-        return chosen;
-    }
 
-    private Pose jittered(RobotSpec robot, Outline outline) {
-        var random = new RandomStream(settings.seed(), robot.name(), "start");
-        Pose from = robot.pose();
-        for (int draw = 0; draw < MOST_DRAWS; draw++) {
-            var candidate = new Pose(
-                    from.x() + random.nextWithin(settings.jitterM()),
-                    from.y() + random.nextWithin(settings.jitterM()),
-                    from.headingRad() + random.nextWithin(settings.jitterRad()));
-            outline.place(candidate);
-            if (!robot.blocksBodies()
-                    || placed.stream().noneMatch(body -> body.outline().isWithin(outline, Physics.SKIN_M))) {
-                return candidate;
+        private Body nearest(Outline outline) {
+            Body nearest = placed.getFirst();
+            for (Body body : placed) {
+                if (body.outline().gapM(outline) < nearest.outline().gapM(outline)) {
+                    nearest = body;
+                }
             }
+            return nearest;
         }
-        outline.place(from);
-        String nearest = nearest(outline).title();
-        throw new WorldFileException(
-                robot.where(),
-                "robot '" + robot.name() + "' has no room to start up to " + settings.jitterM() + " m and "
-                        + settings.jitterRad() + " rad from its pose: " + MOST_DRAWS + " draws with seed "
-                        + settings.seed() + " were all nearer than " + Physics.SKIN_M
-                        + " m to another body; nearest is "
-                        + nearest);
-    }
-
-    private @Nullable Body firstOverlapping(Outline outline) {
-        for (Body body : placed) {
-            if (body.outline().overlaps(outline)) {
-                return body;
-            }
-        }
-        return null;
-    }
-
-    private Body nearest(Outline outline) {
-        Body nearest = placed.getFirst();
-        for (Body body : placed) {
-            if (body.outline().gapM(outline) < nearest.outline().gapM(outline)) {
-                nearest = body;
-            }
-        }
-        return nearest;
     }
 }

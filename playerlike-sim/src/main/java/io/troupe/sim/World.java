@@ -37,7 +37,7 @@ public final class World implements AutoCloseable {
     private final WorldSettings settings;
     private final long intervalMicros;
     private final int stepsPerInterval;
-    private final List<Pose> startPoses;
+    private final StartPoses starts;
     private final Orders orders;
     private final List<String> robotNames;
     private final Scene scene;
@@ -57,7 +57,7 @@ public final class World implements AutoCloseable {
     /**
      * A world at tick 0, its devices read once.
      *
-     * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated, or bodies that overlap,
+     * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated,
      * {@link IllegalArgumentException} for settings that fit no world.
      */
     public static World create(WorldSpec spec, WorldSettings settings) {
@@ -72,18 +72,18 @@ public final class World implements AutoCloseable {
         return new World(spec, settings, StartPoses.of(spec, settings));
     }
 
-    private World(WorldSpec spec, WorldSettings settings, List<Pose> startPoses) {
+    private World(WorldSpec spec, WorldSettings settings, StartPoses starts) {
         this.spec = spec;
         this.settings = settings;
-        this.startPoses = startPoses;
+        this.starts = starts;
         intervalMicros = spec.intervalMillis() * 1000L;
         stepsPerInterval = Math.toIntExact(intervalMicros / Bodies.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
         scene = new Scene(spec);
         orders = new Orders(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
-        physics = Bodies.atStart(spec, settings, startPoses);
-        devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
+        physics = Bodies.atStart(spec, settings, starts);
+        devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
         sensing = new Sensing(spec.name(), threads, robotCount, this::senseRange);
@@ -325,9 +325,9 @@ public final class World implements AutoCloseable {
     private void beginAgainIfWanted() {
         long nowMicros = tick * intervalMicros;
         if (orders.takeReset(nowMicros)) {
-            physics = Bodies.atStart(spec, settings, startPoses);
+            physics = Bodies.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
-            devices = RobotDevices.of(spec.robots(), startPoses, settings.seed());
+            devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
             sense(); // as at the start: each reading moves the random streams on
         }
     }

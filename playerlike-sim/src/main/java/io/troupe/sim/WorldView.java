@@ -8,8 +8,8 @@ import io.troupe.sim.device.Sonar;
  *
  * <p><b>Role.</b> For controllers in a loop of many intervals: nothing here allocates. It is one object that always shows the newest tick; what shall last is copied by {@link #snapshot}.
  * <p><b>Threads.</b> The thread that advances the world, between intervals.
- * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and {@link io.troupe.sim.device.Blob}; robots, sonars, blobs and contacts count from 0.
- * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, blob or contact that is not there; {@link #sonarCount} is 0 for a robot without sonar, as is
+ * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and {@link io.troupe.sim.device.Blob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
+ * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, ranger, blob or contact that is not there; {@link #sonarCount} is 0 for a robot without sonar, as is
  * {@link #blobCount} without blobfinder.
  */
 public final class WorldView {
@@ -75,17 +75,47 @@ public final class WorldView {
         return world.scene().wallGapM(robot);
     }
 
+    /**
+     * How many sonars the robot has: those of its {@code sonar}, or, if it has none, as in the dialect of Stage 4, the
+     * sensors of its first {@code ranger} whose sensors cast one ray each.
+     */
     public int sonarCount(int robot) {
-        Sonar sonar = world.devices(robot).sonar();
-        return sonar == null ? 0 : sonar.count();
+        RobotDevices its = world.devices(robot);
+        Sonar sonar = its.sonar();
+        if (sonar != null) {
+            return sonar.count();
+        }
+        int ring = its.sonarRanger();
+        return ring < 0 ? 0 : its.rangersM().get(ring).length;
     }
 
+    /** What a sonar reads, of those that {@link #sonarCount} counts. */
     public double rangeM(int robot, int sonar) {
-        Sonar ring = world.devices(robot).sonar();
-        if (ring == null) {
+        RobotDevices its = world.devices(robot);
+        Sonar classic = its.sonar();
+        if (classic != null) {
+            return classic.rangeM(sonar);
+        }
+        int ring = its.sonarRanger();
+        if (ring < 0) {
             throw new IndexOutOfBoundsException("robot " + robot + " has no sonar");
         }
-        return ring.rangeM(sonar);
+        return rangeM(robot, ring, sonar);
+    }
+
+    /** How many lasers and rangers the robot has, in the order of {@link RobotReading}. */
+    public int rangerCount(int robot) {
+        return world.devices(robot).rangersM().size();
+    }
+
+    /** How many readings a laser or ranger has, those of all its sensors together. */
+    public int rangeCount(int robot, int ranger) {
+        return world.devices(robot).rangersM().get(ranger).length;
+    }
+
+    /** A reading of a laser or ranger, from the right end of its first sensor on. */
+    public double rangeM(int robot, int ranger, int reading) {
+        return world.devices(robot).rangersM().get(ranger)[reading];
     }
 
     public int blobCount(int robot) {

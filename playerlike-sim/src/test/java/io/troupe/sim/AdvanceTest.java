@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.ScenarioReader;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -159,5 +161,30 @@ class AdvanceTest {
         assertThatThrownBy(() -> world.view().blobColour(0, 0)).hasMessage("there is no blob 0, robot 0 sees 0");
         assertThatThrownBy(() -> world.view().contactRobot(0)).isInstanceOf(IndexOutOfBoundsException.class);
         assertThatThrownBy(() -> world.advance(0)).hasMessageContaining("cannot advance by 0 intervals");
+    }
+
+    @Test
+    void sonarsOfStage4_areTheRangerWithOneRayForEachSensor_andAllRangersCanBeRead() {
+        World world = World.create(
+                ScenarioReader.readText("""
+                        model ( pose [ 3 0 0 0 ] size [ 2 8 ] )
+                        position ( name "r"
+                          ranger ( sensor ( range [ 0 8 ] fov 90 samples 3 ) )
+                          ranger ( sensor ( pose [ 0 0 0 0 ] range [ 0 5 ] ) sensor ( pose [ 0 0 0 180 ] range [ 0 4 ] ) ) )
+                        position ( name "scanner" pose [ 0 3 0 0 ] ranger ( sensor ( samples 90 ) ) )
+                        """, Path.of("t.world")).world(),
+                WorldSettings.DEFAULT);
+        WorldView view = world.view();
+
+        assertThat(view.sonarCount(0)).isEqualTo(2);
+        assertThat(view.rangeM(0, 0)).isEqualTo(2);
+        assertThat(view.rangeM(0, 1)).as("sees nothing").isEqualTo(4);
+        assertThatThrownBy(() -> view.rangeM(0, 2)).isInstanceOf(IndexOutOfBoundsException.class);
+        assertThat(view.sonarCount(1)).as("a laser is no ring of sonars").isZero();
+        assertThat(view.rangerCount(0)).isEqualTo(2);
+        assertThat(view.rangeCount(0, 0)).isEqualTo(3);
+        assertThat(view.rangeM(0, 0, 1)).isEqualTo(2);
+        assertThat(view.rangeCount(1, 0)).isEqualTo(90);
+        assertThatThrownBy(() -> view.rangeM(1, 1, 0)).isInstanceOf(IndexOutOfBoundsException.class);
     }
 }

@@ -104,15 +104,9 @@ class StartPosesTest {
     }
 
     @Test
-    void overlap_atTheStart_isRefused_namingBoth() {
-        assertThatThrownBy(() -> World.create(
-                        Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 0.6, 0, 1, 1)), WorldSettings.DEFAULT))
-                .isInstanceOf(WorldFileException.class)
-                .hasMessage("test.world:7:1: robot 'r1' overlaps obstacle 'wall': move one of them");
-        assertThatThrownBy(() -> World.create(
-                        Specs.world(List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(0.1, 0.1, 1)))),
-                        WorldSettings.DEFAULT))
-                .hasMessageContaining("robot 'r2' overlaps robot 'r1'");
+    void overlap_atTheStart_isNotJitteredAway() {
+        assertThat(start(Specs.world(robot("r1", Pose.ORIGIN), wall("wall", 0.6, 0, 1, 1)), jitter(4), 0))
+                .isEqualTo(Pose.ORIGIN);
     }
 
     @Test

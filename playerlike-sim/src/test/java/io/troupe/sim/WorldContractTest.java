@@ -197,7 +197,8 @@ class WorldContractTest {
     @Test
     void bodyTooFarOut_orNotANumber_isRefused() {
         assertRefused(
-                Specs.world(List.of(), wall("remote", 600, 0, 1, 1)), "obstacle 'remote' reaches to (599.5, -0.5)");
+                Specs.world(List.of(), wall("remote", 5600, 0, 1, 1)), "obstacle 'remote' reaches to (5599.5, -0.5)");
+        assertRefused(Specs.world(robot("far", new Pose(600, 0, 0))), "expected at most 500.0 m");
         assertRefused(Specs.world(robot("lost", new Pose(Double.NaN, 0, 0))), "robot 'lost' reaches to (NaN");
         assertRefused(Specs.world(robot("lost", new Pose(0, 0, Double.NaN))), "robot 'lost' has the heading NaN");
     }

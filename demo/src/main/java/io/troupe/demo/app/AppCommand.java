@@ -2,9 +2,9 @@ package io.troupe.demo.app;
 
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -12,6 +12,7 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -50,6 +51,9 @@ public final class AppCommand implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
+    @Mixin
+    private WorldReading reading;
+
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
@@ -69,8 +73,7 @@ public final class AppCommand implements Callable<Integer> {
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
         FileProblems.checkInput(spec, file, "the file of a declaration");
-        FileProblems.checkInput(spec, world, "a world file");
-        Scenario scenario = ScenarioReader.read(world);
+        Scenario scenario = reading.read(world);
         try (var interruption = Interruption.open()) {
             new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interruption::isRequested);
             return interruption.isRequested() ? Interruption.STATUS : 0;

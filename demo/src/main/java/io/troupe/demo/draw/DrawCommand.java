@@ -3,14 +3,16 @@ package io.troupe.demo.draw;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.scenario.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -31,17 +33,13 @@ public final class DrawCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "FILE", description = "the picture; world.svg unless given")
     private Path out = Path.of("world.svg");
 
-    @Option(names = "--lenient", description = "warn of what is unknown in the world file, and go on")
-    private boolean lenient;
+    @Mixin
+    private WorldReading reading;
 
     @Override
     public Integer call() throws IOException {
-        FileProblems.checkInput(spec, world, "a world file");
         FileProblems.checkOutput(spec, "--out", out);
-        PrintWriter err = spec.commandLine().getErr();
-        var scenario = lenient
-                ? ScenarioReader.read(world, warning -> err.println("troupe: warning: " + warning))
-                : ScenarioReader.read(world);
+        Scenario scenario = reading.read(world);
         try (var simulated = World.create(scenario.world(), WorldSettings.DEFAULT)) {
             OutputFiles.write(out, new WorldDrawing(scenario.world(), simulated.latest()).svg());
         }

@@ -5,6 +5,7 @@ import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -18,6 +19,7 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -96,6 +98,9 @@ public final class EvaluateCommand implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
+    @Mixin
+    private WorldReading reading;
+
     @Option(names = "--out", paramLabel = "DIR", description = "where evaluation.csv and the pictures go")
     private Path out = Path.of("out");
 
@@ -105,12 +110,13 @@ public final class EvaluateCommand implements Callable<Integer> {
         var settings = settings();
         FileProblems.checkInput(spec, world, "a world file");
         prepare(settings.log());
+        var paperWorld = PaperWorld.of(reading.read(world), world);
         long begin = System.nanoTime();
         try (var interruption = Interruption.open()) {
             Measurements measurements;
             Evaluation evaluation;
             try (var progress = new EvaluationProgress(TerminalLine.open())) {
-                evaluation = new Evaluation(settings, progress, interruption);
+                evaluation = new Evaluation(settings, paperWorld, progress, interruption);
                 measurements = evaluation.measure();
             }
             double tookSeconds = (System.nanoTime() - begin) / 1e9;

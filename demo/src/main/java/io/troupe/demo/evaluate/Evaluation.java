@@ -18,11 +18,18 @@ final class Evaluation {
     private final Measurements measurements = new Measurements();
     private int completeRepetitions;
 
-    /** @param interruption ends the measuring where it is */
-    Evaluation(EvaluationSettings settings, EvaluationProgress progress, Interruption interruption) {
+    /**
+     * @param world that of the settings
+     * @param interruption ends the measuring where it is
+     */
+    Evaluation(
+            EvaluationSettings settings,
+            PaperWorld world,
+            EvaluationProgress progress,
+            Interruption interruption) {
         this.interruption = interruption;
         this.settings = settings;
-        this.world = PaperWorld.read(settings.world());
+        this.world = world;
         this.plan = new Plan(settings);
         this.progress = progress;
     }

@@ -17,9 +17,17 @@ record PaperWorld(Scenario scenario, int port) {
         return WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
     }
 
-    /** @throws WorldFileException if it is none */
+    /**
+     * The world of a file which the command has read before, with its warnings.
+     *
+     * @throws WorldFileException if it is none
+     */
     static PaperWorld read(Path file) {
-        Scenario scenario = ScenarioReader.read(file);
+        return of(ScenarioReader.readLeniently(file, warning -> {}), file);
+    }
+
+    /** @throws WorldFileException if it is none */
+    static PaperWorld of(Scenario scenario, Path file) {
         int robots = scenario.world().robots().size();
         if (robots != ROBOTS) {
             throw new WorldFileException(

@@ -1,12 +1,12 @@
 package io.troupe.demo.serve;
 
-import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.sim.scenario.CrowdWorld;
 import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -30,13 +30,13 @@ final class WorldOptions {
     @Option(names = "--crowd", paramLabel = "N", description = "instead of a file: N robots in halls of 16 m")
     private @Nullable Integer crowd;
 
-    @Option(names = "--lenient", description = "warn of what is unknown in the world file, and go on")
-    private boolean lenient;
+    @Mixin
+    private WorldReading reading;
 
     /** Reads it. */
     Scenario scenario() {
         if (crowd == null) {
-            return read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
+            return reading.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
         }
         if (world != null) {
             throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");
@@ -47,13 +47,5 @@ final class WorldOptions {
                     "--crowd is " + crowd + ", expected a number from 1 to " + CrowdWorld.MOST_ROBOTS);
         }
         return CrowdWorld.scenario(crowd);
-    }
-
-    private Scenario read(Path file) {
-        FileProblems.checkInput(spec, file, "a world file");
-        return lenient
-                ? ScenarioReader.read(
-                        file, warning -> spec.commandLine().getErr().println("troupe: warning: " + warning))
-                : ScenarioReader.read(file);
     }
 }

@@ -7,11 +7,17 @@ import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.ObstacleSpec;
+import io.troupe.sim.scenario.RangeSensorSpec;
+import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.Scenario;
 import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.scenario.WorldFileWarning;
+import io.troupe.sim.scenario.WorldSpec;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -90,5 +96,43 @@ class ShippedWorldsTest {
         int[] expected = drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, drawn.getWidth());
         assertThat(shipped.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, drawn.getWidth()))
                 .containsExactly(expected);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"paper-arena,7", "office,8", "cave,5", "track,4"})
+    void twinForStage4_isTheSameWorldWithRangers(String name, int devices) {
+        var warnings = new ArrayList<WorldFileWarning>();
+        WorldSpec classic = read(name + ".world").world();
+
+        Scenario twin = ScenarioReader.read(file("stage4/" + name + ".world"), warnings::add);
+
+        assertThat(warnings).isEmpty();
+        assertThat(twin.devices()).hasSize(devices);
+        assertThat(twin.world().name()).isEqualTo(classic.name());
+        assertThat(twin.world().obstacles())
+                .usingRecursiveFieldByFieldElementComparatorIgnoringFields("where")
+                .isEqualTo(classic.obstacles());
+        for (int i = 0; i < classic.robots().size(); i++) {
+            RobotSpec robot = twin.world().robots().get(i);
+            RobotSpec other = classic.robots().get(i);
+            assertThat(robot)
+                    .usingRecursiveComparison()
+                    .ignoringFields("where", "sonar", "rangers", "startOdometry", "drive")
+                    .isEqualTo(other);
+            assertThat(robot.sonar()).isNull();
+            assertThat(robot.rangers().getFirst().sensors())
+                    .extracting(RangeSensorSpec::mount)
+                    .isEqualTo(other.sonar().mounts());
+            assertThat(robot.rangers()).hasSize(1 + other.rangers().size());
+        }
+    }
+
+    /** Stage 4 ends at a type or an interface that it does not have. */
+    @ParameterizedTest
+    @CsvSource({"paper-arena.world", "office.world", "cave.world", "track.world", "pioneer.inc", "laser.inc", "office.cfg"})
+    void twinForStage4_hasNothingOfTheClassicDialect(String name) throws IOException {
+        String text = Files.readString(file("stage4/" + name)).replaceAll("#.*", "");
+
+        assertThat(text).doesNotContainPattern("\\blaser\\s*\\(|define \\w+ laser|scount|spose|sview|ssize|\"sonar|\"laser:");
     }
 }

@@ -155,6 +155,11 @@ public final class Physics {
         robots.add(new RobotBody(body, new FatBoxes(tree, proxies, shape), pose, stepMicros));
     }
 
+    /** Holds a robot that overlaps something where it is, as if it were an obstacle, until it is put elsewhere. */
+    public void hold(int robot) {
+        robots.get(robot).hold();
+    }
+
     private Body createBody(BodyType type, Pose pose, int id) {
         var definition = new BodyDef();
         definition.type = type;
@@ -233,9 +238,9 @@ public final class Physics {
         return new Pose(x(robot), y(robot), headingRad(robot));
     }
 
-    /** Whether something touches the robot and keeps it from half of what it was told to do in the last 0.2 s. */
+    /** Whether something touches or overlaps the robot and keeps it from half of what it was told to do in the last 0.2 s. */
     public boolean stalled(int robot) {
-        return touches.touched(robot) && robots.get(robot).heldBack();
+        return (touches.touched(robot) || robots.get(robot).isHeld()) && robots.get(robot).heldBack();
     }
 
     /** The touches that began since the last {@link #forgetTouches}; always the same object. */

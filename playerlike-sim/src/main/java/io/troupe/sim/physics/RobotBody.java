@@ -2,9 +2,11 @@ package io.troupe.sim.physics;
 
 import io.troupe.sim.numeric.Direction;
 import io.troupe.sim.scenario.Pose;
+import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.common.MathUtils;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
+import org.jbox2d.dynamics.BodyType;
 
 /**
  * One robot in jbox2d.
@@ -26,6 +28,7 @@ final class RobotBody {
     private final double centreX; // of mass, in the robot's frame
     private final double centreY;
     private final StallMeter stallMeter;
+    private final MassData mass = new MassData();
     private final Vec2 velocity = new Vec2();
     private final Direction halfTurn = new Direction();
     private final Direction chordDirection = new Direction();
@@ -42,6 +45,7 @@ final class RobotBody {
     private double aimHeadingRad;
     private boolean transformIsStale;
     private boolean placed; // somewhere else since the last step
+    private boolean held; // where it overlaps something
 
     RobotBody(Body body, FatBoxes fatBoxes, Pose pose, int stepMicros) {
         this.body = body;
@@ -50,6 +54,7 @@ final class RobotBody {
         stepS = stepMicros / 1e6;
         centreX = body.getLocalCenter().x;
         centreY = body.getLocalCenter().y;
+        body.getMassData(mass);
         stallMeter = new StallMeter(stepMicros);
         x = pose.x();
         y = pose.y();
@@ -63,7 +68,26 @@ final class RobotBody {
         chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : halfTurn.sin() / halfTurnRad);
     }
 
+    /** Makes it immovable until it is put elsewhere. */
+    void hold() {
+        held = true;
+        body.setType(BodyType.STATIC);
+    }
+
+    boolean isHeld() {
+        return held;
+    }
+
+    private void release() {
+        held = false;
+        body.setType(BodyType.DYNAMIC);
+        body.setMassData(mass); // the change of type has worked it out anew
+    }
+
     void teleport(Pose pose) {
+        if (held) {
+            release();
+        }
         x = pose.x();
         y = pose.y();
         headingRad = wrap(pose.headingRad());
@@ -83,6 +107,9 @@ final class RobotBody {
         aimY = y + chordM * chordDirection.sin();
         aimHeadingRad = wrap(headingRad + 2 * halfTurnRad);
 
+        if (held) {
+            return;
+        }
         bodyDirection.set(aimHeadingRad);
         double cos = bodyDirection.cos();
         double sin = bodyDirection.sin();
@@ -129,6 +156,10 @@ final class RobotBody {
 
     /** Takes over where the step has left the body. */
     void settle(boolean touched) {
+        if (held) {
+            stallMeter.record(aimX - x, aimY - y, 0, 0, turnRadps, 0);
+            return;
+        }
         wrapBodyAngle();
         double fromX = x;
         double fromY = y;

@@ -18,12 +18,18 @@ final class BitmapShapes {
     private record Bitmap(Box box, List<Box> rectangles, List<List<Point>> outlines) {}
 
     private final Map<Path, Bitmap> read = new HashMap<>();
+    private final Path mainFile;
     private int pieces;
+
+    /** @param mainFile of the world: bitmaps may stand beside it */
+    BitmapShapes(Path mainFile) {
+        this.mainFile = mainFile;
+    }
 
     /** The walls around the pose point of the model whose {@code bitmap} is given. */
     Shape shape(Entity model, double[] size) {
         SourcePosition where = model.whereOf("bitmap");
-        Path file = SourceText.sibling(where.file(), model.text("bitmap", ""), where);
+        Path file = SourceText.sibling(where.file(), mainFile, model.text("bitmap", ""), where);
         Bitmap bitmap = read.computeIfAbsent(file, missing -> read(missing, where));
         double scaleX = size[0] / bitmap.box.width();
         double scaleY = size[1] / bitmap.box.height();

@@ -32,17 +32,30 @@ final class Colours {
         return colour;
     }
 
-    /** The colour of an entity, red unless it says otherwise; of a name and a mixture the one given last counts. */
+    /**
+     * The colour of an entity, red unless it says otherwise; {@code "random"} is one that depends on where the entity stands;
+     * of a name and a mixture the one given last counts.
+     */
     static int of(Entity entity) {
         int colour = 0xff0000;
         for (Property property : entity.properties().values()) {
             if (property.name().equals("color")) {
-                colour = named(entity.text("color", ""), property.value().where());
+                String name = entity.text("color", "");
+                colour = name.equalsIgnoreCase("random")
+                        ? drawn(entity.where())
+                        : named(name, property.value().where());
             } else if (property.name().equals("color_rgba")) {
                 colour = mixed(entity.numbers("color_rgba"), property.value().where());
             }
         }
         return colour;
+    }
+
+    /** Another colour for every place in a file, and the same one in every run. */
+    private static int drawn(SourcePosition where) {
+        long bits = 0x9E3779B97F4A7C15L * (31L * where.line() + where.column());
+        bits = (bits ^ bits >>> 32) * 0xD6E8FEB86659FD93L;
+        return (int) (bits >>> 40);
     }
 
     private static int mixed(double[] rgba, SourcePosition where) {

@@ -8,6 +8,8 @@ import java.util.List;
 
 /** Turns the tree of a Player {@code .cfg} file into a {@link Scenario}. */
 final class ConfigReader {
+    private static final String STAGE = "stage";
+
     private final WorldSpec world;
     private final Findings findings;
     private final List<DeviceBinding> devices = new ArrayList<>();
@@ -17,8 +19,23 @@ final class ConfigReader {
         this.findings = findings;
     }
 
+    /** Finds the world that a configuration names. */
+    @FunctionalInterface
+    interface Worlds {
+        /** @param asker where it is named */
+        WorldSpec world(Path file, SourcePosition asker);
+    }
+
+    /** The configuration with the world that it names. */
     static Scenario read(Path file, Findings findings) {
-        Document document = EntityParser.parse(Vocabulary.CONFIG, file, null);
+        return read(file, findings, (world, asker) -> {
+            Document document = EntityParser.parse(Vocabulary.WORLD, world, asker, findings);
+            return WorldReader.read(document, findings);
+        });
+    }
+
+    static Scenario read(Path file, Findings findings, Worlds worlds) {
+        Document document = EntityParser.parse(Vocabulary.CONFIG, file, null, findings);
         VocabularyCheck.check(document, findings);
         List<Entity> drivers = document.entities().stream()
                 .filter(driver -> isStage(driver, findings))
@@ -27,10 +44,14 @@ final class ConfigReader {
         Entity simulation = simulationDriver(document, drivers);
         SourcePosition where = simulation.whereOf("worldfile");
         Path worldFile = SourceText.sibling(file, simulation.text("worldfile", ""), where);
-        Document worldDocument = EntityParser.parse(Vocabulary.WORLD, worldFile, where);
-        var reader = new ConfigReader(WorldReader.read(worldDocument, findings), findings);
+        var reader = new ConfigReader(worlds.world(worldFile, where), findings);
         drivers.forEach(reader::driver);
         return new Scenario(reader.world, reader.devices);
+    }
+
+    /** Whether a driver is one of Stage, or its name a slip for that. */
+    static boolean mayBeStage(Entity driver) {
+        return !Suggestions.nearest(driver.text("name", STAGE), List.of(STAGE)).isEmpty();
     }
 
     private static boolean isStage(Entity driver, Findings findings) {
@@ -38,10 +59,16 @@ final class ConfigReader {
         if (!driver.has("name")) {
             throw new WorldFileException(driver.where(), "a driver needs a \"name\"; expected \"stage\"");
         }
-        if (!name.equals("stage")) {
-            findings.leaveOut(driver.whereOf("name"), "driver \"" + name + "\" is not supported; expected \"stage\"");
+        if (!mayBeStage(driver)) {
+            findings.warn(
+                    driver.whereOf("name"),
+                    "driver \"" + name + "\" is not run here and left out, and what it provides with it; expected"
+                            + " \"stage\"");
+        } else if (!name.equals(STAGE)) {
+            findings.leaveOut(
+                    driver.whereOf("name"), "unknown driver \"" + name + "\"; did you mean \"" + STAGE + "\"?");
         }
-        return name.equals("stage");
+        return name.equals(STAGE);
     }
 
     private static void checkDriver(Entity driver) {

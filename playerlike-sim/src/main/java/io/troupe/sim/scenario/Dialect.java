@@ -15,7 +15,7 @@ enum Dialect {
     /** Stage 4: odometry is the global pose, {@code ranger_return} a reflectance, negative for what cannot be seen. */
     STAGE_4;
 
-    /** The dialect of a world; mixing both is a finding, and then it counts as Stage 4. */
+    /** The dialect of a world; mixing both is worth a warning, and then it counts as Stage 4. */
     static Dialect of(Entity world, Findings findings) {
         Mark newer = firstMark(world, STAGE_4);
         if (newer == null) {
@@ -23,10 +23,10 @@ enum Dialect {
         }
         Mark classic = firstMark(world, CLASSIC);
         if (classic != null) {
-            findings.leaveOut(
+            findings.warn(
                     classic.where,
                     "\"" + classic.word + "\" belongs to the classic dialect, but \"" + newer.word + "\" at "
-                            + newer.where + " to that of Stage 4; a world keeps to one of them");
+                            + newer.where + " to that of Stage 4; the world is read as one of Stage 4");
         }
         return STAGE_4;
     }

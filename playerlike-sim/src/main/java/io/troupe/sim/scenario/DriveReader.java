@@ -8,10 +8,12 @@ import java.util.List;
 final class DriveReader {
     private final Units units;
     private final Dialect dialect;
+    private final Findings findings;
 
-    DriveReader(Units units, Dialect dialect) {
+    DriveReader(Units units, Dialect dialect, Findings findings) {
         this.units = units;
         this.dialect = dialect;
+        this.findings = findings;
     }
 
     DriveSpec read(Entity position) {
@@ -19,8 +21,10 @@ final class DriveReader {
         double[] velocity = position.numbers("velocity", 0, 0, 0);
         SourcePosition where = position.whereOf("velocity");
         if (velocity[1] != 0) {
-            throw new WorldFileException(
-                    where, "a robot with differential drive cannot move sideways, at " + velocity[1]);
+            findings.warn(
+                    where,
+                    "a robot with differential drive cannot move sideways: its start speed of " + velocity[1]
+                            + " that way is left out");
         }
         return new DriveSpec(
                 units.metres(velocity[0], where),
@@ -30,15 +34,17 @@ final class DriveReader {
                 localization(position));
     }
 
-    private static void requireDifferentialDrive(Entity position) {
+    private void requireDifferentialDrive(Entity position) {
         String drive = position.text("drive", "diff");
         if (!drive.equals("diff")) {
-            throw new WorldFileException(
-                    position.whereOf("drive"),
-                    List.of("omni", "car").contains(drive)
-                            ? "\"drive\" \"" + drive + "\" is not supported: the robots here have two driven wheels;"
-                                    + " expected \"diff\""
-                            : "\"drive\" must be \"diff\", not \"" + drive + '"');
+            SourcePosition where = position.whereOf("drive");
+            if (List.of("omni", "car").contains(drive)) {
+                findings.warn(
+                        where,
+                        "\"drive\" \"" + drive + "\" is not simulated: the robot has two driven wheels, as with \"diff\"");
+            } else {
+                throw new WorldFileException(where, "\"drive\" must be \"diff\", not \"" + drive + '"');
+            }
         }
     }
 

@@ -25,6 +25,7 @@ final class EntityBuilder {
 
     private final String type;
     private final SourcePosition where;
+    private final Findings findings;
     private final Map<String, Property> inherited; // shared with the macro and its other instances
     private final Map<String, Property> own = new LinkedHashMap<>();
     private final List<Entity> children = new ArrayList<>();
@@ -32,9 +33,10 @@ final class EntityBuilder {
     private long childValues;
     private int depth = 1;
 
-    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where) {
+    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where, Findings findings) {
         this.type = macro == null ? word : macro.type();
         this.where = where;
+        this.findings = findings;
         this.inherited = macro == null ? Map.of() : macro.properties();
         if (macro != null) {
             macro.children().forEach(this::add);
@@ -42,12 +44,14 @@ final class EntityBuilder {
     }
 
     void add(Property property) {
-        Property earlier = own.putIfAbsent(property.key(), property);
+        Property earlier = own.remove(property.key());
+        own.put(property.key(), property);
         // the same place twice: a file included along two ways
         if (earlier != null && !earlier.where().equals(property.where())) {
-            throw new WorldFileException(
+            findings.warn(
                     property.where(),
-                    "\"" + property.key() + "\" is given twice; the first time at " + earlier.where());
+                    "\"" + property.key() + "\" is given twice, the first time at " + earlier.where()
+                            + ", and the last counts");
         }
     }
 

@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Reads the grammar that world and configuration files share into a tree, without knowing any entity or property.
  *
- * <p>{@code include "file"} is relative to the including file; {@code define new old ( .. )} makes a macro, also of a
- * macro.
+ * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one;
+ * {@code define new old ( .. )} makes a macro, also of a macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;
@@ -31,14 +31,18 @@ final class EntityParser {
     private final Map<String, SourcePosition> macroNames = new LinkedHashMap<>();
     private final List<Path> open = new ArrayList<>();
     private final EntityBuilder root;
+    private final Path mainFile;
+    private final Findings findings;
     private int filesRead;
     private long tokensRead;
     private long inherited;
     private long macroEntities;
     private long macroValues;
 
-    private EntityParser(String rootType, Path file) {
-        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1));
+    private EntityParser(String rootType, Path file, Findings findings) {
+        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1), findings);
+        mainFile = file;
+        this.findings = findings;
     }
 
     /**
@@ -47,15 +51,15 @@ final class EntityParser {
      * @param rootType the entity type that stands for the file itself
      * @param asker where the file is named; null if the user named it
      */
-    static Document parse(String rootType, Path file, @Nullable SourcePosition asker) {
-        var parser = new EntityParser(rootType, file);
+    static Document parse(String rootType, Path file, @Nullable SourcePosition asker, Findings findings) {
+        var parser = new EntityParser(rootType, file, findings);
         parser.file(file, asker);
         return new Document(parser.root.build(), parser.macros);
     }
 
     /** The tree of a text, as if it were read from {@code file}, which need not exist. */
-    static Document parseText(String rootType, String text, Path file) {
-        var parser = new EntityParser(rootType, file);
+    static Document parseText(String rootType, String text, Path file, Findings findings) {
+        var parser = new EntityParser(rootType, file, findings);
         parser.text(text, file);
         return new Document(parser.root.build(), parser.macros);
     }
@@ -105,7 +109,7 @@ final class EntityParser {
 
     private void include(TokenCursor cursor) {
         Token name = cursor.expect(Kind.TEXT, "a file name in double quotes after include");
-        file(SourceText.sibling(cursor.file(), name.text(), name.where()), name.where());
+        file(SourceText.sibling(cursor.file(), mainFile, name.text(), name.where()), name.where());
     }
 
     private void define(TokenCursor cursor) {
@@ -117,8 +121,9 @@ final class EntityParser {
         }
         SourcePosition earlier = macroNames.putIfAbsent(name.text(), name.where());
         if (earlier != null && !earlier.equals(name.where())) {
-            throw new WorldFileException(
-                    name.where(), "macro \"" + name.text() + "\" is already defined at " + earlier);
+            findings.warn(
+                    name.where(),
+                    "macro \"" + name.text() + "\" is already defined at " + earlier + ", and the first counts");
         }
         Entity old = macros.get(base.text());
         inherited += old == null ? 0 : old.properties().size();
@@ -137,7 +142,7 @@ final class EntityParser {
                     "the macros up to this one hold more than " + MOST_MACRO_ENTITIES + " entities or "
                             + EntityBuilder.MOST_VALUES + " values, with those of the macros in them");
         }
-        macros.put(name.text(), macro);
+        macros.putIfAbsent(name.text(), macro);
     }
 
     private void statement(Token word, TokenCursor cursor, EntityBuilder into, int depth) {
@@ -153,7 +158,7 @@ final class EntityParser {
             throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
         }
         Token opening = cursor.next();
-        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where());
+        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where(), findings);
         while (!cursor.at(Kind.CLOSE)) {
             if (cursor.at(Kind.END)) {
                 throw new WorldFileException(
@@ -172,11 +177,17 @@ final class EntityParser {
     }
 
     private Property property(Token name, TokenCursor cursor) {
+        String word = name.text();
         int index = hasIndex(cursor) ? index(name, cursor) : Property.NO_INDEX;
-        String key = Property.key(name.text(), index);
+        if (index != Property.NO_INDEX && isPart(cursor.peek(0))) {
+            Token part = cursor.next();
+            word = Property.key(word, index) + part.text();
+            index = hasIndex(cursor) ? index(part, cursor) : Property.NO_INDEX;
+        }
+        String key = Property.key(word, index);
         return switch (cursor.peek(0).kind()) {
-            case NUMBER, TEXT -> new Property(name.text(), index, scalar(cursor.next()), name.where());
-            case OPEN_TUPLE -> new Property(name.text(), index, tuple(key, cursor), name.where());
+            case NUMBER, TEXT -> new Property(word, index, scalar(cursor.next()), name.where());
+            case OPEN_TUPLE -> new Property(word, index, tuple(key, cursor), name.where());
             case WORD ->
                 throw new WorldFileException(
                         cursor.peek(0).where(),
@@ -190,7 +201,12 @@ final class EntityParser {
         };
     }
 
-    /** {@code point[0] [1 2]} has an index, {@code scale [1]} has not: an index is followed by a value. */
+    /** The second half of {@code polygon[0].points}. */
+    private static boolean isPart(Token token) {
+        return token.kind() == Kind.WORD && token.text().startsWith(".");
+    }
+
+    /** {@code point[0] [1 2]} has an index, {@code scale [1]} has not: an index is followed by a value or by a part. */
     private static boolean hasIndex(TokenCursor cursor) {
         if (cursor.peek(0).kind() != Kind.OPEN_TUPLE
                 || cursor.peek(1).kind() != Kind.NUMBER
@@ -199,7 +215,7 @@ final class EntityParser {
         }
         return switch (cursor.peek(3).kind()) {
             case NUMBER, TEXT, OPEN_TUPLE -> true;
-            default -> false;
+            default -> isPart(cursor.peek(3));
         };
     }
 

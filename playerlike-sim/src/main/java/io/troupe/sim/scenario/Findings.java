@@ -1,31 +1,66 @@
 package io.troupe.sim.scenario;
 
+import java.lang.System.Logger.Level;
 import java.util.HashSet;
 import java.util.Set;
 import java.util.function.Consumer;
 
-/** What becomes of things in a file that need not stop its reading: errors for a strict reader, warnings for a lenient one. */
+/**
+ * What becomes of things in a file that need not stop its reading: what Stage or Player knows and is not simulated here is a
+ * warning, what neither knows an error of a strict reader and a warning of a lenient one.
+ */
 final class Findings {
+    /** More help nobody, and a file may hold as many as it has words. */
+    static final int MOST_WARNINGS = 1000;
+
+    private static final System.Logger LOG = System.getLogger(ScenarioReader.class.getName());
+
     private final Consumer<WorldFileWarning> warnings;
     private final boolean lenient;
     /** What stands in a macro is found in every instance of it. */
-    private final Set<WorldFileWarning> told = new HashSet<>();
+    private final Set<WorldFileWarning> reported = new HashSet<>();
 
     private Findings(Consumer<WorldFileWarning> warnings, boolean lenient) {
         this.warnings = warnings;
         this.lenient = lenient;
     }
 
-    static Findings strict() {
-        return new Findings(warning -> {}, false);
+    static Findings strict(Consumer<WorldFileWarning> warnings) {
+        return new Findings(warnings, false);
+    }
+
+    /** Strict; warnings go to the log. */
+    static Findings logged() {
+        return strict(warning -> LOG.log(Level.WARNING, "{0}", warning));
     }
 
     static Findings lenient(Consumer<WorldFileWarning> warnings) {
         return new Findings(warnings, true);
     }
 
+    /** As strict as this one, with the warnings to another place. */
+    Findings with(Consumer<WorldFileWarning> others) {
+        return new Findings(others, lenient);
+    }
+
+    /** Reports a thing that Stage or Player reads, and that is left out or changed here. */
+    void warn(SourcePosition where, String problem) {
+        warn(new WorldFileWarning(where, problem));
+    }
+
+    void warn(WorldFileWarning warning) {
+        if (reported.size() > MOST_WARNINGS || !reported.add(warning)) {
+            return;
+        }
+        warnings.accept(
+                reported.size() <= MOST_WARNINGS
+                        ? warning
+                        : new WorldFileWarning(
+                                warning.where(), "more than " + MOST_WARNINGS + " warnings; no more are shown"));
+    }
+
     /**
-     * Reports a thing whose consequence, if the reader goes on, is that it is left out.
+     * Reports a name that nobody knows; if the reader goes on, the thing is left out.
      *
      * @throws WorldFileException if the reader is strict
      */
@@ -33,9 +68,6 @@ final class Findings {
         if (!lenient) {
             throw new WorldFileException(where, problem);
         }
-        var warning = new WorldFileWarning(where, problem);
-        if (told.add(warning)) {
-            warnings.accept(warning);
-        }
+        warn(where, problem);
     }
 }

@@ -65,7 +65,9 @@ final class Lexer {
                 throw new WorldFileException(
                         here(), "unexpected '" + c + "': values are separated by spaces, nothing else");
             default -> {
-                if (startsNumber(c)) {
+                if (startsPart(c)) {
+                    add(Kind.WORD, endOfRun());
+                } else if (startsNumber(c)) {
                     number();
                 } else if (startsWord(c)) {
                     add(Kind.WORD, endOfRun());
@@ -117,6 +119,15 @@ final class Lexer {
 
     private SourcePosition here() {
         return new SourcePosition(file, line, at - lineStart + 1);
+    }
+
+    /** Whether it is the point in {@code polygon[0].points}: after a bracket, without a space, and before a letter. */
+    private boolean startsPart(char c) {
+        return c == '.'
+                && at > 0
+                && text.charAt(at - 1) == ']'
+                && at + 1 < text.length()
+                && startsWord(text.charAt(at + 1));
     }
 
     private static boolean startsWord(char c) {

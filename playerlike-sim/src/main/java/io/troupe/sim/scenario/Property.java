@@ -1,7 +1,8 @@
 package io.troupe.sim.scenario;
 
 /**
- * A name and its value: {@code size [1 2 3]}, {@code point[0] [0 1]}.
+ * A name and its value: {@code size [1 2 3]}, {@code point[0] [0 1]}, {@code polygon[0].point[1] [0 1]} whose name is
+ * {@code polygon[0].point}.
  *
  * @param index the number in brackets after the name, {@link #NO_INDEX} if there is none
  */
@@ -16,6 +17,12 @@ record Property(String name, int index, Value value, SourcePosition where) {
     /** How many numbers or texts it holds; an empty tuple counts as one. */
     int valueCount() {
         return value instanceof Value.Tuple tuple ? Math.max(1, tuple.items().size()) : 1;
+    }
+
+    /** What the {@link Vocabulary} calls it: {@code polygon.points} for {@code polygon[0].points}. */
+    String word() {
+        int bracket = name.indexOf('[');
+        return bracket < 0 ? name : name.substring(0, bracket) + name.substring(name.indexOf(']') + 1);
     }
 
     static String key(String name, int index) {

@@ -7,15 +7,24 @@ import java.util.List;
  *
  * @param least fewest values of a tuple
  * @param most most values of a tuple
- * @param indexed whether the name stands with an index, as {@code point[0]} does
- * @param refusal why the property cannot be used, empty if it can
+ * @param index whether the name stands with an index, as {@code point[0]} does
+ * @param withoutEffect what to say of a property that Stage knows or knew and that does nothing here, empty if it does
  */
-record PropertyRule(Form form, int least, int most, boolean indexed, String refusal) {
-    static final PropertyRule NUMBER = new PropertyRule(Form.NUMBER, 1, 1, false, "");
-    static final PropertyRule WHOLE = new PropertyRule(Form.WHOLE, 1, 1, false, "");
-    static final PropertyRule FLAG = new PropertyRule(Form.FLAG, 1, 1, false, "");
-    static final PropertyRule TEXT = new PropertyRule(Form.TEXT, 1, 1, false, "");
-    static final PropertyRule TEXTS = new PropertyRule(Form.TEXTS, 0, Integer.MAX_VALUE, false, "");
+record PropertyRule(Form form, int least, int most, Index index, String withoutEffect) {
+    static final PropertyRule NUMBER = new PropertyRule(Form.NUMBER, 1, 1, Index.NONE, "");
+    static final PropertyRule WHOLE = new PropertyRule(Form.WHOLE, 1, 1, Index.NONE, "");
+    static final PropertyRule FLAG = new PropertyRule(Form.FLAG, 1, 1, Index.NONE, "");
+    static final PropertyRule TEXT = new PropertyRule(Form.TEXT, 1, 1, Index.NONE, "");
+    static final PropertyRule TEXTS = new PropertyRule(Form.TEXTS, 0, Integer.MAX_VALUE, Index.NONE, "");
+
+    /** What steers Stage's window or its pace: any value. */
+    static final PropertyRule ANY = new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, Index.MAYBE, "");
+
+    enum Index {
+        NONE,
+        MAYBE,
+        NEEDED
+    }
 
     enum Form {
         NUMBER,
@@ -28,23 +37,28 @@ record PropertyRule(Form form, int least, int most, boolean indexed, String refu
     }
 
     static PropertyRule numbers(int least, int most) {
-        return new PropertyRule(Form.NUMBERS, least, most, false, "");
+        return new PropertyRule(Form.NUMBERS, least, most, Index.NONE, "");
     }
 
     static PropertyRule array(int least, int most) {
-        return new PropertyRule(Form.NUMBERS, least, most, true, "");
+        return new PropertyRule(Form.NUMBERS, least, most, Index.NEEDED, "");
     }
 
-    static PropertyRule refused(String why) {
-        return new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, false, why);
+    static PropertyRule numbersOrArray(int least, int most) {
+        return new PropertyRule(Form.NUMBERS, least, most, Index.MAYBE, "");
+    }
+
+    static PropertyRule withoutEffect(String why) {
+        return new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, Index.MAYBE, why);
     }
 
     /** Throws unless the value is of this form. */
     void check(Property property) {
-        if (form != Form.ANY && indexed != (property.index() != Property.NO_INDEX)) {
+        boolean indexed = property.index() != Property.NO_INDEX;
+        if (indexed ? index == Index.NONE : index == Index.NEEDED) {
             throw new WorldFileException(
                     property.where(),
-                    indexed
+                    index == Index.NEEDED
                             ? "\"" + property.name() + "\" needs an index: " + property.name() + "[0], "
                                     + property.name() + "[1], .."
                             : "\"" + property.name() + "\" takes no index");
@@ -64,7 +78,8 @@ record PropertyRule(Form form, int least, int most, boolean indexed, String refu
                 value instanceof Value.Num number
                         && number.value() == StrictMath.rint(number.value())
                         && Math.abs(number.value()) <= Integer.MAX_VALUE;
-            case FLAG -> value instanceof Value.Num number && (number.value() == 0 || number.value() == 1);
+            // as in Stage, any other number than 0 means yes
+            case FLAG -> value instanceof Value.Num;
             case TEXT -> value instanceof Value.Text;
             case NUMBERS ->
                 value instanceof Value.Tuple(List<Value> items, var where)

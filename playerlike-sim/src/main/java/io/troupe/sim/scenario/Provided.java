@@ -1,6 +1,7 @@
 package io.troupe.sim.scenario;
 
 import java.util.Set;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** One item of {@code provides}, {@code key:host:port:interface:index}; leading fields may be left out or empty. */
@@ -10,7 +11,8 @@ record Provided(int port, String interfaceName, int index) {
 
     /** The item, null if it is left out. */
     static @Nullable Provided parse(Value.Text item, Findings findings) {
-        String[] fields = item.text().split(":", -1);
+        // Player does not mind blanks around a field
+        String[] fields = Stream.of(item.text().split(":", -1)).map(String::strip).toArray(String[]::new);
         if (fields.length > 5) {
             throw new WorldFileException(
                     item.where(), "\"" + item.text() + "\" has more fields than key:host:port:interface:index");
@@ -39,16 +41,17 @@ record Provided(int port, String interfaceName, int index) {
             return true;
         }
         if (DeviceOffer.LATER.contains(name)) {
-            findings.leaveOut(
+            findings.warn(
                     item.where(),
-                    "interface \"" + name + "\" is not supported; supported: "
+                    "interface \"" + name + "\" is not provided here and left out; provided are "
                             + Suggestions.list(DeviceOffer.INTERFACES));
             return false;
         }
-        throw new WorldFileException(
+        findings.leaveOut(
                 item.where(),
                 "unknown interface \"" + name + "\" in \"" + item.text() + '"'
                         + Suggestions.of(name, DeviceOffer.INTERFACES));
+        return false;
     }
 
     private static int number(String field, String what, int least, Value.Text item) {

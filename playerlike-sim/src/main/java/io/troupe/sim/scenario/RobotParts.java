@@ -32,7 +32,7 @@ final class RobotParts {
         this.shapes = shapes;
         this.findings = findings;
         this.robotBlocksBodies = robotBlocksBodies;
-        sensors = new SensorReader(units);
+        sensors = new SensorReader(units, findings);
         rangerReader = new RangerReader(units);
     }
 
@@ -63,6 +63,13 @@ final class RobotParts {
                 case "laser" -> rangers.add(rangerReader.laser(child, mount));
                 case "blobfinder" -> blobfinder(child, mount);
                 case "model" -> cargo(child, mount);
+                case "position" -> {
+                    findings.warn(
+                            child.where(),
+                            "a position on a robot does not drive by itself here: it is read as a model that the robot"
+                                    + " carries");
+                    cargo(child, mount);
+                }
                 default -> {
                     continue; // a block or a sensor: read with its holder; or something left out
                 }
@@ -78,10 +85,17 @@ final class RobotParts {
             rangers.add(rangerReader.ranger(ranger, mount));
             return;
         }
-        if (sonarAt != null) {
-            findings.leaveOut(
+        if (!ranger.has("scount")) {
+            findings.warn(
                     ranger.where(),
-                    "a second ring of sonars on one robot is not supported; the first is at " + sonarAt);
+                    "a ranger without \"scount\" sonars and without a sensor( .. ) as in Stage 4 measures nothing and is"
+                            + " left out");
+            return;
+        }
+        if (sonarAt != null) {
+            findings.warn(
+                    ranger.where(),
+                    "a second ring of sonars on one robot is not simulated and left out; the first is at " + sonarAt);
             return;
         }
         sonarAt = ranger.where();
@@ -90,9 +104,9 @@ final class RobotParts {
 
     private void blobfinder(Entity camera, Pose mount) {
         if (blobfinderAt != null) {
-            findings.leaveOut(
+            findings.warn(
                     camera.where(),
-                    "a second blobfinder on one robot is not supported; the first is at " + blobfinderAt);
+                    "a second blobfinder on one robot is not simulated and left out; the first is at " + blobfinderAt);
             return;
         }
         blobfinderAt = camera.where();

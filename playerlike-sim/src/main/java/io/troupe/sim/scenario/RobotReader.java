@@ -12,7 +12,7 @@ final class RobotReader {
         this.units = units;
         this.dialect = dialect;
         this.shapes = shapes;
-        this.drives = new DriveReader(units, dialect);
+        this.drives = new DriveReader(units, dialect, findings);
         this.findings = findings;
     }
 

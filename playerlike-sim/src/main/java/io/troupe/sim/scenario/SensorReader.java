@@ -1,6 +1,7 @@
 package io.troupe.sim.scenario;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Reads the sensors a robot carries: a {@code ranger} as its sonar ring, a {@code blobfinder}. */
@@ -11,18 +12,15 @@ final class SensorReader {
     static final double FULL_CIRCLE_RAD = 2 * Math.PI;
 
     private final Units units;
+    private final Findings findings;
 
-    SensorReader(Units units) {
+    SensorReader(Units units, Findings findings) {
         this.units = units;
+        this.findings = findings;
     }
 
-    /** A {@code ranger} of the classic dialect, mounted at {@code pose}. */
+    /** A {@code ranger} of the classic dialect, which has an {@code scount}, mounted at {@code pose}. */
     SonarSpec sonar(Entity ranger, Pose pose) {
-        if (!ranger.has("scount")) {
-            throw new WorldFileException(
-                    ranger.where(),
-                    "a ranger needs \"scount\", the number of its sonars, or a sensor( .. ) as in Stage 4");
-        }
         int count = ranger.whole("scount", 0);
         SourcePosition where = ranger.whereOf("scount");
         if (count < 1 || count > MOST_SONARS) {
@@ -46,11 +44,20 @@ final class SensorReader {
     }
 
     private SonarSpec view(Entity ranger, List<Pose> mounts) {
-        if (!ranger.has("sview")) {
+        String key = ranger.has("sview") ? "sview" : Property.key("sview", 0);
+        if (!ranger.has(key)) {
             return new SonarSpec(mounts, 0, 5, Math.PI / mounts.size());
         }
-        double[] view = ranger.numbers("sview");
-        SourcePosition where = ranger.whereOf("sview");
+        double[] view = ranger.numbers(key);
+        SourcePosition where = ranger.whereOf(key);
+        for (int i = 0; i < mounts.size(); i++) {
+            String other = Property.key("sview", i);
+            if (ranger.has(other) && !Arrays.equals(ranger.numbers(other), view)) {
+                findings.warn(
+                        ranger.whereOf(other), "all sonars of a ring have one view here: that of " + where + " counts");
+                break;
+            }
+        }
         double least = units.metres(view[0], where);
         double most = units.metres(view[1], where);
         if (least < 0 || most <= least || most > FARTHEST_M) {

@@ -1,19 +1,25 @@
 package io.troupe.sim.scenario;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Works out the outline of a model: its blocks scaled to fill {@code size}, its boundary, or the plain box. */
 final class ShapeReader {
     private static final double SMALLEST_M = 0.001;
-    private static final double LARGEST_M = 1000;
+    private static final double LARGEST_M = 10_000;
+    private static final int MOST_OUTLINES = 1000;
     private static final double BOUNDARY_THICKNESS_M = 0.02;
 
     private final Units units;
-    private final BitmapShapes bitmaps = new BitmapShapes();
+    private final BitmapShapes bitmaps;
 
-    ShapeReader(Units units) {
+    /** @param mainFile of the world: bitmaps may stand beside it */
+    ShapeReader(Units units, Path mainFile) {
         this.units = units;
+        bitmaps = new BitmapShapes(mainFile);
     }
 
     /** Width and depth of the body, {@code {x, y}}. */
@@ -25,7 +31,7 @@ final class ShapeReader {
             size[i] = model.has("size") ? units.metres(size[i], where) : size[i];
             if (size[i] < SMALLEST_M || size[i] > LARGEST_M) {
                 throw new WorldFileException(
-                        where, "\"size\" must be from 0.001 to 1000 m in x and y, not " + size[i] + " m");
+                        where, "\"size\" must be from 0.001 to 10000 m in x and y, not " + size[i] + " m");
             }
         }
         return new double[] {size[0], size[1]};
@@ -34,8 +40,9 @@ final class ShapeReader {
     /** The body in the frame of the pose point. */
     Shape shape(Entity model) {
         double[] size = size(model);
-        List<Entity> blocks = model.children().stream()
-                .filter(child -> child.type().equals("block"))
+        List<Entity> blocks = Stream.concat(
+                        model.children().stream().filter(child -> child.type().equals("block")),
+                        Stream.of("block", "polygon").flatMap(word -> outlinesOfStage2(model, word).stream()))
                 .toList();
         boolean bitmap = !model.text("bitmap", "").isEmpty();
         if (bitmap && !blocks.isEmpty()) {
@@ -56,6 +63,38 @@ final class ShapeReader {
             shape = new Shape(List.of(Polygons.rectangle(-size[0] / 2, -size[1] / 2, size[0] / 2, size[1] / 2)));
         }
         return shape.at(units.pose(model, "origin"));
+    }
+
+    /** What version 2 of Stage wrote as {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, as blocks. */
+    private static List<Entity> outlinesOfStage2(Entity model, String word) {
+        int count = model.whole(word + "s", 0);
+        if (count < 0 || count > MOST_OUTLINES) {
+            throw new WorldFileException(
+                    model.whereOf(word + "s"),
+                    "\"" + word + "s\" must be from 0 to " + MOST_OUTLINES + ", not " + count);
+        }
+        var outlines = new ArrayList<Entity>();
+        for (int i = 0; i < count; i++) {
+            String prefix = Property.key(word, i) + ".";
+            Property points = model.properties().get(prefix + "points");
+            if (points == null) {
+                throw new WorldFileException(
+                        model.whereOf(word + "s"),
+                        "\"" + word + "s\" is " + count + ", but " + prefix + "points is missing");
+            }
+            var properties = new LinkedHashMap<String, Property>();
+            properties.put("points", points);
+            for (int j = 0; j < model.whole(prefix + "points", 0); j++) {
+                Property point = model.properties().get(Property.key(prefix + "point", j));
+                if (point == null) {
+                    break; // the reader of blocks says which one
+                }
+                var renamed = new Property("point", j, point.value(), point.where());
+                properties.put(renamed.key(), renamed);
+            }
+            outlines.add(new Entity("block", points.where(), properties, List.of(), 1, properties.size(), 1));
+        }
+        return outlines;
     }
 
     private static Shape blocks(List<Entity> blocks, double[] size) {

@@ -1,15 +1,24 @@
 package io.troupe.sim.scenario;
 
+import java.io.File;
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** Finds and reads files that a user or another file named. */
 final class SourceText {
     private static final long MOST_BYTES = 16_000_000;
+
+    private static final System.Logger LOG = System.getLogger(SourceText.class.getName());
+    private static final List<Path> STAGE_FOLDERS = stageFolders(System.getenv("STAGEPATH"));
 
     private SourceText() {}
 
@@ -42,6 +51,43 @@ final class SourceText {
         } catch (InvalidPathException e) {
             throw new WorldFileException(asker, "\"" + name + "\" is not a file name: " + e.getReason());
         }
+    }
+
+    /**
+     * The file that another one names: beside it, beside the first file, or where Stage keeps its worlds.
+     *
+     * @param first the file that the user named
+     */
+    static Path sibling(Path file, Path first, String name, SourcePosition asker) {
+        return find(file, first, STAGE_FOLDERS, name, asker);
+    }
+
+    /** The first of the places that has the file; where none has it, that beside the file that names it. */
+    static Path find(Path file, Path first, List<Path> folders, String name, SourcePosition asker) {
+        Path beside = sibling(file, name, asker);
+        return Stream.concat(
+                        Stream.of(beside, sibling(first, name, asker)),
+                        folders.stream().map(folder -> folder.resolve(name).normalize()))
+                .filter(Files::isRegularFile)
+                .findFirst()
+                .orElse(beside);
+    }
+
+    /** The folders of {@code STAGEPATH} and those in which Stage installs its worlds. */
+    private static List<Path> stageFolders(@Nullable String path) {
+        var folders = new ArrayList<Path>();
+        for (String folder : (path == null ? "" : path).split(Pattern.quote(File.pathSeparator))) {
+            try {
+                if (!folder.isBlank()) {
+                    folders.add(Path.of(folder));
+                }
+            } catch (InvalidPathException e) {
+                LOG.log(Level.WARNING, "STAGEPATH names \"{0}\", which is no folder: {1}", folder, e.getReason());
+            }
+        }
+        folders.add(Path.of("/usr/local/share/stage/worlds"));
+        folders.add(Path.of("/usr/share/stage/worlds"));
+        return List.copyOf(folders);
     }
 
     private static WorldFileException problem(@Nullable SourcePosition asker, String problem) {

@@ -21,16 +21,15 @@ final class VocabularyCheck {
     }
 
     /**
-     * Reports what is not in the vocabulary. Macros are checked too; what is known but not supported is reported only where a
+     * Reports what is not in the vocabulary. Macros are checked too; what is known but has no effect is reported only where a
      * macro is used, so that stock include files with more in them than a world needs can be read.
      */
     static void check(Document document, Findings findings) {
         var check = new VocabularyCheck(document, findings);
         for (Entity macro : document.macros().values()) {
             if (!Vocabulary.isType(macro.type())) {
-                throw check.unknownType(macro, Vocabulary.readableTypes());
-            }
-            if (!Vocabulary.isWithoutUse(macro.type())) {
+                check.unknownType(macro, Vocabulary.readableTypes());
+            } else if (!Vocabulary.isWithoutUse(macro.type())) {
                 check.inside(macro, false);
             }
         }
@@ -53,18 +52,18 @@ final class VocabularyCheck {
         if (!(used ? checkedInUse : checkedInMacros).add(property)) {
             return;
         }
-        PropertyRule rule = type.properties().get(property.name());
+        PropertyRule rule = type.properties().get(property.word());
         if (rule == null) {
             findings.leaveOut(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
                             + Suggestions.briefly(
-                                    property.name(), type.properties().keySet()));
+                                    property.name(), type.usefulProperties()));
             return;
         }
-        if (!rule.refusal().isEmpty()) {
+        if (!rule.withoutEffect().isEmpty()) {
             if (used) {
-                findings.leaveOut(property.where(), "\"" + property.name() + "\" " + rule.refusal());
+                findings.warn(property.where(), "\"" + property.name() + "\" " + rule.withoutEffect());
             }
             return;
         }
@@ -73,23 +72,23 @@ final class VocabularyCheck {
 
     /** False for what is left out. */
     private boolean mayRead(Entity child, Entity parent, Vocabulary.Type parentType, boolean used) {
-        String refusal = parentType.children().get(child.type());
-        if ("".equals(refusal)) {
-            return true;
-        }
-        if (refusal != null) {
-            if (used) {
-                throw new WorldFileException(child.where(), refusal);
-            }
-            return false;
+        if (parentType.children().contains(child.type())) {
+            // the properties of Player's other drivers are their own
+            return !child.type().equals("driver") || !child.has("name") || ConfigReader.mayBeStage(child);
         }
         if (Vocabulary.isWithoutUse(child.type())) {
             if (used) {
-                findings.leaveOut(
+                findings.warn(
                         child.where(),
-                        "\"" + child.type() + "\" is not supported; supported are model, position, ranger, laser and"
-                                + " blobfinder");
+                        "\"" + child.type() + "\" is not simulated and left out; simulated are model, position, ranger,"
+                                + " laser and blobfinder");
             }
+            return false;
+        }
+        if (Vocabulary.isSensor(child.type()) && parent.type().equals(Vocabulary.WORLD)) {
+            findings.warn(
+                    child.where(),
+                    "a " + child.type() + " that hangs on no robot (a position) is read by nobody and left out");
             return false;
         }
         if (Vocabulary.isType(child.type())) {
@@ -98,13 +97,14 @@ final class VocabularyCheck {
                     "\"" + child.type() + "\" cannot stand in a " + parent.type() + "; it belongs in a "
                             + String.join(" or a ", Vocabulary.holdersOf(child.type())));
         }
-        throw unknownType(child, parentType.readableChildren());
+        unknownType(child, parentType.children());
+        return false;
     }
 
-    private WorldFileException unknownType(Entity entity, Collection<String> builtIn) {
+    private void unknownType(Entity entity, Collection<String> builtIn) {
         var known = new TreeSet<>(builtIn);
         known.addAll(document.macros().keySet());
-        return new WorldFileException(
+        findings.leaveOut(
                 entity.where(), "unknown entity \"" + entity.type() + '"' + Suggestions.briefly(entity.type(), known));
     }
 }

@@ -15,6 +15,8 @@ final class WorldChecks {
     private static final Logger LOG = System.getLogger(WorldChecks.class.getName());
     private static final double EXACT_WITHIN_M = 150;
     private static final double USABLE_WITHIN_M = 500;
+    /** Rays reach walls there, and no robot starts there. */
+    private static final double WALLS_WITHIN_M = 5_000;
 
     /** A body where it stands in the world. */
     private record Body(String name, SourcePosition where, List<List<Point>> pieces, Box box) {
@@ -43,7 +45,7 @@ final class WorldChecks {
 
     private WorldChecks() {}
 
-    static void check(WorldSpec world) {
+    static void check(WorldSpec world, Findings findings) {
         checkNames(world);
         List<Body> robots = world.robots().stream()
                 .filter(RobotSpec::blocksBodies)
@@ -53,15 +55,14 @@ final class WorldChecks {
                 .filter(ObstacleSpec::blocksBodies)
                 .map(Body::of)
                 .toList();
-        Stream<Body> ghosts = Stream.concat(
-                world.obstacles().stream()
-                        .filter(obstacle -> !obstacle.blocksBodies())
-                        .map(Body::of),
-                world.robots().stream().filter(robot -> !robot.blocksBodies()).map(Body::of));
-        Stream.of(robots.stream(), walls.stream(), ghosts)
-                .flatMap(bodies -> bodies)
-                .forEach(WorldChecks::checkReach);
-        checkOverlaps(robots, walls);
+        Stream<Body> ghostRobots =
+                world.robots().stream().filter(robot -> !robot.blocksBodies()).map(Body::of);
+        Stream<Body> ghostWalls = world.obstacles().stream()
+                .filter(obstacle -> !obstacle.blocksBodies())
+                .map(Body::of);
+        Stream.concat(robots.stream(), ghostRobots).forEach(body -> checkReach(body, USABLE_WITHIN_M));
+        Stream.concat(walls.stream(), ghostWalls).forEach(body -> checkReach(body, WALLS_WITHIN_M));
+        reportOverlaps(robots, walls, findings);
         checkArena(world.robots(), walls);
     }
 
@@ -81,12 +82,13 @@ final class WorldChecks {
         }
     }
 
-    private static void checkReach(Body body) {
+    private static void checkReach(Body body, double limitM) {
         double reach = body.box.reach();
-        if (reach > USABLE_WITHIN_M) {
+        if (reach > limitM) {
             throw new WorldFileException(
                     body.where,
-                    body.name + " lies " + inMetres(reach) + " m from the origin along x or y; the limit is 500 m");
+                    body.name + " lies " + inMetres(reach) + " m from the origin along x or y; the limit is "
+                            + (int) limitM + " m");
         }
         if (reach > EXACT_WITHIN_M) {
             LOG.log(
@@ -98,22 +100,17 @@ final class WorldChecks {
         }
     }
 
-    private static void checkOverlaps(List<Body> robots, List<Body> walls) {
+    /** As in Stage, a robot in something else cannot move; the simulator holds it. */
+    private static void reportOverlaps(List<Body> robots, List<Body> walls, Findings findings) {
         for (int i = 0; i < robots.size(); i++) {
             Body robot = robots.get(i);
-            for (Body other : robots.subList(0, i)) {
-                checkApart(robot, other);
-            }
-            for (Body wall : walls) {
-                checkApart(robot, wall);
-            }
-        }
-    }
-
-    private static void checkApart(Body robot, Body other) {
-        if (robot.overlaps(other)) {
-            throw new WorldFileException(
-                    robot.where, robot.name + " overlaps " + other.name + " (" + other.where + ") at the start");
+            Stream.concat(robots.subList(0, i).stream(), walls.stream())
+                    .filter(robot::overlaps)
+                    .findFirst()
+                    .ifPresent(other -> findings.warn(
+                            robot.where,
+                            robot.name + " overlaps " + other.name + " (" + other.where
+                                    + ") at the start: it stalls until it is put elsewhere"));
         }
     }
 

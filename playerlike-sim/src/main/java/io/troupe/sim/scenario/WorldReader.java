@@ -19,11 +19,11 @@ final class WorldReader {
     private final List<ObstacleSpec> obstacles = new ArrayList<>();
     private final Map<String, Integer> unnamed = new TreeMap<>();
 
-    private WorldReader(Units units, Dialect dialect, Findings findings) {
+    private WorldReader(Units units, Dialect dialect, Findings findings, Path mainFile) {
         this.units = units;
         this.dialect = dialect;
         this.findings = findings;
-        this.shapes = new ShapeReader(units);
+        this.shapes = new ShapeReader(units, mainFile);
         this.robotReader = new RobotReader(units, dialect, shapes, findings);
     }
 
@@ -31,7 +31,8 @@ final class WorldReader {
     static WorldSpec read(Document document, Findings findings) {
         VocabularyCheck.check(document, findings);
         Entity root = document.root();
-        var reader = new WorldReader(Units.of(root), Dialect.of(root, findings), findings);
+        var reader = new WorldReader(
+                Units.of(root), Dialect.of(root, findings), findings, root.where().file());
         for (Entity entity : document.entities()) {
             switch (entity.type()) {
                 case "position" -> reader.robot(entity);
@@ -42,7 +43,7 @@ final class WorldReader {
         Path file = root.where().file();
         String name = root.text("name", String.valueOf(file.getFileName()));
         var world = new WorldSpec(name, file, intervalMillis(root), reader.robots, reader.obstacles);
-        WorldChecks.check(world);
+        WorldChecks.check(world, findings);
         return world;
     }
 
@@ -58,11 +59,13 @@ final class WorldReader {
 
     private void robot(Entity position) {
         checkLaserReturn(position);
+        reportProgram(position);
         robots.add(robotReader.read(position, name(position)));
     }
 
     private void obstacle(Entity model, Pose outer) {
         checkLaserReturn(model);
+        reportProgram(model);
         Pose pose = outer.compose(units.pose(model, "pose"));
         obstacles.add(new ObstacleSpec(
                 name(model),
@@ -76,11 +79,26 @@ final class WorldReader {
         for (Entity child : model.children()) {
             if (child.type().equals("model")) {
                 obstacle(child, pose);
+            } else if (child.type().equals("position")) {
+                findings.warn(
+                        child.where(), "a position on a model does not drive here: it is read as a part of the model");
+                obstacle(child, pose);
             } else if (Vocabulary.isSensor(child.type())) {
-                findings.leaveOut(
+                findings.warn(
                         child.where(),
-                        "a " + child.type() + " must hang on a robot (a position), not on a model that stands still");
+                        "a " + child.type() + " must hang on a robot (a position); on a model that stands still it is left"
+                                + " out");
             }
+        }
+    }
+
+    private void reportProgram(Entity model) {
+        String program = model.text("ctrl", "");
+        if (!program.isBlank()) {
+            findings.warn(
+                    model.whereOf("ctrl"),
+                    "\"ctrl\" \"" + program + "\" is a program that Stage runs and that is not run here: robots wait for"
+                            + " their clients");
         }
     }
 
@@ -88,9 +106,10 @@ final class WorldReader {
         boolean differs =
                 model.has("laser_return") && model.number("laser_return", 1) > 0 != dialect.blocksRangers(model);
         if (differs) {
-            findings.leaveOut(
+            findings.warn(
                     model.whereOf("laser_return"),
-                    "lasers and sonars see the same things here: \"laser_return\" must agree with \"ranger_return\"");
+                    "lasers and sonars see the same things here: \"ranger_return\" counts, and \"laser_return\" differs"
+                            + " from it");
         }
     }
 

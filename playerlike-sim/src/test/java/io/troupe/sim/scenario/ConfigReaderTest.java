@@ -81,7 +81,6 @@ class ConfigReaderTest {
                 "\"positon2d:0\"               | t.cfg:2:34: unknown interface \"positon2d\" in \"positon2d:0\"; did you mean \"position2d\"? known: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"wheels:0\"                  | t.cfg:2:34: unknown interface \"wheels\" in \"wheels:0\"; known: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"laser:0\"                   | t.cfg:2:34: robot \"full\" (w.world:1:1) cannot provide laser; it can provide position2d, sonar, blobfinder, ranger",
-                "\"speech:0\"                  | t.cfg:2:34: interface \"speech\" is not supported; supported: blobfinder, laser, position2d, ranger, simulation, sonar",
                 "\"sonar:x\"                   | t.cfg:2:34: the index in \"sonar:x\" must be a whole number from 0 to 65535, not \"x\"",
                 "\"sonar:\"                    | t.cfg:2:34: the index in \"sonar:\" must be a whole number from 0 to 65535, not \"\"",
                 "\"0:sonar:0\"                 | t.cfg:2:34: the port in \"0:sonar:0\" must be a whole number from 1 to 65535, not \"0\"",
@@ -111,10 +110,8 @@ class ConfigReaderTest {
                 "driver ( name \"stage\" provides [ \"sonar:0\" ] model \"ful\" )  | t.cfg:2:52: there is no robot \"ful\" in w.world; did you mean \"full\"? known: bare, full",
                 "driver ( name \"stage\" provides [ \"sonar:0\" ] model \"box\" )  | t.cfg:2:52: model \"box\" is not a robot in w.world; known: bare, full",
                 "driver ( name \"stage\" provides [ \"sonar:0\" ] )                | t.cfg:2:1: a driver needs either a \"worldfile\" (to provide simulation) or a \"model\" (to provide a robot's devices)",
-                "driver ( name \"vfh\" provides [ \"position2d:1\" ] model \"full\" ) | t.cfg:2:15: driver \"vfh\" is not supported; expected \"stage\"",
                 "driver ( provides [ \"position2d:1\" ] model \"full\" )           | t.cfg:2:1: a driver needs a \"name\"; expected \"stage\"",
                 "driver ( name \"stage\" model \"full\" )                          | t.cfg:2:1: a driver must provide something, such as [ \"position2d:0\" ]",
-                "driver ( name \"stage\" requires [ \"laser:0\" ] )                | t.cfg:2:23: \"requires\" is not supported: the drivers offered here need no other device",
                 "driver ( name \"stage\" modle \"full\" )                          | t.cfg:2:23: unknown property \"modle\" of driver; did you mean \"model\"?",
                 "driver ( name \"stage\" provides [ \"simulation:1\" ] worldfile \"x.world\" ) | t.cfg:2:61: a second \"worldfile\"; the first is at t.cfg:1:61",
                 "drivr ( )                                                          | t.cfg:2:1: unknown entity \"drivr\"; did you mean \"driver\"?",
@@ -220,11 +217,11 @@ class ConfigReaderTest {
     }
 
     @Test
-    void lenientReader_leavesOutOtherDriversAndInterfaces() {
+    void otherDriversAndInterfaces_areLeftOutWithAWarning() {
         var warnings = new ArrayList<String>();
         Path file = worlds.write("t.cfg", STAGE + """
-                driver ( name "vfh" provides [ "position2d:1" ] requires [ "laser:0" ] )
-                driver ( name "stage" provides [ "speech:0" "sonar:0" "graphics2d:0" ] model "full" )
+                driver ( name "vfh" provides [ "position2d:1" ] requires [ "laser:0" ] safety_dist 0.3 )
+                driver ( name "stage" provides [ "speech:0" "sonar:0" ] requires [ "map:0" ] model "full" )
                 """);
 
         Scenario scenario = ScenarioReader.read(
@@ -233,11 +230,38 @@ class ConfigReaderTest {
         assertThat(scenario.devices()).extracting(DeviceBinding::interfaceName).containsExactly("simulation", "sonar");
         assertThat(warnings)
                 .containsExactly(
-                        "t.cfg:2:49: \"requires\" is not supported: the drivers offered here need no other device",
-                        "t.cfg:2:15: driver \"vfh\" is not supported; expected \"stage\"",
-                        "t.cfg:3:34: interface \"speech\" is not supported; supported: blobfinder, laser, position2d,"
-                                + " ranger, simulation, sonar",
-                        "t.cfg:3:55: interface \"graphics2d\" is not supported; supported: blobfinder, laser, position2d,"
-                                + " ranger, simulation, sonar");
+                        "t.cfg:3:57: \"requires\" has no effect here: the drivers offered here need no other device",
+                        "t.cfg:2:15: driver \"vfh\" is not run here and left out, and what it provides with it;"
+                                + " expected \"stage\"",
+                        "t.cfg:3:34: interface \"speech\" is not provided here and left out; provided are blobfinder,"
+                                + " laser, position2d, ranger, simulation, sonar");
+    }
+
+    @Test
+    void driverNamedAlmostStage_isASlip() {
+        assertThat(worlds.configProblem(STAGE + "driver ( name \"stag\" provides [ \"sonar:0\" ] model \"full\" )"))
+                .isEqualTo("t.cfg:2:15: unknown driver \"stag\"; did you mean \"stage\"?");
+    }
+
+    @Test
+    void blanksAroundAField_areNotPartOfIt() {
+        assertThat(ScenarioReader.readConfig(worlds.write(
+                                "t.cfg",
+                                STAGE + "driver ( name \"stage\" provides [ \"7001: sonar:1 \" ] model \"full\" )"))
+                        .devices())
+                .extracting(d -> d.port() + " " + d.interfaceName() + ":" + d.index())
+                .containsExactly("6665 simulation:0", "7001 sonar:1");
+    }
+
+    @Test
+    void lenientReader_leavesOutAnUnknownInterface() {
+        var warnings = new ArrayList<String>();
+        Path file = worlds.write(
+                "t.cfg", STAGE + "driver ( name \"stage\" provides [ \"sonr:0\" \"sonar:0\" ] model \"full\" )");
+
+        Scenario scenario = ScenarioReader.readLeniently(file, warning -> warnings.add(warning.problem()));
+
+        assertThat(scenario.devices()).extracting(DeviceBinding::interfaceName).containsExactly("simulation", "sonar");
+        assertThat(warnings).singleElement().asString().contains("unknown interface \"sonr\"", "\"sonar\"?");
     }
 }

@@ -160,7 +160,7 @@ class DialectsTest {
                 model ( pose [ 4 0 0 0 ] laser () )
                 """);
 
-        Scenario scenario = ScenarioReader.read(
+        Scenario scenario = ScenarioReader.readLeniently(
                 file,
                 warning ->
                         warnings.add(warning.toString().replace(dir + "/", "").replaceFirst("; known.*", "")));
@@ -170,20 +170,21 @@ class DialectsTest {
         assertThat(warnings)
                 .containsExactlyInAnyOrder(
                         "t.world:1:27: unknown property \"paint\" of position",
-                        "t.world:1:40: \"fiducial\" is not supported; supported are model, position, ranger, laser and"
-                                + " blobfinder",
-                        "t.world:2:58: \"camera\" is not supported; supported are model, position, ranger, laser and"
-                                + " blobfinder",
+                        "t.world:1:40: \"fiducial\" is not simulated and left out; simulated are model, position, ranger,"
+                                + " laser and blobfinder",
+                        "t.world:2:58: \"camera\" is not simulated and left out; simulated are model, position, ranger,"
+                                + " laser and blobfinder",
                         "t.world:2:68: unknown property \"wheel\" of position",
                         "t.world:3:1: unknown property \"speed\" of world file",
-                        "t.world:4:26: a laser must hang on a robot (a position), not on a model that stands still");
+                        "t.world:4:26: a laser must hang on a robot (a position); on a model that stands still it is left"
+                                + " out");
     }
 
     @Test
     void lenientReader_stillRefusesWhatMakesNoSense() {
         Path file = worlds.write("t.world", "model ( size \"big\" )");
 
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(file, warning -> {})))
+        assertThat(worlds.problemOf(() -> ScenarioReader.readLeniently(file, warning -> {})))
                 .startsWith("t.world:1:14: \"size\" must be");
     }
 }

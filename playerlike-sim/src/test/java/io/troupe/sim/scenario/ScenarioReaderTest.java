@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ScenarioReaderTest {
     private static final String TWO_ROBOTS = """
@@ -59,13 +61,40 @@ class ScenarioReaderTest {
     }
 
     @Test
-    void configuration_besideAWorldButForAnother_isNotUsedSilently() {
+    void configuration_besideAWorldButForAnother_isNotUsedAndThatIsAWarning() {
         worlds.write("arena.world", Worlds.ARENA);
         worlds.write("two.cfg", Worlds.CONFIG);
         Path world = worlds.write("two.world", TWO_ROBOTS);
 
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(world)))
-                .isEqualTo("two.cfg beside two.world is for another world, arena.world; name the .cfg file to use it");
+        assertThat(worlds.warningsOf(world))
+                .containsExactly("two.cfg:1:1: this file beside two.world is not used, and every robot is offered instead;"
+                        + " name it to use it: two.cfg:1:82: it is for another world, arena.world");
+        assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"\"sonar:x\"", "\"laser:0\"", "\"positon2d:0\"", "\"position2d:0\" \"position2d:0\"", "7", ""})
+    void configuration_besideAWorldAndWithAnError_isNotUsedAndThatIsAWarning(String items) {
+        String stage = "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"two.world\" )";
+        Path config = worlds.write(
+                "two.cfg", stage + "driver ( name \"stage\" provides [ " + items + " ] model \"bare\" )");
+        Path world = worlds.write("two.world", TWO_ROBOTS);
+
+        assertThat(worlds.warningsOf(world))
+                .singleElement()
+                .asString()
+                .startsWith("two.cfg:1:1: this file beside two.world is not used")
+                .contains("name it to use it: two.cfg:1:");
+        assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
+        assertThat(worlds.problemOf(() -> ScenarioReader.read(config))).startsWith("two.cfg:1:");
+    }
+
+    @Test
+    void error_inAWorldWithAConfiguration_isTheWorldsOwn() {
+        worlds.write("two.cfg", Worlds.CONFIG);
+        Path world = worlds.write("two.world", "model ( siez 1 )");
+
+        assertThat(worlds.problemOf(() -> ScenarioReader.read(world))).startsWith("two.world:1:9: unknown property");
     }
 
     @Test

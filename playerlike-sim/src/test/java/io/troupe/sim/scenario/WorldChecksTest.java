@@ -32,37 +32,36 @@ class WorldChecksTest {
 
     @Test
     void robots_overlapping_areBothNamedWithTheirPlaces() {
-        assertThat(worlds.problem(robot("a", 0, 0, 0) + robot("b", 0.9, 0.9, 0)))
-                .isEqualTo("t.world:2:1: robot \"b\" overlaps robot \"a\" (t.world:1:1) at the start");
+        assertThat(worlds.warnings(robot("a", 0, 0, 0) + robot("b", 0.9, 0.9, 0)))
+                .containsExactly("t.world:2:1: robot \"b\" overlaps robot \"a\" (t.world:1:1) at the start: it stalls until"
+                        + " it is put elsewhere");
     }
 
     @Test
     void robots_touching_areApart() {
-        assertThat(worlds.world(robot("a", 0, 0, 0) + robot("b", 1, 0, 0) + robot("c", 0, -1, 90))
-                        .robots())
-                .hasSize(3);
+        assertThat(worlds.warnings(robot("a", 0, 0, 0) + robot("b", 1, 0, 0) + robot("c", 0, -1, 90)))
+                .isEmpty();
     }
 
     @Test
     void robots_whoseBoxesMeetButNotTheirBodies_areApart() {
         // both turned by 45 degrees: corners at 0.7071 along the axes, so their upright boxes meet at (0.75, 0.75)
         double meeting = Math.sqrt(0.5);
-        assertThat(worlds.world(robot("a", 0, 0, 45) + robot("b", meeting + 0.001, meeting + 0.001, 45))
-                        .robots())
-                .hasSize(2);
-        assertThat(worlds.problem(robot("a", 0, 0, 45) + robot("b", meeting - 0.001, meeting - 0.001, 45)))
-                .contains("overlaps");
+        assertThat(worlds.warnings(robot("a", 0, 0, 45) + robot("b", meeting + 0.001, meeting + 0.001, 45)))
+                .isEmpty();
+        assertThat(worlds.warnings(robot("a", 0, 0, 45) + robot("b", meeting - 0.001, meeting - 0.001, 45)))
+                .hasSize(1);
     }
 
     @Test
-    void robot_insideAnObstacle_isRefusedUnlessItCanBeDrivenThrough() {
+    void robot_insideAnObstacle_isWarnedAboutUnlessItCanBeDrivenThrough() {
         String box = "model ( name \"box\" pose [ 2 0 0 0 ] size [ 3 3 ] ";
 
-        assertThat(worlds.problem(robot("a", 2, 0, 0) + box + ")"))
-                .isEqualTo("t.world:1:1: robot \"a\" overlaps obstacle \"box\" (t.world:2:1) at the start");
-        assertThat(worlds.world(robot("a", 2, 0, 0) + box + "obstacle_return 0 )")
-                        .robots())
-                .hasSize(1);
+        assertThat(worlds.warnings(robot("a", 2, 0, 0) + box + ")"))
+                .containsExactly("t.world:1:1: robot \"a\" overlaps obstacle \"box\" (t.world:2:1) at the start: it stalls"
+                        + " until it is put elsewhere");
+        assertThat(worlds.warnings(robot("a", 2, 0, 0) + box + "obstacle_return 0 )"))
+                .isEmpty();
     }
 
     @Test
@@ -72,8 +71,11 @@ class WorldChecksTest {
                   point[4] [ 3 1 ] point[5] [ 1 1 ] point[6] [ 1 4 ] point[7] [ 0 4 ] ) )
                 """;
 
-        assertThat(worlds.world(hook + robot("a", 0, 0.6, 0)).robots()).hasSize(1);
-        assertThat(worlds.problem(hook + robot("a", 0, -0.6, 0))).contains("overlaps obstacle \"model:0\"");
+        assertThat(worlds.warnings(hook + robot("a", 0, 0.6, 0))).isEmpty();
+        assertThat(worlds.warnings(hook + robot("a", 0, -0.6, 0)))
+                .singleElement()
+                .asString()
+                .contains("overlaps obstacle \"model:0\"");
     }
 
     @Test
@@ -126,10 +128,12 @@ class WorldChecksTest {
     }
 
     @Test
-    void body_beyond500Metres_isRefused() {
-        assertThat(worlds.problem("model ( name \"far\" pose [ 0 -499.6 0 0 ] size [ 1 1 ] )"))
-                .isEqualTo("t.world:1:1: obstacle \"far\" lies 500.100 m from the origin along x or y;"
-                        + " the limit is 500 m");
+    void robotBeyond500Metres_andObstacleBeyond5000_areRefused() {
+        assertThat(worlds.problem("model ( name \"far\" pose [ 0 -4999.6 0 0 ] size [ 1 1 ] )"))
+                .isEqualTo("t.world:1:1: obstacle \"far\" lies 5000.100 m from the origin along x or y;"
+                        + " the limit is 5000 m");
+        assertThat(worlds.world("model ( size [ 1200 600 ] boundary 1 )").obstacles())
+                .hasSize(1);
         assertThat(worlds.problem(robot("far", 900, 0, 0))).contains("robot \"far\" lies 900.500 m");
     }
 

@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 
 /** World files for tests, written into a directory of the test's own. */
@@ -107,6 +109,18 @@ final class Worlds {
     String configProblem(String text) {
         Path file = write("t.cfg", text);
         return problemOf(() -> ScenarioReader.readConfig(file));
+    }
+
+    /** The warnings of the strict reader about a world file {@code t.world}, without the directory. */
+    List<String> warnings(String text) {
+        return warningsOf(write("t.world", text));
+    }
+
+    /** The warnings of the strict reader about a file, without the directory. */
+    List<String> warningsOf(Path file) {
+        var warnings = new ArrayList<String>();
+        ScenarioReader.read(file, warning -> warnings.add(warning.toString().replace(dir + "/", "")));
+        return warnings;
     }
 
     String problemOf(ThrowingCallable reading) {

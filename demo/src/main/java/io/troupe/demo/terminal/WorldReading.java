@@ -1,0 +1,38 @@
+package io.troupe.demo.terminal;
+
+import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.scenario.WorldFileWarning;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/**
+ * How every command reads a world: warnings with their places go to the error stream; unknown names are warnings only with
+ * {@code --lenient}.
+ */
+public final class WorldReading {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(names = "--lenient", description = "warn of names in the world file that nobody knows, and go on")
+    private boolean lenient;
+
+    /**
+     * Reads a world or configuration file.
+     *
+     * @throws picocli.CommandLine.ParameterException if there is no such file, or it may not be read
+     */
+    public Scenario read(Path file) {
+        FileProblems.checkInput(spec, file, "a world file");
+        PrintWriter err = spec.commandLine().getErr();
+        Consumer<WorldFileWarning> print = warning -> err.println("troupe: warning: " + warning);
+        Scenario scenario =
+                lenient ? ScenarioReader.readLeniently(file, print) : ScenarioReader.read(file, print);
+        err.flush();
+        return scenario;
+    }
+}
