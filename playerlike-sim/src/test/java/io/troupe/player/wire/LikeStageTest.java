@@ -24,7 +24,7 @@ class LikeStageTest {
 
     private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
 
-    /** Ahead of the robot a red box on the left and a green one on the right; devices as no interface's number orders them. */
+    /** Ahead of the robot a red box on the left and a green one on the right; devices in an order of their own. */
     private static Scenario scenario() {
         var world = TestWorlds.world(
                 List.of(TestWorlds.robot("one", 0, 0, 0)),
@@ -85,8 +85,12 @@ class LikeStageTest {
             String data = Hex.text(client.next(MessageType.DATA, 7, 1).payload());
             String size = "00000050" + "0000003c" + "00000002" + "00000002";
             assertThat(data).startsWith(size).hasSize(size.length() + 2 * 80);
-            assertThat(data.substring(size.length() + 8, size.length() + 16)).as("the first colour").isEqualTo("0000ff00");
-            assertThat(data.substring(size.length() + 88, size.length() + 96)).as("the second").isEqualTo("00ff0000");
+            assertThat(data.substring(size.length() + 8, size.length() + 16))
+                    .as("the first colour")
+                    .isEqualTo("0000ff00");
+            assertThat(data.substring(size.length() + 88, size.length() + 96))
+                    .as("the second colour")
+                    .isEqualTo("00ff0000");
         }
     }
 
