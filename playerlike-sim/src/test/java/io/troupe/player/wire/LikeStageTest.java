@@ -66,6 +66,8 @@ class LikeStageTest {
             simulation.tick();
             double goingM = simulation.latest().robots().getFirst().pose().x();
             assertThat(goingM).as("on its way to (1, 0)").isPositive();
+            client.next(MessageType.DATA, 4, 1); // one for each tick
+            client.next(MessageType.DATA, 4, 1);
             client.send(Hex.bytes("00000000 00000000 00000004 00000000 00000002 00000001 0000000000000000 00000000"
                     + "0000001c bfc999999999999a" + "0000000000000000".repeat(2) + "00000000"));
             client.ask(new PlayerRequest.DeviceList());
