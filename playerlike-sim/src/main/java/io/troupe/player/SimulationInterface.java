@@ -56,7 +56,7 @@ public class SimulationInterface extends PlayerDevice {
         return pc.findsReply(pose);
     }
 
-    /** Not offered: throws {@link PlayerException}, as the next five do, since poses in space and data of a simulation are not served here. */
+    /** Not offered: throws {@link PlayerException}, as the next five do. Poses in space and data are not served here. */
     public void get3DPose(String model) {
         throw notServed("the pose of model '" + model + "' in space");
     }
@@ -82,8 +82,9 @@ public class SimulationInterface extends PlayerDevice {
     }
 
     private static PlayerException notServed(String what) {
-        return new PlayerException("[PlayerClient] " + what + " is not offered by this client, whose simulation device has"
-                + " get2DPose, set2DPose, pause, reset and save");
+        return new PlayerException("[PlayerClient] " + what
+                + " is not offered by this client, whose simulation device has get2DPose, set2DPose, pause, reset and"
+                + " save");
     }
 
     /** Stops the world's time, or lets it go on. A world of ours goes on, too, when the client that has stopped it leaves. */

@@ -54,7 +54,10 @@ final class DeviceDesk {
         }
     }
 
-    /** Sideways speeds are ignored: these robots have two wheels. So is the byte {@code state}, as Stage does: 0 drives, too. */
+    /**
+     * Sideways speeds are ignored: these robots have two wheels. So is the byte {@code state}, as Stage does: 0 drives,
+     * too.
+     */
     private void drive(Offer offer, DeviceCommand command) {
         int robot = offer.robot();
         long limitMicros = commandLimitsMicros.getOrDefault(offer, 0L);

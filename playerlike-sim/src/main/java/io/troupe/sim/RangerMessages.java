@@ -17,8 +17,8 @@ import java.util.List;
  * Lasers and rangers in the words of Player.
  *
  * <p>The resolution is the angle between two rays, so that the first angle and the number of ranges lead to the last angle; Stage divides the field of view by
- * the number of rays, one too many. Readings have no steps of their own: the range resolution is 1 for a laser, as
- * Stage says, and 0 for a ranger. There are no intensities.
+ * the number of rays, one too many. Readings have no steps of their own: the range resolution
+ * is 1 for a laser, as Stage says, and 0 for a ranger. There are no intensities.
  */
 final class RangerMessages {
     private static final float LASER_RANGE_RESOLUTION = 1;
@@ -41,8 +41,8 @@ final class RangerMessages {
     }
 
     /**
-     * Whether a client asks for what a laser does already. Its range resolution does not matter, and a frequency of 0 is none, as in messages of javaclient3,
-     * which have no such field.
+     * Whether a client asks for what a laser does already. Its range resolution does not matter, and a frequency of 0 is
+     * none, as in messages of javaclient3, which have no such field.
      */
     static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
         return isNear(asked.minAngleRad(), real.minAngleRad())

@@ -147,7 +147,7 @@ class SimulatedDevicesTest {
                 .isEqualTo(new DeviceReply.OfLaser(laser));
         assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(laser)))
                 .isEqualTo(new DeviceReply.OfLaser(laser));
-        var rounded = new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0); // javaclient3 has no frequency
+        var rounded = new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0); // no frequency
         assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(rounded)))
                 .as("what it is already, in round numbers")
                 .isEqualTo(new DeviceReply.OfLaser(laser));

@@ -23,14 +23,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Programs that are compiled by javac alone, with what docs/guide/04-bring-your-player-program.md names and nothing else. */
+/** Programs that are compiled by javac alone, with what guide 04 names and nothing else. */
 @Timeout(300)
 class UserProgramTest {
     /** What a program needs to be compiled: playerlike-sim, actor-core and JSpecify. */
     private static final List<Class<?>> NAMED_IN_THE_GUIDE =
             List.of(PlayerClient.class, ActorSpace.class, NullMarked.class);
 
-    /** For javaclient3, of both generations, but for the prefix of the imports; it mentions what no server here offers. */
+    /** Written for javaclient3 but for the prefix of the imports; it mentions what is not offered. */
     private static final String MENTIONS_EVERYTHING = """
             import io.troupe.player.*;
             import io.troupe.player.structures.*;

@@ -18,7 +18,10 @@ public sealed interface DeviceData {
         }
     }
 
-    /** blobfinder DATA 1: the image's size in pixels (0 x 0 when it shows no blob) and its blobs, from right to left as servers of Stage list them. */
+    /**
+     * blobfinder DATA 1: the image's size in pixels (0 x 0 when it shows no blob) and its blobs, from right to left as
+     * Stage lists them.
+     */
     record Blobs(int width, int height, List<Blob> blobs) implements DeviceData {
         public Blobs {
             blobs = List.copyOf(blobs);

@@ -7,8 +7,8 @@ package io.troupe.sim.scenario;
  * @param interfaceName Player's name: {@code position2d}, {@code sonar}, {@code laser}, {@code ranger}, {@code blobfinder}, {@code simulation}
  * @param index device index, from 0
  * @param model name of the robot; empty for {@code simulation}
- * @param ranger which of the robot's {@link RobotSpec#rangers} answers: for {@code laser}, for {@code ranger}, where it may be {@link #SONAR_RING}, and for the
- *     {@code sonar} of a robot without a ring of its own; else 0
+ * @param ranger which of the robot's {@link RobotSpec#rangers} answers: for {@code laser}, for {@code ranger}, where it
+ *     may be {@link #SONAR_RING}, and for the {@code sonar} of a robot without a ring of its own; else 0
  */
 public record DeviceBinding(
         int port, String interfaceName, int index, String model, int ranger, SourcePosition where) {

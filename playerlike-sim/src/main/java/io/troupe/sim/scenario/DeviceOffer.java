@@ -54,7 +54,8 @@ final class DeviceOffer {
     }
 
     /**
-     * What a configuration may provide on top of {@link #of}: one ring of sonars by both of its interfaces, as programs of both dialects expect them.
+     * What a configuration may provide: on top of {@link #of} one ring of sonars by both of its interfaces, as programs
+     * for both dialects expect them.
      */
     static List<String> ofConfiguration(RobotSpec robot) {
         var offer = new ArrayList<>(of(robot));

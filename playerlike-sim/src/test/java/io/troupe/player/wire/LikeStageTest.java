@@ -24,7 +24,7 @@ class LikeStageTest {
 
     private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
 
-    /** Ahead of the robot a red box on the left and a green one on the right; devices as no interface's number orders them. */
+    /** Ahead of the robot a red box on the left and a green one on the right; devices in an order of their own. */
     private static Scenario scenario() {
         var world = TestWorlds.world(
                 List.of(TestWorlds.robot("one", 0, 0, 0)),
@@ -66,6 +66,8 @@ class LikeStageTest {
             simulation.tick();
             double goingM = simulation.latest().robots().getFirst().pose().x();
             assertThat(goingM).as("on its way to (1, 0)").isPositive();
+            client.next(MessageType.DATA, 4, 1); // one for each tick
+            client.next(MessageType.DATA, 4, 1);
             client.send(Hex.bytes("00000000 00000000 00000004 00000000 00000002 00000001 0000000000000000 00000000"
                     + "0000001c bfc999999999999a" + "0000000000000000".repeat(2) + "00000000"));
             client.ask(new PlayerRequest.DeviceList());
@@ -85,8 +87,12 @@ class LikeStageTest {
             String data = Hex.text(client.next(MessageType.DATA, 7, 1).payload());
             String size = "00000050" + "0000003c" + "00000002" + "00000002";
             assertThat(data).startsWith(size).hasSize(size.length() + 2 * 80);
-            assertThat(data.substring(size.length() + 8, size.length() + 16)).as("the first colour").isEqualTo("0000ff00");
-            assertThat(data.substring(size.length() + 88, size.length() + 96)).as("the second").isEqualTo("00ff0000");
+            assertThat(data.substring(size.length() + 8, size.length() + 16))
+                    .as("the first colour")
+                    .isEqualTo("0000ff00");
+            assertThat(data.substring(size.length() + 88, size.length() + 96))
+                    .as("the second colour")
+                    .isEqualTo("00ff0000");
         }
     }
 

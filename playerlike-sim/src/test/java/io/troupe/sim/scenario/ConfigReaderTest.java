@@ -204,7 +204,9 @@ class ConfigReaderTest {
 
     @Test
     void scan_ofStage4_isNoRingOfSonars() {
-        worlds.write("w.world", "position ( name \"full\" ranger ( sensor ( samples 90 ) ) ranger ( sensor ( samples 180 ) ) )");
+        worlds.write(
+                "w.world",
+                "position ( name \"full\" ranger ( sensor ( samples 90 ) ) ranger ( sensor ( samples 180 ) ) )");
         String driver = "driver ( name \"stage\" provides [ \"%s\" ] model \"full\" )";
 
         assertThat(ScenarioReader.readConfig(worlds.write("t.cfg", STAGE + driver.formatted("ranger:0\" \"ranger:1")))
