@@ -27,6 +27,8 @@ import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
@@ -59,6 +61,13 @@ public final class Main implements Callable<Integer> {
     /** What made a file, and which version of it. */
     static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
 
+    private static final Map<String, String> EXIT_STATUSES = Map.of(
+            "0", "done",
+            "1", "failed on the way",
+            "2", "used wrongly: an option, a number, or a file that cannot be read",
+            "3", "a service is missing (app)",
+            "130", "interrupted; what was done until then was printed");
+
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
     /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
@@ -66,10 +75,6 @@ public final class Main implements Callable<Integer> {
 
     /** Exit status for a service that an application needs and nobody offers. */
     static final int MISSING_SERVICE = 3;
-
-    private static final String[] START = {
-        "", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND"
-    };
 
     @Spec
     private CommandSpec spec;
@@ -104,7 +109,11 @@ public final class Main implements Callable<Integer> {
     /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing, 130 interrupted. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         var troupe = new CommandLine(new Main());
-        troupe.getCommandSpec().usageMessage().footer(START); // not in the annotation: commands would inherit it
+        troupe.getCommandSpec()
+                .usageMessage() // not in the annotation: commands would inherit it
+                .exitCodeListHeading("%nExit status:%n")
+                .exitCodeList(new TreeMap<>(EXIT_STATUSES)) // in order
+                .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
         return Converters.register(troupe)
                 .setOut(out)
                 .setErr(err)

@@ -148,7 +148,7 @@ public final class TerminalLine implements AutoCloseable {
 
     private static int columns() {
         String told = System.getProperty(COLUMNS_PROPERTY, System.getenv("COLUMNS"));
-        return told != null && told.matches("\\d{1,4}")
+        return told != null && told.matches("[1-9]\\d{0,3}") // 0 where a terminal does not know
                 ? Math.max(LEAST_COLUMNS, Integer.parseInt(told))
                 : COLUMNS;
     }
