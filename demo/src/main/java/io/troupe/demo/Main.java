@@ -8,6 +8,7 @@ import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
@@ -26,9 +27,9 @@ import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
@@ -60,13 +61,6 @@ import picocli.CommandLine.Spec;
 public final class Main implements Callable<Integer> {
     /** What made a file, and which version of it. */
     static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
-
-    private static final Map<String, String> EXIT_STATUSES = Map.of(
-            "0", "done",
-            "1", "failed on the way",
-            "2", "used wrongly: an option, a number, or a file that cannot be read",
-            "3", "a service is missing (app)",
-            "130", "interrupted; what was done until then was printed");
 
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
@@ -112,7 +106,7 @@ public final class Main implements Callable<Integer> {
         troupe.getCommandSpec()
                 .usageMessage() // not in the annotation: commands would inherit it
                 .exitCodeListHeading("%nExit status:%n")
-                .exitCodeList(new TreeMap<>(EXIT_STATUSES)) // in order
+                .exitCodeList(exitStatuses())
                 .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
         return Converters.register(troupe)
                 .setOut(out)
@@ -140,6 +134,16 @@ public final class Main implements Callable<Integer> {
                     throw thrown;
                 })
                 .execute(withCommand(arguments));
+    }
+
+    private static Map<String, String> exitStatuses() {
+        Map<String, String> statuses = new LinkedHashMap<>();
+        statuses.put("0", "done");
+        statuses.put("" + FAILED, "failed on the way");
+        statuses.put("" + USAGE, "used wrongly: an option, a number, or a file that cannot be read");
+        statuses.put("" + MISSING_SERVICE, "a service is missing (app)");
+        statuses.put("" + Interruption.STATUS, "interrupted; what was done until then was printed");
+        return statuses;
     }
 
     private static int tell(PrintWriter err, Exception thrown, int status) {
