@@ -86,8 +86,8 @@ public final class Main implements Callable<Integer> {
 
     public static void main(String[] arguments) {
         var standardOutput = new StandardOutput(new FileOutputStream(FileDescriptor.out));
-        System.setOut(new PrintStream(
-                new BufferedOutputStream(standardOutput), true, System.out.charset())); // as it is, but it says what is lost
+        // as it is, but it says what is lost
+        System.setOut(new PrintStream(new BufferedOutputStream(standardOutput), true, System.out.charset()));
         var out = new PrintWriter(System.out, true);
         var err = new PrintWriter(System.err, true);
         int status = execute(out, err, arguments);
@@ -100,7 +100,7 @@ public final class Main implements Callable<Integer> {
         System.exit(status);
     }
 
-    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing, 130 interrupted. */
+    /** Runs a command and answers its exit status, one of {@link #exitStatuses}. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         var troupe = new CommandLine(new Main());
         troupe.getCommandSpec()
@@ -172,7 +172,8 @@ public final class Main implements Callable<Integer> {
 
     /** What went wrong without the names of classes. */
     private static String failure(Exception thrown) {
-        if (thrown instanceof UncheckedIOException unchecked && unchecked.getCause() instanceof FileSystemException cause) {
+        if (thrown instanceof UncheckedIOException unchecked
+                && unchecked.getCause() instanceof FileSystemException cause) {
             return FileProblems.words(cause);
         }
         if (thrown instanceof IOException problem) {
