@@ -8,6 +8,7 @@ import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
@@ -26,7 +27,9 @@ import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine;
@@ -67,10 +70,6 @@ public final class Main implements Callable<Integer> {
     /** Exit status for a service that an application needs and nobody offers. */
     static final int MISSING_SERVICE = 3;
 
-    private static final String[] START = {
-        "", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND"
-    };
-
     @Spec
     private CommandSpec spec;
 
@@ -87,8 +86,8 @@ public final class Main implements Callable<Integer> {
 
     public static void main(String[] arguments) {
         var standardOutput = new StandardOutput(new FileOutputStream(FileDescriptor.out));
-        System.setOut(new PrintStream(
-                new BufferedOutputStream(standardOutput), true, System.out.charset())); // as it is, but it says what is lost
+        // as it is, but it says what is lost
+        System.setOut(new PrintStream(new BufferedOutputStream(standardOutput), true, System.out.charset()));
         var out = new PrintWriter(System.out, true);
         var err = new PrintWriter(System.err, true);
         int status = execute(out, err, arguments);
@@ -101,10 +100,14 @@ public final class Main implements Callable<Integer> {
         System.exit(status);
     }
 
-    /** Runs a command and answers its exit status: 0 done, 1 failed, 2 used wrongly, 3 a service is missing, 130 interrupted. */
+    /** Runs a command and answers its exit status, one of {@link #exitStatuses}. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         var troupe = new CommandLine(new Main());
-        troupe.getCommandSpec().usageMessage().footer(START); // not in the annotation: commands would inherit it
+        troupe.getCommandSpec()
+                .usageMessage() // not in the annotation: commands would inherit it
+                .exitCodeListHeading("%nExit status:%n")
+                .exitCodeList(exitStatuses())
+                .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
         return Converters.register(troupe)
                 .setOut(out)
                 .setErr(err)
@@ -133,6 +136,16 @@ public final class Main implements Callable<Integer> {
                 .execute(withCommand(arguments));
     }
 
+    private static Map<String, String> exitStatuses() {
+        Map<String, String> statuses = new LinkedHashMap<>();
+        statuses.put("0", "done");
+        statuses.put("" + FAILED, "failed on the way");
+        statuses.put("" + USAGE, "used wrongly: an option, a number, or a file that cannot be read");
+        statuses.put("" + MISSING_SERVICE, "a service is missing (app)");
+        statuses.put("" + Interruption.STATUS, "interrupted; what was done until then was printed");
+        return statuses;
+    }
+
     private static int tell(PrintWriter err, Exception thrown, int status) {
         err.println("troupe: " + failure(thrown));
         err.flush();
@@ -159,7 +172,8 @@ public final class Main implements Callable<Integer> {
 
     /** What went wrong without the names of classes. */
     private static String failure(Exception thrown) {
-        if (thrown instanceof UncheckedIOException unchecked && unchecked.getCause() instanceof FileSystemException cause) {
+        if (thrown instanceof UncheckedIOException unchecked
+                && unchecked.getCause() instanceof FileSystemException cause) {
             return FileProblems.words(cause);
         }
         if (thrown instanceof IOException problem) {

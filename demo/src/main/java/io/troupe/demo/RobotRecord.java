@@ -168,7 +168,7 @@ final class RobotRecord {
         return distanceM;
     }
 
-    /** The longest time in which its centre stayed within {@value #STAY_M} m of a point while a service was in charge. */
+    /** The longest time in which its centre stayed within {@value #STAY_M} m of a point, with a service in charge. */
     Stay longestStay() {
         return longestStay;
     }

@@ -8,10 +8,11 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The file {@code run.jsonl}: one JSON object a line, in the order of simulated time; nothing in it depends on the machine's clock. {@code docs/run-log.md}
- * describes it.
+ * The file {@code run.jsonl}: one JSON object a line, in the order of simulated time; nothing in it depends on the
+ * machine's clock. {@code docs/run-log.md} describes it.
  *
- * <p><b>Errors.</b> A line that cannot be written does not end the run: {@link #close} throws what has happened, and names the file.
+ * <p><b>Errors.</b> A line that cannot be written does not end the run: {@link #close} throws what has happened, and
+ * names the file.
  */
 final class RunLog implements AutoCloseable {
     /** The name and version of the format; the version rises when a reader of the old one would misread the new one. */

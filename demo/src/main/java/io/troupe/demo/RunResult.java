@@ -121,7 +121,8 @@ record RunResult(
                 .sorted(Comparator.comparingLong(robot -> -robot.longestStay().micros()))
                 .toList();
         var text = new StringBuilder();
-        for (RobotRecord robot : robots.size() < Ledger.MANY_ROBOTS ? stuck : stuck.subList(0, Math.min(1, stuck.size()))) {
+        int told = robots.size() < Ledger.MANY_ROBOTS ? stuck.size() : Math.min(1, stuck.size());
+        for (RobotRecord robot : stuck.subList(0, told)) {
             var stay = robot.longestStay();
             line(
                     text,

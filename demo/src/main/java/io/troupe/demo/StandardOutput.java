@@ -5,7 +5,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
 
-/** Remembers why it could not be written: the streams above it swallow that, and a command would end as if all were well. */
+/**
+ * Remembers why it could not be written: the streams above it swallow that, and a command would end as if all were
+ * well.
+ */
 final class StandardOutput extends FilterOutputStream {
     /** A reader that has seen enough, as {@code head}, is no error. */
     private static final String READER_GONE = "Broken pipe";

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A command that is interrupted says what it has measured until then. The signal is SIGTERM, which the virtual machine treats as SIGINT, and which no shell
- * lets its background processes ignore.
+ * A command that is interrupted says what it has measured until then. The signal is SIGTERM, which the virtual machine
+ * treats as SIGINT, and which no shell lets its background processes ignore.
  */
 @Timeout(300)
 @DisabledOnOs(OS.WINDOWS)

@@ -5,7 +5,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Lets a command finish in order on Ctrl-C: the virtual machine ends when this is closed, or after ten seconds.
+ * Lets a command finish in order on Ctrl-C: the virtual machine ends when this is closed, or after half a minute.
  *
  * <p><b>Threads.</b> Ctrl-C is noticed on a thread of the virtual machine; the rest may be called on any.
  */
@@ -13,7 +13,7 @@ public final class Interruption implements AutoCloseable {
     /** Exit status of a command that Ctrl-C has ended, as shells have it. */
     public static final int STATUS = 130;
 
-    private static final long CLOSING_SECONDS = 10;
+    private static final long CLOSING_SECONDS = 30;
     private static final Runnable NOTHING = () -> {};
 
     /** Ends what a command does when Ctrl-C was pressed; caught where it prints what it has. */

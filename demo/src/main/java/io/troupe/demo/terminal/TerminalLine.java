@@ -13,8 +13,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Says on standard error how far a command is.
  *
- * <p>On a terminal that is one line, written again a few times a second at most and no wider than the terminal. Elsewhere, and on a terminal that knows no
- * escapes ({@code TERM=dumb}), it is a plain line now and then, so that a log file shows progress too.
+ * <p>On a terminal that is one line, written again a few times a second at most and no wider than the terminal.
+ * Elsewhere, and on a terminal that knows no escapes ({@code TERM=dumb}), it is a plain line now and then, so that a
+ * log file shows progress too.
  *
  * <p><b>Threads.</b> Any, one at a time.
  */
@@ -148,14 +149,14 @@ public final class TerminalLine implements AutoCloseable {
 
     private static int columns() {
         String told = System.getProperty(COLUMNS_PROPERTY, System.getenv("COLUMNS"));
-        return told != null && told.matches("\\d{1,4}")
+        return told != null && told.matches("[1-9]\\d{0,3}") // 0 where a terminal does not know
                 ? Math.max(LEAST_COLUMNS, Integer.parseInt(told))
                 : COLUMNS;
     }
 
     /**
-     * Whether standard error is a terminal. Where the system shows what a process has open that decides; elsewhere a console, which since Java 22 may be there
-     * without a terminal.
+     * Whether standard error is a terminal. Where the system shows what a process has open, that decides; elsewhere a
+     * console does, which since Java 22 may be there without a terminal.
      */
     private static boolean isTerminal() {
         try {

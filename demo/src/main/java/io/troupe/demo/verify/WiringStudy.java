@@ -16,7 +16,8 @@ record WiringStudy(String name, Wiring wiring, WiringResult result) {
     private static final int MARKINGS_PER_REPORT = 10_000;
 
     /**
-     * The paper's wiring for one robot and for several, with the repair that is proposed, and our own, with promises and with direct calls.
+     * The paper's wiring for one robot and for several, with the repair that is proposed, and our own, with promises
+     * and with direct calls.
      *
      * @param done is given each as soon as it is known
      */

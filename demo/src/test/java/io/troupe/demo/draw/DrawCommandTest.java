@@ -30,8 +30,10 @@ class DrawCommandTest {
                 .execute(Path.of("worlds", name + ".world").toString(), "--out", picture.toString());
 
         assertThat(status).isZero();
-        assertThat(out.toString()).startsWith(robots + " robots, ").contains("wrote " + picture);
-        int things = Integer.parseInt(out.toString().replaceAll("(?s).*robots, (\\d+) other.*", "$1"));
+        assertThat(out.toString())
+                .startsWith(robots == 1 ? "1 robot, " : robots + " robots, ")
+                .contains("wrote " + picture);
+        int things = Integer.parseInt(out.toString().replaceAll("(?s).*robots?, (\\d+) other.*", "$1"));
         var svg = DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(picture.toFile());
         assertThat(svg.getElementsByTagName("title").getLength()).isEqualTo(1 + things + robots);
         assertThat(svg.getElementsByTagName("path").getLength()).isEqualTo(things + 2 * robots + rays);
