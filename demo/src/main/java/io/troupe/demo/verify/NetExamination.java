@@ -10,6 +10,7 @@ import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
 import io.troupe.petri.structure.Siphons;
 import java.io.IOException;
+import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.function.Consumer;
@@ -128,7 +129,7 @@ final class NetExamination {
     }
 
     private String seconds() {
-        return String.valueOf(limits.time().toMillis() / 1000.0).replaceFirst("\\.0$", "");
+        return BigDecimal.valueOf(limits.time().toNanos(), 9).stripTrailingZeros().toPlainString();
     }
 
     private static String firings(DeadlockSearch.Deadlock deadlock) {
