@@ -2,6 +2,7 @@ package io.troupe.demo.verify;
 
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.petri.PaperNets;
+import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.ReachabilityGraph;
@@ -37,7 +38,7 @@ final class NetFiles {
     /** All four components of the paper's net, each in its tint. */
     private void writeWhole(String name, PetriNet net) throws IOException {
         Pnml.write(net, directory.resolve(name + ".pnml"));
-        draw(name, NetDrawing.of(net).tinting(PaperNets.components(net)));
+        draw(name, net, NetDrawing.of(net).tinting(PaperNets.components(net)));
     }
 
     void write(String name, PetriNet net) throws IOException {
@@ -46,7 +47,7 @@ final class NetFiles {
     }
 
     void draw(String name, PetriNet net) throws IOException {
-        draw(name, NetDrawing.of(net));
+        draw(name, net, NetDrawing.of(net));
     }
 
     /** The net in its nearest dead marking, with the firings that led to it; nothing if there is none. */
@@ -54,7 +55,10 @@ final class NetFiles {
         List<ReachabilityGraph.State> dead = graph.dead();
         if (!dead.isEmpty()) {
             var nearest = dead.get(0);
-            draw(name, NetDrawing.of(graph.net()).marked(nearest.marking()).highlighting(nearest.shortestTrace()));
+            draw(
+                    name,
+                    graph.net(),
+                    NetDrawing.of(graph.net()).marked(nearest.marking()).highlighting(nearest.shortestTrace()));
         }
     }
 
@@ -76,8 +80,32 @@ final class NetFiles {
         return graph.size() <= GraphDrawing.MOST_SVG_MARKINGS && graph.edgeCount() <= GraphDrawing.MOST_SVG_EDGES;
     }
 
-    private void draw(String name, NetDrawing drawing) throws IOException {
+    /** Whether a net is small enough for an SVG file. */
+    static boolean canDraw(PetriNet net) {
+        return net.places().size() + net.transitions().size() <= NetDrawing.MOST_SVG_NODES
+                && net.arcCount() <= NetDrawing.MOST_SVG_ARCS;
+    }
+
+    /** What a net has, and what it may have to be drawn. */
+    static String size(PetriNet net) {
+        return net.places().size() + net.transitions().size() + " places and transitions (drawn up to "
+                + NetDrawing.MOST_SVG_NODES + ") and " + net.arcCount() + " arcs (up to " + NetDrawing.MOST_SVG_ARCS
+                + ")";
+    }
+
+    /** The file of this name, without its suffix. */
+    String path(String name) {
+        return directory.resolve(name).toString();
+    }
+
+    void drawDeadlock(String name, PetriNet net, DeadlockSearch.Deadlock deadlock) throws IOException {
+        draw(name, net, NetDrawing.of(net).marked(deadlock.marking()).highlighting(deadlock.trace()));
+    }
+
+    private void draw(String name, PetriNet net, NetDrawing drawing) throws IOException {
         OutputFiles.write(directory.resolve(name + ".dot"), drawing.dot());
-        OutputFiles.write(directory.resolve(name + ".svg"), drawing.svg());
+        if (canDraw(net)) {
+            OutputFiles.write(directory.resolve(name + ".svg"), drawing.svg());
+        }
     }
 }

@@ -11,10 +11,10 @@ import io.troupe.petri.Pnml;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -29,9 +29,19 @@ import picocli.CommandLine.Spec;
         description =
                 "Computes what the paper says about its Petri nets, prints both side by side, and draws the nets.",
         mixinStandardHelpOptions = true,
-        showDefaultValues = true)
+        showDefaultValues = true,
+        exitCodeListHeading = "Exit status:%n",
+        exitCodeList = {
+            "0:done; with --net: proved that no reachable marking is dead",
+            "1:failed; with --net: the net can deadlock, and nothing else",
+            "2:bad input: a wrong option, a file that cannot be read or written, a net with too many tokens",
+            "3:with --net: not known within --time and --memory",
+            "4:an error in this program"
+        },
+        exitCodeOnExecutionException = 4)
 public final class VerifyCommand implements Callable<Integer> {
     private static final int MAX_ROBOTS = 7;
+    private static final double MAX_SECONDS = 1_000_000;
 
     @Spec
     private CommandSpec spec;
@@ -48,11 +58,33 @@ public final class VerifyCommand implements Callable<Integer> {
     @Option(names = "--net", paramLabel = "FILE", description = "examine this PNML file instead of the paper's nets")
     private @Nullable Path net;
 
+    @Option(
+            names = "--time",
+            paramLabel = "SECONDS",
+            description = "how long the searches of --net may take; then what is known is printed")
+    private double seconds = 60;
+
+    @Option(
+            names = "--memory",
+            paramLabel = "MIB",
+            defaultValue = Option.NULL_VALUE,
+            description = "how much memory the largest search of --net may take (default: 60 %% of the heap)")
+    private @Nullable Integer memoryMib;
+
     @Override
     public Integer call() throws IOException {
         if (robots < 1 || robots > MAX_ROBOTS) {
             throw new ParameterException(
                     spec.commandLine(), "--robots is " + robots + ", expected a number from 1 to " + MAX_ROBOTS);
+        }
+        if (!(seconds > 0 && seconds <= MAX_SECONDS)) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--time is " + seconds + ", expected seconds above 0, up to " + (int) MAX_SECONDS);
+        }
+        if (memoryMib != null && memoryMib < 1) {
+            throw new ParameterException(
+                    spec.commandLine(), "--memory is " + memoryMib + ", expected MiB, 1 or more");
         }
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
@@ -67,11 +99,10 @@ public final class VerifyCommand implements Callable<Integer> {
                 terminal.flush();
             });
             try {
-                if (net == null) {
-                    verifyPaper(progress, results);
-                } else {
-                    results.accept(examine(net, progress));
+                if (net != null) {
+                    return examine(net, progress, results);
                 }
+                verifyPaper(progress, results);
             } catch (InterruptedCommand interrupted) {
                 results.accept("\ninterrupted: what was known until then stands above; "
                         + (net == null ? "there is no new verify.md\n" : "nothing was drawn\n"));
@@ -104,17 +135,38 @@ public final class VerifyCommand implements Callable<Integer> {
                 "wrote " + out.resolve("verify.md") + ", and the nets beside it as .pnml, .dot and .svg\n");
     }
 
-    private String examine(Path file, Consumer<String> progress) throws IOException {
+    /** Whatever goes wrong after the verdict does not change the status: a script relies on it. */
+    private int examine(Path file, Consumer<String> progress, Consumer<String> results) {
         FileProblems.checkInput(spec, file, "a net in PNML");
-        OwnNet own;
+        PrintWriter err = spec.commandLine().getErr();
         try {
-            own = OwnNet.of(Pnml.read(file), progress);
+            var read = Pnml.read(file, warning -> {
+                err.println("troupe: warning: " + warning);
+                err.flush();
+            });
+            var examination = new NetExamination(read, limits(), progress, results);
+            int status = examination.decide();
+            examination.explain();
+            try {
+                examination.draw(
+                        new NetFiles(out), file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
+            } catch (IOException e) {
+                err.println("troupe: the pictures cannot be written: " + FileProblems.words(e));
+                err.flush();
+            }
+            return status;
         } catch (ArithmeticException e) {
             throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
+        } catch (OutOfMemoryError e) {
+            results.accept(file + ": not known: the virtual machine has too little memory for this net\n");
+            return NetExamination.UNKNOWN;
         }
-        var name = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-        var written = own.write(new NetFiles(out), name);
-        return own.summary() + "wrote, as .dot and .svg: "
-                + written.stream().map(each -> out.resolve(each).toString()).collect(Collectors.joining(", ")) + "\n";
+    }
+
+    private NetExamination.Limits limits() {
+        var time = Duration.ofNanos((long) (seconds * 1e9));
+        long start = System.nanoTime();
+        long bytes = memoryMib == null ? Runtime.getRuntime().maxMemory() / 5 * 3 : (long) memoryMib << 20;
+        return new NetExamination.Limits(time, () -> time.minusNanos(System.nanoTime() - start), bytes);
     }
 }

@@ -4,12 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
@@ -69,9 +72,10 @@ class VerifyCommandTest {
                         file.toString(),
                         "--out",
                         directory.resolve("o").toString()))
-                .isZero();
+                .isEqualTo(1);
 
         assertThat(out.toString())
+                .startsWith("uncorrected A: can deadlock: 6 dead markings, the nearest {P1, M1, S10, R7''} after [")
                 .contains(
                         "1264 markings, 3706 edges, all of them",
                         "dead markings: 6, the nearest {P1, M1, S10, R7''}",
@@ -84,6 +88,114 @@ class VerifyCommandTest {
         assertThat(directory.resolve("o/mine.svg")).isNotEmptyFile();
         assertThat(directory.resolve("o/mine-deadlock.svg")).isNotEmptyFile();
         assertThat(directory.resolve("o/mine-graph.dot")).isNotEmptyFile();
+    }
+
+    private int verify(PetriNet net, String... options) {
+        var file = directory.resolve("net.pnml");
+        Pnml.write(net, file);
+        var arguments = new ArrayList<>(List.of("--net", file.toString(), "--out", directory.toString()));
+        arguments.addAll(List.of(options));
+        return verify(arguments.toArray(String[]::new));
+    }
+
+    @Test
+    void exitStatus_tellsTheVerdict() {
+        assertThat(verify(PaperNets.corrected(Reading.A))).isZero();
+        assertThat(out.toString()).startsWith("corrected A: proved: no reachable marking is dead (");
+        assertThat(verify(PaperNets.uncorrected(Reading.A))).isEqualTo(1);
+        assertThat(verify(PaperNets.uncorrected(Reading.A), "--time", "0.000001"))
+                .isEqualTo(3);
+        assertThat(out.toString())
+                .contains("uncorrected A: not known whether it can deadlock: no dead marking among 1 by stubborn sets,"
+                        + " then half of the 0.000001 s was over (--time)\n");
+        out.getBuffer().setLength(0);
+        assertThat(verify("--help")).isZero();
+        assertThat(out.toString().replaceAll("\\s+", " "))
+                .contains("0 done; with --net: proved", "1 failed; with --net: the net can deadlock", "2 bad input", "3 with --net: not known");
+    }
+
+    /** A weight of 2, so that siphons decide nothing. */
+    @Test
+    void netWithoutBounds_isNotKnownOnceTheMemoryIsUsedUp() {
+        var net = PetriNet.builder("growing").place("a", 2).place("many").transition("t");
+        net.arc("a", "t", 2).arc("t", "a", 2).arc("t", "many");
+
+        assertThat(verify(net.build(), "--memory", "1")).isEqualTo(3);
+        assertThat(out.toString())
+                .contains(
+                        "growing: not known whether it can deadlock: no dead marking among ",
+                        "then the memory was used up (--memory)\n",
+                        "growing: out of memory at ");
+    }
+
+    @Test
+    void siphons_decideWhereTheSearchDoesNotGetThrough() {
+        var net = PetriNet.builder("growing").place("a", 1).place("many");
+        net.transition("t", List.of("a"), List.of("a", "many"));
+
+        assertThat(verify(net.build(), "--memory", "1")).isZero();
+        assertThat(out.toString()).startsWith("growing: proved: no reachable marking is dead (by its siphons; ");
+    }
+
+    /** Thousands of dead markings, each a terminal component. */
+    @Test
+    void netWithoutBounds_isToldInFewLines() {
+        var net = PetriNet.builder("ends").place("on", 1).place("off").place("many");
+        net.transition("go", List.of("on"), List.of("on", "many")).transition("end", List.of("on"), List.of("off"));
+
+        assertThat(verify(net.build(), "--memory", "4")).isEqualTo(1);
+        assertThat(out.toString())
+                .containsPattern("ends: can deadlock: \\d{4,} dead markings so far, the nearest \\{off} after \\[end]");
+        assertThat(out.toString().lines()).hasSizeLessThan(50);
+    }
+
+    /** The layout of a larger one takes minutes, or overflows the stack, with the verdict still to be printed. */
+    @Test
+    void largeNet_isDecidedAndNotDrawn() {
+        var net = PetriNet.builder("ring").place("p0", 1);
+        for (var i = 1; i < 300; i++) {
+            net.place("p" + i);
+        }
+        for (var i = 0; i < 300; i++) {
+            net.transition("t" + i, List.of("p" + i), List.of("p" + (i + 1) % 300));
+        }
+
+        assertThat(verify(net.build(), "--time", "3600")).isZero();
+        assertThat(out.toString())
+                .startsWith("ring: proved: no reachable marking is dead (300 markings by stubborn sets)\n")
+                .contains(
+                        "no .svg of the net, which has 600 places and transitions (drawn up to 400)",
+                        "wrote, as .dot: " + directory.resolve("net"));
+        assertThat(directory.resolve("net.dot")).isNotEmptyFile();
+        assertThat(directory.resolve("net.svg")).doesNotExist();
+    }
+
+    @Test
+    void verdict_standsAlthoughNoPictureCanBeWritten() throws IOException {
+        Files.createDirectory(directory.resolve("net.dot"));
+
+        assertThat(verify(PaperNets.corrected(Reading.A))).isZero();
+        assertThat(out.toString())
+                .startsWith("corrected A: proved")
+                .contains("troupe: the pictures cannot be written: ");
+    }
+
+    @Test
+    void fileOfAnotherTool_isReadWithAWarning() throws IOException {
+        var file = Files.writeString(
+                directory.resolve("other.pnml"),
+                "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
+
+        assertThat(verify("--net", file.toString(), "--out", directory.toString())).isZero();
+        assertThat(out.toString()).startsWith("troupe: warning: " + file + ":1: the namespace is \"\"");
+    }
+
+    @Test
+    void limits_outOfRange_areRefused() {
+        assertThat(verify("--time", "0")).isEqualTo(2);
+        assertThat(out.toString()).contains("--time is 0.0, expected seconds above 0, up to 1000000");
+        assertThat(verify("--memory", "0")).isEqualTo(2);
+        assertThat(out.toString()).contains("--memory is 0, expected MiB, 1 or more");
     }
 
     @Test

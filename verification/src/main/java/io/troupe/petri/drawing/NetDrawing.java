@@ -23,6 +23,12 @@ import java.util.Set;
  * <p><b>Errors.</b> A marking or a transition of another net throws {@link IllegalArgumentException}.
  */
 public final class NetDrawing {
+    /** The places and transitions up to which {@link #svg} draws a net; the layout of thousands takes minutes. */
+    public static final int MOST_SVG_NODES = 400;
+
+    /** The arcs up to which {@link #svg} draws a net. */
+    public static final int MOST_SVG_ARCS = 1500;
+
     private final PetriNet net;
     private final Marking marking;
     private final Set<Transition> highlighted;
@@ -44,18 +50,27 @@ public final class NetDrawing {
     /** The same picture in another marking. */
     public NetDrawing marked(Marking other) {
         for (var place : other.marked()) {
-            require(net.places().contains(place), "place " + place + " of marking " + other + " is not of net ");
+            require(isOfNet(place), "place " + place + " of marking " + other + " is not of net ");
         }
         net.places().forEach(other::tokens);
         return new NetDrawing(net, other, highlighted, components);
     }
 
+    private boolean isOfNet(Place place) {
+        return place.index() < net.places().size()
+                && net.places().get(place.index()).equals(place);
+    }
+
     /** The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times. */
     public NetDrawing highlighting(Collection<Transition> firings) {
-        for (var firing : firings) {
-            require(net.transitions().contains(firing), "transition " + firing + " is not of net ");
+        var distinct = Set.copyOf(firings);
+        var all = net.transitions();
+        for (var firing : distinct) {
+            require(
+                    firing.index() < all.size() && all.get(firing.index()).equals(firing),
+                    "transition " + firing + " is not of net ");
         }
-        return new NetDrawing(net, marking, Set.copyOf(firings), components);
+        return new NetDrawing(net, marking, distinct, components);
     }
 
     /**
@@ -68,9 +83,7 @@ public final class NetDrawing {
         var copy = new LinkedHashMap<String, List<Place>>();
         places.forEach((component, its) -> {
             for (var place : its) {
-                require(
-                        net.places().contains(place),
-                        "place " + place + " of component " + component + " is not of net ");
+                require(isOfNet(place), "place " + place + " of component " + component + " is not of net ");
             }
             copy.put(component, List.copyOf(its));
         });
@@ -82,9 +95,23 @@ public final class NetDrawing {
         return new NetDot(net, marking, highlighted).write();
     }
 
-    /** A complete SVG file, laid out from left to right. */
+    /**
+     * A complete SVG file, laid out from left to right.
+     *
+     * @throws IllegalArgumentException if the net has more than {@link #MOST_SVG_NODES} places and transitions or {@link
+     * #MOST_SVG_ARCS} arcs
+     */
     public String svg() {
+        requireAtMost(net.places().size() + net.transitions().size(), MOST_SVG_NODES, "places and transitions");
+        requireAtMost(net.arcCount(), MOST_SVG_ARCS, "arcs");
         return new NetSvg(net, marking, highlighted, components).write();
+    }
+
+    private void requireAtMost(int count, int most, String what) {
+        if (count > most) {
+            throw new IllegalArgumentException("net " + net.name() + " has " + count + " " + what + ", expected at most "
+                    + most + " for an SVG drawing; dot() has no limit");
+        }
     }
 
     private void require(boolean condition, String message) {

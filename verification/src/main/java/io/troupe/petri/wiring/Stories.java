@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /* Tells a marking in which components cannot go on. */
 final class Stories {
@@ -41,13 +42,12 @@ final class Stories {
 
     private Map<String, Wait> waits(Marking marking, Set<String> stuck) {
         var at = new LinkedHashMap<String, String>();
-        var asking = new HashMap<String, Wait>();
+        var asking = new HashMap<String, Step.Requests>();
         for (var place : marking.marked()) {
             switch (net.spot(place)) {
                 case WiringNet.Spot.At(var component, var where) -> at.put(component, where);
                 case WiringNet.Spot.Asking(var component, var request) ->
-                    asking.put(
-                            component, new Wait.Answer(component, wiring.provider(component, request), request.call()));
+                    asking.put(component, request);
                 case WiringNet.Spot.Serving serving -> {}
             }
         }
@@ -59,24 +59,65 @@ final class Stories {
             var asked = asking.get(component);
             var where = at.get(component);
             if (asked != null) {
-                waits.put(component, asked);
+                waits.put(
+                        component, new Wait.Answer(component, wiring.provider(component, asked), asked.call()));
             } else if (where != null) {
-                waits.put(component, idle(component, where, at));
+                waits.put(component, idle(component, where, at, asking));
             }
         }
         return waits;
     }
 
     /** A component that stands in a state and has no step of its own. */
-    private Wait idle(String component, String state, Map<String, String> at) {
+    private Wait idle(
+            String component, String state, Map<String, String> at, Map<String, Step.Requests> asking) {
         var offers = wiring.protocol(component).out(state).stream()
                 .filter(Step.Provides.class::isInstance)
                 .map(step -> ((Step.Provides) step).call())
-                .map(call -> new Wait.Offer(call, wiring.callers(component, call, net.chosen())))
+                .map(call -> new Wait.Offer(call, callers(component, call, at, asking)))
                 .toList();
         return offers.isEmpty()
                 ? new Wait.Stop(component, List.copyOf(SynchronisedStop.missing(wiring, component, net.chosen(), at)))
                 : new Wait.Call(component, state, offers);
+    }
+
+    /**
+     * Those that can get to the call without another answer of the component, as who took a fork can get to putting it down;
+     * all that make the call if there are none. The others wait for the component, so it does not wait for them.
+     */
+    private List<String> callers(
+            String component, String call, Map<String, String> at, Map<String, Step.Requests> asking) {
+        var all = wiring.callers(component, call, net.chosen());
+        var near = all.stream()
+                .filter(caller -> getsTo(component, call, caller, at.get(caller), asking.get(caller)))
+                .toList();
+        return near.isEmpty() ? all : near;
+    }
+
+    private boolean getsTo(
+            String component, String call, String caller, @Nullable String state, Step.@Nullable Requests asked) {
+        if (asked != null && wiring.provider(caller, asked).equals(component)) {
+            return false;
+        }
+        var start = asked != null ? asked.to() : state;
+        if (start == null) {
+            return true; // it is being served, or serves
+        }
+        var seen = new HashSet<>(Set.of(start));
+        var ahead = new ArrayDeque<>(seen);
+        while (!ahead.isEmpty()) {
+            for (var step : wiring.protocol(caller).out(ahead.remove())) {
+                if (step instanceof Step.Requests request
+                        && wiring.provider(caller, request).equals(component)) {
+                    if (request.call().equals(call)) {
+                        return true;
+                    }
+                } else if (seen.add(step.to())) {
+                    ahead.add(step.to());
+                }
+            }
+        }
+        return false;
     }
 
     /** The shortest circle, among those one with the most calls that were made. */

@@ -100,6 +100,41 @@ class WiringCheckTest {
         assertThat(result.toString()).contains("can deadlock", "after 3 steps", "* node1 waits for node2.take");
     }
 
+    private static Wiring philosophers(int count) {
+        var fork = Protocol.of("fork")
+                .in("free", provides("take").then("taken"))
+                .in("taken", provides("put").then("free"))
+                .build();
+        var philosopher = Protocol.of("phil")
+                .in("thinking", requests("left.take").then("has left"))
+                .in("has left", requests("right.take").then("eating"))
+                .in("eating", requests("left.put").then("has right"))
+                .in("has right", requests("right.put").then("thinking"))
+                .build();
+        var table =
+                Wiring.of("table").components("phil", count, philosopher).components("fork", count, fork);
+        for (var i = 1; i <= count; i++) {
+            table.bind("phil" + i, "left", "fork" + i).bind("phil" + i, "right", "fork" + (i % count + 1));
+        }
+        return table.build();
+    }
+
+    /** Each holds its left fork. Fork 2 may be put down by its neighbours 1 and 2, but only 2 has it. */
+    @Test
+    void philosophers_storyTellsWhoHoldsWhichForkAndStarsTheWholeCircle() {
+        var story = ((Deadlock) WiringCheck.check(philosophers(3))).story();
+
+        assertThat(story.waits())
+                .contains(
+                        new Wait.Call("fork1", "taken", List.of(new Wait.Offer("put", List.of("phil1")))),
+                        new Wait.Call("fork2", "taken", List.of(new Wait.Offer("put", List.of("phil2")))),
+                        new Wait.Call("fork3", "taken", List.of(new Wait.Offer("put", List.of("phil3")))));
+        assertThat(story.circle())
+                .extracting(Wait::component)
+                .containsExactlyInAnyOrder("phil1", "fork2", "phil2", "fork3", "phil3", "fork1");
+        assertThat(story.toString()).contains("* fork2 (taken) waits to be called: put by phil2");
+    }
+
     @Test
     void stop_leavesOneBlockedWhileAnotherGoesOn() {
         var server = Protocol.of("server")

@@ -1,0 +1,223 @@
+package io.troupe.demo.verify;
+
+import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.Liveness;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
+import io.troupe.petri.structure.DeadlockVerdict;
+import io.troupe.petri.structure.SiphonAnalysis;
+import io.troupe.petri.structure.Siphons;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/*
+ * A net of the user's, examined within limits of time and memory. The verdict comes first: by stubborn sets in half of the
+ * time, and, if they do not get through, by siphons. Then what else is known, and the pictures last. Each part is reported
+ * as soon as it is known, and none that fails takes back what was reported before.
+ */
+final class NetExamination {
+    /** The exit status for each verdict. */
+    static final int PROVED = 0;
+
+    static final int CAN_DEADLOCK = 1;
+    static final int UNKNOWN = 3;
+
+    private static final int MARKINGS_PER_REPORT = 10_000;
+    private static final int MOST_FIRINGS_TOLD = 200;
+
+    private final PetriNet net;
+    private final Limits limits;
+    private final Consumer<String> progress;
+    private final Consumer<String> results;
+    private DeadlockSearch.@Nullable Deadlock nearest;
+    private @Nullable ReachabilityGraph graph;
+    private @Nullable SiphonAnalysis siphons;
+
+    /**
+     * How far the searches may go.
+     *
+     * @param time all together
+     * @param left what is left of it
+     * @param memoryBytes what the largest search may take
+     */
+    record Limits(Duration time, Supplier<Duration> left, long memoryBytes) {
+        /** The same, as if the time were shorter by this. */
+        private Limits sparing(Duration spared) {
+            return new Limits(time, () -> left.get().minus(spared), memoryBytes);
+        }
+
+        private Limits withMemory(long bytes) {
+            return new Limits(time, left, Math.max(1, bytes));
+        }
+
+        private SearchLimits search(int maxMarkings) {
+            return SearchLimits.markings(maxMarkings)
+                    .cancelledBy(() -> !left.get().isPositive())
+                    .within(memoryBytes);
+        }
+    }
+
+    /**
+     * Results are whole lines.
+     *
+     * @param progress called with what is being done
+     * @param results called with each part as soon as it is known
+     */
+    NetExamination(PetriNet net, Limits limits, Consumer<String> progress, Consumer<String> results) {
+        this.net = net;
+        this.limits = limits;
+        this.progress = progress;
+        this.results = results;
+    }
+
+    /**
+     * Finds out whether the net can deadlock, and reports it.
+     *
+     * @return the exit status
+     * @throws ArithmeticException if a place can hold more tokens than an int
+     */
+    int decide() {
+        String why;
+        try {
+            var search = DeadlockSearch.run(
+                    net, reporting(limits.sparing(limits.time().dividedBy(2)).search(Integer.MAX_VALUE), "dead markings"));
+            if (!search.deadlocks().isEmpty()) {
+                nearest = search.deadlocks().get(0);
+                results.accept(net.name() + ": can deadlock: " + search.deadlocks().size() + " dead "
+                        + (search.deadlocks().size() == 1 ? "marking" : "markings")
+                        + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest "
+                        + nearest.marking() + " after " + firings(nearest) + "\n");
+                return CAN_DEADLOCK;
+            }
+            if (search.end() == SearchEnd.COMPLETE) {
+                results.accept(net.name() + ": proved: no reachable marking is dead (" + search.visitedMarkings()
+                        + " markings by stubborn sets)\n");
+                return PROVED;
+            }
+            why = "no dead marking among " + search.visitedMarkings() + " by stubborn sets, " + ended(search.end());
+        } catch (OutOfMemoryError e) {
+            why = "the virtual machine has too little memory for a search";
+        }
+        return decideBySiphons(why);
+    }
+
+    private int decideBySiphons(String why) {
+        var found = siphons();
+        if (found != null && found.deadlock() instanceof DeadlockVerdict.NoDeadMarking) {
+            results.accept(net.name() + ": proved: no reachable marking is dead (by its siphons; " + why + ")\n");
+            return PROVED;
+        }
+        results.accept(net.name() + ": not known whether it can deadlock: " + why + "\n");
+        return UNKNOWN;
+    }
+
+    private String ended(SearchEnd end) {
+        return switch (end) {
+            case COMPLETE -> "all of them";
+            case LIMIT -> "the most a search can number";
+            case MEMORY -> "then the memory was used up (--memory)";
+            case CANCELLED -> "then half of the " + seconds() + " s was over (--time)";
+        };
+    }
+
+    private String seconds() {
+        return BigDecimal.valueOf(limits.time().toNanos(), 9).stripTrailingZeros().toPlainString();
+    }
+
+    private static String firings(DeadlockSearch.Deadlock deadlock) {
+        var trace = deadlock.trace();
+        var told = trace.stream().limit(MOST_FIRINGS_TOLD).map(String::valueOf).collect(Collectors.joining(", ", "[", ""));
+        return told + (trace.size() > MOST_FIRINGS_TOLD ? ", .. and " + (trace.size() - MOST_FIRINGS_TOLD) + " more]" : "]");
+    }
+
+    /** Reports what is known beside the verdict: of the full graph, and of siphons. */
+    void explain() {
+        try {
+            graph = ReachabilityGraph.explore(
+                    net,
+                    reporting(
+                            limits.withMemory(limits.memoryBytes() / 2)
+                                    .sparing(limits.time().dividedBy(4))
+                                    .search(ReachabilityGraph.DEFAULT_MAX_MARKINGS),
+                            "all markings"));
+            results.accept(graph.summary() + "\n");
+            results.accept(Liveness.of(graph).summary() + "\n");
+        } catch (ArithmeticException e) {
+            results.accept("the full graph is not known: " + e.getMessage() + "\n");
+        } catch (OutOfMemoryError e) {
+            results.accept("no more is known of the full graph: the virtual machine has too little memory\n");
+        }
+        var found = siphons();
+        if (found != null) {
+            var sets = found.siphons();
+            results.accept(sets.sets().size()
+                    + (sets.isComplete()
+                            ? " minimal siphons: "
+                            : " minimal siphons found until the search stopped at its limit: ")
+                    + words(found.deadlock()) + "\n");
+        }
+    }
+
+    /** Nothing if there is no memory for them, which is reported. */
+    private @Nullable SiphonAnalysis siphons() {
+        if (siphons == null) {
+            progress.accept("net " + net.name() + ": siphons");
+            try {
+                siphons = SiphonAnalysis.of(net, Siphons.DEFAULT_MAX_STEPS, limits.left());
+            } catch (OutOfMemoryError e) {
+                results.accept("siphons are not known: the virtual machine has too little memory\n");
+            }
+        }
+        return siphons;
+    }
+
+    private SearchLimits reporting(SearchLimits search, String what) {
+        return search.reporting(
+                MARKINGS_PER_REPORT,
+                at -> progress.accept("net " + net.name() + ": " + what + ", " + at.markings() + " visited"));
+    }
+
+    private static String words(DeadlockVerdict verdict) {
+        return switch (verdict) {
+            case DeadlockVerdict.NoDeadMarking proof ->
+                "they prove without a search that no reachable marking is dead"
+                        + (proof.isByTrapsAlone() ? " (each contains a marked trap)" : "");
+            case DeadlockVerdict.Candidates candidates ->
+                candidates.siphons().size() + " of them may perhaps be emptied, which decides nothing by itself";
+            case DeadlockVerdict.Undecided undecided -> undecided.reason();
+        };
+    }
+
+    /** Draws the net, its nearest deadlock, and its graph if that is small enough, and reports the files. */
+    void draw(NetFiles files, String name) throws IOException {
+        progress.accept("net " + net.name() + ": pictures");
+        var written = new ArrayList<String>();
+        try {
+            files.draw(name, net);
+            written.add(files.path(name));
+            if (nearest != null) {
+                files.drawDeadlock(name + "-deadlock", net, nearest);
+                written.add(files.path(name + "-deadlock"));
+            }
+            if (graph != null && graph.isComplete() && NetFiles.canDraw(graph)) {
+                files.write(name + "-graph", graph);
+                written.add(files.path(name + "-graph"));
+            }
+        } catch (StackOverflowError | OutOfMemoryError e) {
+            results.accept("not all was drawn: the layout needs more memory than there is (" + e + ")\n");
+        }
+        if (!NetFiles.canDraw(net)) {
+            results.accept("no .svg of the net, which has " + NetFiles.size(net) + "; .dot files have no limit\n");
+        }
+        results.accept("wrote, as .dot" + (NetFiles.canDraw(net) ? " and .svg: " : ": ") + String.join(", ", written)
+                + "\n");
+    }
+}
