@@ -79,17 +79,19 @@ final class RunCommand implements Callable<Integer> {
                     spec.commandLine(),
                     "--reconnect goes with --mode callback or promise: the synchronous mode connects once");
         }
-        TeamOptions.Team team = teamOptions.team(corners);
-        OutputDirectory.make(spec, out);
-        var interrupted = new AtomicBoolean();
-        var finished = new CountDownLatch(1);
-        var hook = new Thread(() -> awaitSummary(interrupted, finished), "finish");
-        Runtime.getRuntime().addShutdownHook(hook);
-        try {
-            run(team, interrupted);
-        } finally {
-            finished.countDown();
-            forget(hook);
+        try (var options = teamOptions) {
+            TeamOptions.Team team = options.team(corners);
+            OutputDirectory.make(spec, out);
+            var interrupted = new AtomicBoolean();
+            var finished = new CountDownLatch(1);
+            var hook = new Thread(() -> awaitSummary(interrupted, finished), "finish");
+            Runtime.getRuntime().addShutdownHook(hook);
+            try {
+                run(team, interrupted);
+            } finally {
+                finished.countDown();
+                forget(hook);
+            }
         }
         return 0;
     }
