@@ -122,10 +122,14 @@ public final class ServiceJar implements AutoCloseable {
         }
     }
 
-    /** The text of the loader begins with the name of the interface; what went wrong in a constructor is its cause. */
+    /** The text of the loader begins with the name of the interface; what went wrong in a class is its last cause. */
     private ServiceJarException unusable(Throwable error) {
         String text = String.valueOf(error.getMessage()).replace(ServiceKinds.class.getName() + ": ", "");
-        String cause = error.getCause() == null ? "" : " (" + error.getCause() + ")";
+        Throwable root = error;
+        while (root.getCause() != null) {
+            root = root.getCause(); // what a constructor or a static initializer threw
+        }
+        String cause = root == error ? "" : " (" + root + ")";
         return new ServiceJarException(
                 jar, text + cause + ", expected a public class that implements ServiceKinds and can be made", error);
     }
