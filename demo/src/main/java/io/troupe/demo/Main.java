@@ -15,6 +15,7 @@ import io.troupe.player.PlayerException;
 import io.troupe.services.broker.MissingServiceException;
 import io.troupe.services.component.application.ApplicationException;
 import io.troupe.services.component.application.ApplicationFileException;
+import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
@@ -118,6 +119,7 @@ public final class Main implements Callable<Integer> {
                     if (thrown instanceof WorldFileException
                             || thrown instanceof PnmlException
                             || thrown instanceof SubsumptionTableException
+                            || thrown instanceof ServiceJarException
                             || thrown instanceof ApplicationFileException) {
                         return complain(commandLine, thrown.getMessage());
                     }

@@ -76,12 +76,14 @@ final class RunCommand implements Callable<Integer> {
                     spec.commandLine(),
                     "--reconnect goes with --mode callback or promise: the synchronous mode connects once");
         }
-        TeamOptions.Team team = teamOptions.team(corners);
-        OutputDirectory.make(spec, out);
-        warnOfSizes(team.scenario().world());
-        try (var interruption = Interruption.open()) {
-            run(team, interruption);
-            return interruption.isRequested() ? Interruption.STATUS : 0;
+        try (var options = teamOptions) {
+            TeamOptions.Team team = options.team(corners);
+            OutputDirectory.make(spec, out);
+            warnOfSizes(team.scenario().world());
+            try (var interruption = Interruption.open()) {
+                run(team, interruption);
+                return interruption.isRequested() ? Interruption.STATUS : 0;
+            }
         }
     }
 

@@ -3,7 +3,9 @@ package io.troupe.demo;
 import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.table.ServiceJars;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.scenario.CrowdWorld;
@@ -18,7 +20,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** Which robots run in which world, and the table of their services: the paper's two, those of a file, or a crowd. */
-final class TeamOptions {
+final class TeamOptions implements AutoCloseable {
     private static final int COLOURS = 8;
     private static final int SERVICES = 3;
     private static final double MOST_HOLD_SECONDS = 3600;
@@ -75,21 +77,32 @@ final class TeamOptions {
             showDefaultValue = Visibility.NEVER)
     private @Nullable Path table;
 
+    @Mixin
+    private ServiceJars jars;
+
     /**
      * The team that the options ask for.
      *
      * @param corners of the wall follower
      */
     Team team(CornerStyle corners) {
-        return robots == null ? ofTheFile(corners) : crowd(robots, corners);
+        ServiceCatalogue catalogue = jars.catalogue(table);
+        return robots == null ? ofTheFile(corners, catalogue) : crowd(robots, corners, catalogue);
     }
 
-    private Team ofTheFile(CornerStyle corners) {
+    /** The services of the team cannot run any more, if they are those of a jar. */
+    @Override
+    public void close() {
+        jars.close();
+    }
+
+    private Team ofTheFile(CornerStyle corners, ServiceCatalogue catalogue) {
         refuseWithoutCrowd("--colours", colours);
         refuseWithoutCrowd("--services", services);
         refuseWithoutCrowd("--hold", holdSeconds);
         Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
-        var services = table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table);
+        var services =
+                table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table, catalogue);
         return new Team(reading.read(file), services);
     }
 
@@ -100,7 +113,7 @@ final class TeamOptions {
         }
     }
 
-    private Team crowd(int size, CornerStyle corners) {
+    private Team crowd(int size, CornerStyle corners, ServiceCatalogue catalogue) {
         if (world != null) {
             throw new ParameterException(
                     spec.commandLine(),
@@ -110,7 +123,7 @@ final class TeamOptions {
         int states = CrowdLimits.check(spec, "--colours", colours == null ? COLOURS : colours, CrowdWorld.MOST_COLOURS);
         Path file = table;
         if (file != null) {
-            return new Team(CrowdWorld.scenario(size, states), read(file, size));
+            return new Team(CrowdWorld.scenario(size, states), read(file, size, catalogue));
         }
         int kinds = CrowdLimits.check(
                 spec, "--services", services == null ? SERVICES : services, CrowdLimits.MOST_SERVICES);
@@ -124,10 +137,10 @@ final class TeamOptions {
         return new Team(CrowdWorld.scenario(size, states), cyclic);
     }
 
-    private SubsumptionTable read(Path file, int size) {
+    private SubsumptionTable read(Path file, int size, ServiceCatalogue catalogue) {
         refuseBesideTable("--services", services);
         refuseBesideTable("--hold", holdSeconds);
-        SubsumptionTable read = SubsumptionTableReader.read(file);
+        SubsumptionTable read = SubsumptionTableReader.read(file, catalogue);
         if (read.robots() != size) {
             throw new ParameterException(
                     spec.commandLine(),

@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -34,9 +35,12 @@ public final class TableCommand implements Callable<Integer> {
             description = "where states.dot, states.svg, rules.dot and rules.svg go")
     private Path out = Path.of("out");
 
+    @Mixin
+    private ServiceJars jars;
+
     @Override
     public Integer call() throws IOException {
-        SubsumptionTable table = file == null ? SubsumptionTable.ofThePaper() : SubsumptionTableReader.read(file);
+        SubsumptionTable table = read();
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new TableGrid(table).text());
@@ -47,6 +51,13 @@ public final class TableCommand implements Callable<Integer> {
         terminal.println("wrote states and rules, as .dot and .svg, in " + out);
         terminal.flush();
         return 0;
+    }
+
+    private SubsumptionTable read() {
+        try (var opened = jars) {
+            var catalogue = opened.catalogue(file);
+            return file == null ? SubsumptionTable.ofThePaper() : SubsumptionTableReader.read(file, catalogue);
+        }
     }
 
     private void write(String name, Diagram diagram) throws IOException {

@@ -1,5 +1,7 @@
 package io.troupe.services.subsumption;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.subsumption.ServiceCatalogue.Kind;
 import java.util.ArrayList;
@@ -57,9 +59,16 @@ final class ServiceReader {
     private static Definition define(TableLine line, int kindAt, Kind kind, ServiceArguments arguments) {
         Supplier<Behaviour> maker;
         try {
-            maker = kind.maker().apply(arguments);
+            maker = requireNonNull(kind.maker().apply(arguments), "its maker answered nothing");
+        } catch (SubsumptionTableException located) {
+            throw located;
         } catch (IllegalArgumentException refused) {
             throw line.problem(kindAt, kind.name() + ": " + refused.getMessage());
+        } catch (RuntimeException | LinkageError thrown) { // a mistake of the kind, which need not be one of ours
+            var problem = line.problem(
+                    kindAt, "the kind of service " + kind.name() + " threw " + thrown + ", expected its behaviour");
+            problem.initCause(thrown);
+            throw problem;
         }
         arguments.requireAllAsked(kind.name());
         return new Definition(kind.name(), arguments.text(), kind.yields(), maker);

@@ -1,0 +1,56 @@
+package io.troupe.demo.table;
+
+import io.troupe.services.subsumption.ServiceCatalogue;
+import io.troupe.services.subsumption.ServiceJar;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** The option {@code --services-jar} of the commands that read tables; the jars are open until it is closed. */
+public final class ServiceJars implements AutoCloseable {
+    @Spec(Spec.Target.MIXEE)
+    private CommandSpec spec;
+
+    @Option(
+            names = "--services-jar",
+            paramLabel = "JAR",
+            description = "kinds of services for the table to name, from a jar with a ServiceKinds in META-INF/services, or"
+                    + " from a directory of classes; may be given several times",
+            showDefaultValue = Visibility.NEVER)
+    private List<Path> jars = new ArrayList<>();
+
+    private final List<ServiceJar> open = new ArrayList<>();
+
+    /**
+     * What a table can name: our kinds and those of the jars.
+     *
+     * @param table that is to be read; null if there is none, so that a jar is of no use
+     */
+    public ServiceCatalogue catalogue(@Nullable Path table) {
+        if (table == null && !jars.isEmpty()) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--services-jar is " + jars.getFirst() + ", but there is no table that names its kinds of"
+                            + " services: expected a table as well");
+        }
+        ServiceCatalogue catalogue = ServiceCatalogue.standard();
+        for (Path jar : jars) {
+            var opened = ServiceJar.open(jar);
+            open.add(opened);
+            catalogue = opened.addTo(catalogue);
+        }
+        return catalogue;
+    }
+
+    @Override
+    public void close() {
+        open.forEach(ServiceJar::close);
+        open.clear();
+    }
+}

@@ -1,0 +1,135 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.player.PlayerClient;
+import io.troupe.services.subsumption.ServiceKinds;
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.jar.JarEntry;
+import java.util.jar.JarOutputStream;
+import java.util.stream.Stream;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The way of the guide: its sources are compiled and packed, and a table that names their kinds is run. */
+@Timeout(120)
+class ServicesJarTest {
+    private static final Path SOURCES = Path.of("src", "test", "java", "io", "troupe", "demo", "guide");
+    private static final String WORLD = Path.of("worlds", "paper-arena.world").toString();
+    private static final String TABLE = """
+            robots 2
+            service behind = follow(colour orange, gap 0.8)
+            state blue : spaceWanderer, behind > spaceWanderer
+            state red : seek, spaceWanderer
+            """;
+
+    private final StringWriter out = new StringWriter();
+    private final StringWriter err = new StringWriter();
+
+    @TempDir
+    private Path directory;
+
+    private Path table;
+
+    @BeforeEach
+    void writeTable() throws IOException {
+        table = Files.writeString(directory.resolve("seek.table"), TABLE);
+    }
+
+    private int troupe(String... arguments) {
+        return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments);
+    }
+
+    private static String home(Class<?> type) throws Exception {
+        return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI())
+                .toString();
+    }
+
+    /** The sources of the guide have no package there, so that they do not meet those of these tests. */
+    private Path jar() throws Exception {
+        List<File> sources = new ArrayList<>();
+        for (String name : List.of("LightSeeker.java", "LeaderFollower.java", "SeekingKinds.java")) {
+            String text = Files.readString(SOURCES.resolve(name)).replace("package io.troupe.demo.guide;", "");
+            sources.add(Files.writeString(directory.resolve(name), text).toFile());
+        }
+        Path classes = Files.createDirectories(directory.resolve("classes"));
+        var compiler = ToolProvider.getSystemJavaCompiler();
+        try (var files = compiler.getStandardFileManager(null, null, null)) {
+            String path = home(ServiceKinds.class) + File.pathSeparator + home(PlayerClient.class);
+            var options = List.of("-cp", path, "-d", classes.toString());
+            var units = files.getJavaFileObjectsFromFiles(sources);
+            assertThat(compiler.getTask(null, files, null, options, null, units).call())
+                    .isTrue();
+        }
+        Path jar = directory.resolve("my.jar");
+        try (var packed = new JarOutputStream(Files.newOutputStream(jar));
+                Stream<Path> files = Files.list(classes)) {
+            packed.putNextEntry(new JarEntry("META-INF/services/io.troupe.services.subsumption.ServiceKinds"));
+            packed.write("SeekingKinds\n".getBytes());
+            for (Path file : files.toList()) {
+                packed.putNextEntry(new JarEntry(file.getFileName().toString()));
+                Files.copy(file, packed);
+            }
+        }
+        return jar;
+    }
+
+    @Test
+    void run_drivesTheRobotsByTheKindsOfAJar() throws Exception {
+        Path o = directory.resolve("o");
+        assertThat(troupe(
+                        "run",
+                        "--world",
+                        WORLD,
+                        "--table",
+                        table.toString(),
+                        "--services-jar",
+                        jar().toString(),
+                        "--seconds",
+                        "5",
+                        "--out",
+                        o.toString()))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("robot 2 behind > spaceWanderer");
+        assertThat(o.resolve("run.jsonl")).isNotEmptyFile();
+    }
+
+    @Test
+    void table_isReadWithTheKindsOfAJar_andNotWithoutIt() throws Exception {
+        String o = directory.resolve("o").toString();
+        String jar = jar().toString();
+        assertThat(troupe("table", table.toString(), "--services-jar", jar, "--out", o))
+                .as(err.toString())
+                .isZero();
+        assertThat(out.toString()).contains("behind > spaceWanderer");
+        assertThat(troupe("table", table.toString(), "--out", o)).isEqualTo(Main.USAGE);
+        assertThat(err.toString()).contains("there is no kind of service called 'follow'");
+    }
+
+    @Test
+    void jarThatIsNotThere_orHasNoTable_orIsGivenTwice_isOneLine() throws Exception {
+        String missing = directory.resolve("none.jar").toString();
+        assertThat(troupe("run", "--world", WORLD, "--table", table.toString(), "--services-jar", missing))
+                .isEqualTo(Main.USAGE);
+        assertThat(troupe("run", "--world", WORLD, "--services-jar", missing)).isEqualTo(Main.USAGE);
+        String jar = jar().toString();
+        assertThat(troupe("table", table.toString(), "--services-jar", jar, "--services-jar", jar))
+                .isEqualTo(Main.USAGE);
+        assertThat(err.toString().lines())
+                .satisfiesExactly(
+                        line -> assertThat(line).startsWith("troupe: " + missing + ": no such file, expected a jar"),
+                        line -> assertThat(line).contains(missing + ", but there is no table", "expected a table"),
+                        line -> assertThat(line).contains("a kind of service called seek already"));
+    }
+}
