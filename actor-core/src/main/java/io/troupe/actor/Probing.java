@@ -91,4 +91,11 @@ final class Probing implements SpaceMetrics {
     public long deadLetters() {
         return reports.deadLetters();
     }
+
+    /** A look like any other. */
+    @Override
+    public String toString() {
+        return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d"
+                .formatted(served(), waiting(), latency(), actors(), timers(), errors(), deadLetters());
+    }
 }

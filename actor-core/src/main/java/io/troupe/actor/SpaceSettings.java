@@ -44,14 +44,13 @@ public record SpaceSettings(
 
     /** A daemon thread on the machine's clock that logs what goes wrong, and messages that take longer than a second. */
     public static SpaceSettings named(String name) {
-        var log = System.getLogger(ActorSpace.class.getName());
         return new SpaceSettings(
                 name,
                 Clock.system(),
-                (where, error) -> log.log(System.Logger.Level.ERROR, "in " + where, error),
-                letter -> log.log(System.Logger.Level.WARNING, "dead letter: " + letter),
+                SpaceLog::error,
+                SpaceLog::deadLetter,
                 Duration.ofSeconds(1),
-                stall -> log.log(System.Logger.Level.WARNING, stall.toString()),
+                SpaceLog::stall,
                 USUAL_OFFLOAD_LIMIT,
                 false);
     }

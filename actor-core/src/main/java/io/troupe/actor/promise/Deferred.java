@@ -77,6 +77,6 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     public String toString() {
-        return "promise";
+        return PromiseText.withOutcome("promise", this);
     }
 }

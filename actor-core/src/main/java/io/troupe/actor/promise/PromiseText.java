@@ -1,9 +1,12 @@
 package io.troupe.actor.promise;
 
+import org.jspecify.annotations.Nullable;
+
 /** What a promise is called in messages. Loops, for a chain of promises may be of any length; and stops, for a message may not. */
 final class PromiseText {
     private static final int SPELLED_OUT = 8;
     private static final int COUNTED = 100;
+    private static final int LONGEST_OUTCOME = 80;
 
     private PromiseText() {}
 
@@ -53,6 +56,28 @@ final class PromiseText {
     }
 
     private static String nameOf(Promise<?> first) {
-        return first instanceof Stage ? "promise" : first.toString();
+        boolean isNameless = first instanceof Stage || first instanceof Deferred || first instanceof Settled;
+        return isNameless ? "promise" : first.toString();
+    }
+
+    /** What {@code toString} answers: the name while it is not settled, and then with the value or the error. */
+    static String withOutcome(String name, Promise<?> promise) {
+        Object outcome = promise.outcomeNow();
+        if (outcome == null) {
+            return name;
+        }
+        return promise.error() instanceof Throwable error
+                ? name + ", rejected with " + text(error)
+                : name + ", fulfilled with " + text(promise.getNow());
+    }
+
+    private static String text(@Nullable Object what) {
+        String text;
+        try {
+            text = String.valueOf(what);
+        } catch (RuntimeException | StackOverflowError broken) { // it is the user's toString
+            text = "what cannot be printed: " + broken.getClass().getName();
+        }
+        return text.length() <= LONGEST_OUTCOME ? text : text.substring(0, LONGEST_OUTCOME - 3) + "...";
     }
 }

@@ -27,6 +27,6 @@ final class Settled<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     public String toString() {
-        return "promise";
+        return PromiseText.withOutcome("promise", this);
     }
 }

@@ -130,7 +130,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
     @Override
     public String toString() {
-        return PromiseText.describe(this);
+        return PromiseText.withOutcome(PromiseText.describe(this), this);
     }
 
     /** A null where the type parameter says whether null is allowed: the caller of {@code settleValue} has decided that. */

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
@@ -16,29 +15,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** "An interface and an object", "Or a class", "Timers", the first sample of "Testing", and the README. */
+/** "An interface and an object" on the global space, "Or a class", "Timers", and the first sample of "Testing". */
 class ActorsGuideTest {
     private final Deferred<String> shown = new Deferred<>();
-
-    interface Greeter {
-        Promise<String> greet(String name); // a request
-
-        void remember(String name); // a one-way message
-    }
-
-    static final class PoliteGreeter implements Greeter {
-        private final List<String> names = new ArrayList<>();
-
-        @Override
-        public Promise<String> greet(String name) {
-            return Promise.of(names.contains(name) ? "Hello again, " + name : "Hello, " + name);
-        }
-
-        @Override
-        public void remember(String name) {
-            names.add(name);
-        }
-    }
 
     private void show(Object what) {
         shown.resolve(what + " on " + Thread.currentThread().getName());
@@ -47,40 +26,8 @@ class ActorsGuideTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void readme_queuesBothCalls_andShowsTheAnswerOnTheSpacesThread() throws Exception {
-        try (var space = ActorSpace.create(SpaceSettings.named("hello"))) {
-            Greeter greeter = space.spawn(Greeter.class, PoliteGreeter::new);
-            greeter.remember("Ada"); // queued; returns at once
-            greeter.greet("Ada").then(text -> show(text)); // runs on the space's thread
-        }
-        assertThat(shown.get(Duration.ofSeconds(30))).isEqualTo("Hello again, Ada on hello");
-    }
-
-    interface Thermostat {
-        void set(double degrees); // void: a one-way message
-
-        Promise<Double> read(); // Promise: a request
-    }
-
-    static final class Heater implements Thermostat {
-        private double degrees = 20;
-
-        @Override
-        public void set(double degrees) {
-            this.degrees = degrees;
-        }
-
-        @Override
-        public Promise<Double> read() {
-            return Promise.of(degrees);
-        }
-    }
-
-    @Test
-    @Tag("threads")
-    @Timeout(60)
     void thermostat_takesMessages_andAnswersRequests() throws Exception {
-        Thermostat heater = ActorSpace.global().spawn(Thermostat.class, Heater::new);
+        Heating.Thermostat heater = ActorSpace.global().spawn(Heating.Thermostat.class, Heating.Heater::new);
         heater.set(21.5);
         heater.read().then(degrees -> show(degrees));
         assertThat(shown.get(Duration.ofSeconds(30))).isEqualTo("21.5 on actor-space");

@@ -6,7 +6,7 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Leftovers;
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.MailboxBound;
 import io.troupe.actor.SpaceMetrics;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.Supervision;
@@ -76,7 +76,7 @@ class SpacesGuideTest {
                 SpaceSettings.named("field").withOnError((where, error) -> errors.incrementAndGet()))) {
             var settings = ActorSettings.named("camera")
                     .withSupervision(Supervision.restart(3, Duration.ofSeconds(10)))
-                    .withMailbox(1_000, Overflow.DROP_OLDEST);
+                    .withMailbox(1_000, MailboxBound.Overflow.DROP_OLDEST);
             Camera camera = space.spawn(Camera.class, UsbCamera::new, settings);
 
             space.whenStopped(camera).thenRun(this::askForAnother);

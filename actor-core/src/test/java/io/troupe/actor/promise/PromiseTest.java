@@ -24,6 +24,20 @@ class PromiseTest {
     private final List<String> log = new ArrayList<>();
 
     @Test
+    void promise_asText_saysWhatCameOfIt() {
+        var deferred = new Deferred<Integer>();
+        assertThat(deferred).hasToString("promise");
+        Promise<Integer> next = deferred.thenApply(number -> number + 1);
+        assertThat(next).hasToString("promise after promise");
+        deferred.resolve(41);
+        assertThat(deferred).hasToString("promise, fulfilled with 41");
+        assertThat(next.toString()).startsWith("promise").endsWith(", fulfilled with 42");
+        assertThat(Promise.failed(new IllegalStateException("broken")))
+                .hasToString("promise, rejected with java.lang.IllegalStateException: broken");
+        assertThat(Promise.of("x".repeat(100))).hasToString("promise, fulfilled with " + "x".repeat(77) + "...");
+    }
+
+    @Test
     void listeners_runInTheOrderOfRegistration() {
         for (int i = 0; i < 5; i++) {
             int number = i;

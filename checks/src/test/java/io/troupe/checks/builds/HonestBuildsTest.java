@@ -44,6 +44,14 @@ class HonestBuildsTest {
                 .contains("<artifactId>maven-jar-plugin</artifactId><version>3.3.0</version>");
     }
 
+    /** The start script builds when it finds no class path, and the main job ends in the phase compile. */
+    @Test
+    void classPathOfTheStartScript_isWrittenByTheMainJob() throws IOException {
+        assertThat(file("README.md")).contains("compile exec:exec -pl demo -am");
+        var plugin = file("demo/pom.xml").split("<artifactId>maven-dependency-plugin</artifactId>")[1].split("</plugin>")[0];
+        assertThat(plugin).contains("<phase>compile</phase>", "<goal>build-classpath</goal>");
+    }
+
     @Test
     void everyJar_holdsTheLicence() throws IOException {
         assertThat(file("build.gradle.kts"))

@@ -73,6 +73,10 @@ class SamplesTest {
         for (Path source : Repository.javaSources()) {
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }
+        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on us, of the README
+            Path source = Repository.root().resolve("docs/examples/consumer").resolve(script);
+            essences.put(source.toString(), Samples.essence(Files.readString(source)));
+        }
         return essences;
     }
 
