@@ -61,7 +61,7 @@ public final class CompareActors {
         System.out.print(new CompareReport(options, results).table());
         var figure = options.figure();
         if (figure != null) {
-            Files.writeString(figure, new CompareDrawing(results).svg());
+            Files.writeString(figure, CompareDrawing.of(results).svg());
         }
     }
 

@@ -2,11 +2,18 @@ package io.troupe.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class CompareReportTest {
@@ -22,7 +29,7 @@ class CompareReportTest {
             Map.of("troupe", 80.4));
 
     private final String table = new CompareReport(CompareOptions.parse("--rounds", "3"), results).table();
-    private final String drawing = new CompareDrawing(results).svg();
+    private final String drawing = CompareDrawing.of(results).svg();
 
     private static Map<String, List<Turn>> limitAndTroupe() {
         return new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
@@ -59,7 +66,7 @@ class CompareReportTest {
 
     @Test
     void drawing_hasABarForEveryContender() {
-        assertThat(drawing).startsWith("<svg").contains(">tell<", ">limit<", ">troupe<", ">2.00<", "class='m'");
+        assertThat(drawing).startsWith("<svg").contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
     }
 
     @Test
@@ -67,5 +74,47 @@ class CompareReportTest {
         int wakeUps = drawing.indexOf(">askOnce (wake-up of a thread, not ranked)<");
         assertThat(wakeUps).isGreaterThan(drawing.indexOf(">create<"));
         assertThat(drawing.substring(wakeUps)).contains("class='u'").doesNotContain("class='m'", "class='b'");
+    }
+
+    @Test
+    void drawing_saysWhatItFound_andThatShorterIsBetter_inTwoColumns() {
+        String title = "Troupe takes the least time per operation in 2 of 2 workloads, the limit apart";
+        assertThat(drawing).contains("role='img' aria-label='" + title + "'", "<title>" + title + "</title>");
+        assertThat(drawing).contains("shorter is better");
+        assertThat(drawing.split("<text x='16' y='\\d+' class='t'>", -1)).hasSize(1 + 2);
+        assertThat(drawing.split("<text x='494' y='\\d+' class='t'>", -1)).hasSize(1 + 1);
+    }
+
+    /** {@code -Dfigures=write} writes it anew. */
+    @Test
+    void drawingInTheDocumentation_isThatOfTheTableThere() throws IOException {
+        String spread = "([\\d,.]+) \\(([\\d,.]+?)\\.\\.([\\d,.]+)\\)";
+        var row = Pattern.compile("\\| (\\S+) \\| (\\S+) \\| " + spread + " \\| " + spread + " \\|.*");
+        var labels = Stream.of(Workload.values()).map(Workload::label).toList();
+        var bars = new EnumMap<Workload, Map<String, CompareDrawing.Bar>>(Workload.class);
+        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks.md"))) {
+            var found = row.matcher(line);
+            if (found.matches() && labels.contains(found.group(1))) {
+                bars.computeIfAbsent(Workload.named(found.group(1)), workload -> new LinkedHashMap<>())
+                        .put(found.group(2), new CompareDrawing.Bar(quartiles(found, 3), quartiles(found, 6)));
+            }
+        }
+        assertThat(bars).hasSize(9).allSatisfy((workload, its) -> assertThat(its)
+                .hasSize(9));
+
+        String svg = new CompareDrawing(bars).svg();
+        Path documented = Path.of("..", "docs", "figures", "actors.svg");
+        if ("write".equals(System.getProperty("figures"))) {
+            Files.writeString(documented, svg);
+        }
+        assertThat(documented).hasContent(svg);
+    }
+
+    private static Quartiles quartiles(Matcher row, int group) {
+        double[] numbers = new double[3];
+        for (int i = 0; i < numbers.length; i++) {
+            numbers[i] = Double.parseDouble(row.group(group + i).replace(",", ""));
+        }
+        return new Quartiles(numbers[1], numbers[0], numbers[2]);
     }
 }

@@ -6,7 +6,7 @@ import java.util.function.ToDoubleFunction;
 
 /** Trials as a table for people and as CSV. */
 final class CrowdReport {
-    /** Medians of the rounds of one size, and between what the speed lay. */
+    /** Medians of the rounds of one size, between what the speed lay, and the quartiles of the cost. */
     record Row(
             int robots,
             double timesRealTime,
@@ -14,6 +14,8 @@ final class CrowdReport {
             double fastest,
             double timesByTheWall,
             double micros,
+            double microsLower,
+            double microsUpper,
             double worldMicros,
             double servicesMicros,
             double kilobytesPerRobot,
@@ -45,6 +47,8 @@ final class CrowdReport {
                 speeds[speeds.length - 1],
                 median(sorted(rounds, Trial::timesRealTime)),
                 median(sorted(rounds, Trial::micros)),
+                quantile(sorted(rounds, Trial::micros), 0.25),
+                quantile(sorted(rounds, Trial::micros), 0.75),
                 median(sorted(rounds, Trial::worldMicros)),
                 median(sorted(rounds, Trial::servicesMicros)),
                 median(sorted(rounds, Trial::retainedKilobytesPerRobot)),
@@ -56,8 +60,15 @@ final class CrowdReport {
     }
 
     private static double median(double[] sorted) {
-        int middle = sorted.length / 2;
-        return sorted.length % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+        return quantile(sorted, 0.5);
+    }
+
+    /** On the straight line between neighbours. */
+    static double quantile(double[] sorted, double share) {
+        double at = share * (sorted.length - 1);
+        int below = (int) at;
+        int above = Math.min(below + 1, sorted.length - 1);
+        return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
     }
 
     String table() {

@@ -1,18 +1,14 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.svg.Chart;
 import io.troupe.services.subsumption.Mode;
-import java.awt.Color;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.knowm.xchart.CategoryChart;
-import org.knowm.xchart.CategoryChartBuilder;
-import org.knowm.xchart.style.Styler.LegendLayout;
-import org.knowm.xchart.style.Styler.LegendPosition;
+import java.util.stream.Collectors;
 
 /** The paper's figures again: on the left time as it passes for the robots, on the right computing time. */
 final class Figures {
@@ -20,8 +16,7 @@ final class Figures {
     private static final List<String> PASSING = List.of("wall follower", "space wanderer", "both");
     private static final List<String> COMPUTING = List.of("wall follower", "space wanderer", "both, with messages");
     /** Told apart by people who see few colours. */
-    private static final List<Color> COLOURS = List.of(
-            new Color(0x4477AA), new Color(0xDDAA33), new Color(0x228833), new Color(0x66CCEE), new Color(0xAA3377));
+    private static final List<Integer> COLOURS = List.of(0x4477AA, 0xDDAA33, 0x228833, 0x66CCEE, 0xAA3377);
 
     private final EvaluationSettings settings;
     private final Measurements measurements;
@@ -32,11 +27,11 @@ final class Figures {
     }
 
     /** Bars that stand side by side over each label. */
-    private record Bars(Mode mode, int cores, Color colour) {}
+    private record Bars(String name, Mode mode, int cores, int colour) {}
 
     /** Those for which everything was measured, by the name of their files. */
-    Map<String, List<CategoryChart>> charts() {
-        Map<String, List<CategoryChart>> charts = new LinkedHashMap<>();
+    Map<String, Chart> charts() {
+        Map<String, Chart> charts = new LinkedHashMap<>();
         byCores(charts, 15, Mode.SYNC);
         byCores(charts, 18, Mode.CALLBACK);
         byCores(charts, 21, Mode.PROMISE);
@@ -47,60 +42,82 @@ final class Figures {
 
     /** @return the files' names */
     List<String> write(Path directory) throws IOException {
-        FigurePainter.checkFonts();
+        Chart.checkFonts();
         var names = new ArrayList<String>();
         for (var figure : charts().entrySet()) {
-            FigurePainter.write(figure.getValue(), directory, figure.getKey());
+            figure.getValue().write(directory, figure.getKey());
             names.add(figure.getKey());
         }
         return names;
     }
 
-    private void byCores(Map<String, List<CategoryChart>> charts, int figure, Mode mode) {
-        if (settings.modes().contains(mode)) {
-            Map<String, Bars> series = new LinkedHashMap<>();
-            for (int cores : settings.cores()) {
-                series.put(
-                        "told " + Findings.cores(cores),
-                        new Bars(mode, cores, COLOURS.get(series.size() % COLOURS.size())));
-            }
-            charts.put("evaluation-" + figure, panels("Figure " + figure + ", " + mode, series));
+    private void byCores(Map<String, Chart> charts, int figure, Mode mode) {
+        if (!settings.modes().contains(mode)) {
+            return;
         }
+        List<Bars> series = new ArrayList<>();
+        for (int cores : settings.cores()) {
+            series.add(new Bars(
+                    "JVM with " + Findings.cores(cores), mode, cores, COLOURS.get(series.size() % COLOURS.size())));
+        }
+        Bars last = series.getLast();
+        String title = Findings.format(
+                "%s: both services take %s, by themselves %s and %s",
+                mode,
+                seconds(last, Measurement.BOTH),
+                seconds(last, Findings.FOLLOWER),
+                seconds(last, Findings.WANDERER));
+        charts.put("evaluation-" + figure, chart(title, figure, "", series));
     }
 
-    private void byMode(Map<String, List<CategoryChart>> charts, int figure, List<Mode> modes) {
-        if (settings.modes().containsAll(modes)) {
-            int cores = settings.cores().getLast();
-            Map<String, Bars> series = new LinkedHashMap<>();
-            for (Mode mode : modes) {
-                series.put(mode.toString(), new Bars(mode, cores, COLOURS.get(mode.ordinal())));
-            }
-            charts.put("evaluation-" + figure, panels("Figure " + figure + ", told " + Findings.cores(cores), series));
+    private void byMode(Map<String, Chart> charts, int figure, List<Mode> modes) {
+        if (!settings.modes().containsAll(modes)) {
+            return;
         }
+        int cores = settings.cores().getLast();
+        List<Bars> series = modes.stream()
+                .map(mode -> new Bars(mode.toString(), mode, cores, COLOURS.get(mode.ordinal())))
+                .toList();
+        String title = series.stream()
+                .map(bars -> bars.name() + " " + seconds(bars, Measurement.BOTH))
+                .collect(Collectors.joining(", ", "Both services take: ", ""));
+        charts.put(
+                "evaluation-" + figure,
+                chart(title, figure, ", on a JVM with " + Findings.cores(cores), series));
     }
 
-    private List<CategoryChart> panels(String title, Map<String, Bars> series) {
-        String time = settings.realTime() ? "real time" : "simulated time";
-        CategoryChart passing = chart(title + ": " + time, "ms for " + settings.loops() + " loops");
-        passing.getStyler().setYAxisDecimalPattern("#,##0");
-        CategoryChart computing = chart(
-                title + ": computing time",
-                "\u00b5s for a loop" + (repeated() ? " \u00b1 half the quartile distance" : ", measured once"));
-        computing.getStyler().setYAxisDecimalPattern("#,##0.0#");
-        series.forEach((name, bars) -> {
-            Spread[] millis = spreads(bars, List.of(Quantity.TIME, Quantity.TIME, Quantity.TIME));
-            passing.addSeries(name, PASSING, medians(millis)).setFillColor(bars.colour());
-            Spread[] micros = spreads(bars, List.of(Quantity.CYCLE, Quantity.CYCLE, Quantity.TURN));
-            var computed = repeated()
-                    ? computing.addSeries(
-                            name,
-                            COMPUTING,
-                            medians(micros),
-                            Arrays.stream(micros).map(Spread::halfWidth).toList())
-                    : computing.addSeries(name, COMPUTING, medians(micros));
-            computed.setFillColor(bars.colour());
-        });
-        return List.of(passing, computing);
+    private String seconds(Bars bars, String subject) {
+        return BarPanel.number(spread(bars, subject, Quantity.TIME).median() / 1000) + " s";
+    }
+
+    private Chart chart(String title, int figure, String machine, List<Bars> series) {
+        String time = settings.realTime() ? "Real time" : "Simulated time";
+        String subtitle = "Figure " + figure + " of the paper, " + settings.loops() + " loops of each service" + machine;
+        var passing = new BarPanel(time + ", s for " + settings.loops() + " loops", PASSING);
+        var computing = new BarPanel(
+                "Computing time, µs for a loop"
+                        + (repeated() ? ": medians, thin lines from quartile to quartile" : ", measured once"),
+                COMPUTING);
+        for (Bars bars : series) {
+            passing.add(
+                    bars.name,
+                    bars.colour,
+                    SUBJECTS.stream()
+                            .map(subject -> spread(bars, subject, Quantity.TIME))
+                            .map(millis -> BarPanel.Bar.of(millis.median() / 1000))
+                            .toList());
+            computing.add(
+                    bars.name,
+                    bars.colour,
+                    SUBJECTS.stream()
+                            .map(subject -> spread(
+                                    bars,
+                                    subject,
+                                    subject.equals(Measurement.BOTH) ? Quantity.TURN : Quantity.CYCLE))
+                            .map(micros -> repeated() ? BarPanel.Bar.of(micros) : BarPanel.Bar.of(micros.median()))
+                            .toList());
+        }
+        return BarPanel.chart(title, subtitle, List.of(passing, computing));
     }
 
     /** Else there is no spread, and a bar's error is not 0 but unknown. */
@@ -108,34 +125,7 @@ final class Figures {
         return settings.repetitions() > 1;
     }
 
-    private Spread[] spreads(Bars bars, List<Quantity> quantities) {
-        Spread[] spreads = new Spread[SUBJECTS.size()];
-        Arrays.setAll(
-                spreads,
-                index -> measurements.spread(
-                        Part.LOOPS, bars.mode(), bars.cores(), SUBJECTS.get(index), quantities.get(index)));
-        return spreads;
-    }
-
-    private static List<Double> medians(Spread[] spreads) {
-        return Arrays.stream(spreads).map(Spread::median).toList();
-    }
-
-    private static CategoryChart chart(String title, String unit) {
-        var chart = new CategoryChartBuilder()
-                .width(1)
-                .height(1)
-                .title(title)
-                .yAxisTitle(unit)
-                .build();
-        var style = chart.getStyler();
-        style.setLegendPosition(LegendPosition.OutsideS);
-        style.setLegendLayout(LegendLayout.Horizontal);
-        style.setChartBackgroundColor(Color.WHITE);
-        style.setPlotGridVerticalLinesVisible(false);
-        style.setAvailableSpaceFill(0.8);
-        style.setYAxisMin(0.0);
-        style.setLocale(java.util.Locale.ROOT);
-        return chart;
+    private Spread spread(Bars bars, String subject, Quantity quantity) {
+        return measurements.spread(Part.LOOPS, bars.mode, bars.cores, subject, quantity);
     }
 }

@@ -2,21 +2,25 @@ package io.troupe.demo.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.svg.Chart;
 import io.troupe.services.subsumption.Mode;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.knowm.xchart.CategorySeries;
 
 class FiguresTest {
     private static final int BLUE = 0x4477AA;
     private static final int YELLOW = 0xDDAA33;
     private static final int GREEN = 0x228833;
+
+    private static final String THIN_LINE = "stroke-width=\"1.2\"";
 
     @TempDir
     private Path out;
@@ -25,21 +29,29 @@ class FiguresTest {
         return new Figures(MadeUp.settings(out), made.measurements());
     }
 
+    private static List<String> texts(Chart chart) {
+        return Pattern.compile("<text[^>]*>([^<]*)</text>")
+                .matcher(chart.svg())
+                .results()
+                .map(found -> found.group(1))
+                .toList();
+    }
+
     @Test
-    void everyFigureOfThePaper_hasItsBars() {
+    void everyFigureOfThePaper_saysWhatItFound_inSeconds() throws Exception {
         var charts = figures(MadeUp.asThePaperSays()).charts();
+
         assertThat(charts.keySet())
                 .containsExactly("evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
-        assertThat(charts.get("evaluation-15").getFirst().getSeriesCollection())
-                .extracting(CategorySeries::getName)
-                .containsExactly("told 2 cores", "told 3 cores");
-        var time = charts.get("evaluation-23").getFirst();
-        assertThat(time.getSeriesCollection())
-                .extracting(CategorySeries::getName)
-                .containsExactly("sync", "callback", "promise");
-        assertThat(time.getSeries("sync").getYData()).containsExactly(4000, 1000, 8000);
-        assertThat(charts.get("evaluation-22").getLast().getSeries("promise").getYData())
-                .containsExactly(4000, 1000, 4000);
+        assertThat(texts(charts.get("evaluation-15")))
+                .contains("sync: both services take 8 s, by themselves 4 s and 1 s")
+                .contains("JVM with 2 cores", "JVM with 3 cores", "Simulated time, s for 1000 loops");
+        String title = "Both services take: sync 8 s, callback 4.01 s, promise 4 s";
+        assertThat(texts(charts.get("evaluation-23")))
+                .contains(title, "Figure 23 of the paper, 1000 loops of each service, on a JVM with 3 cores")
+                .contains("sync", "callback", "promise", "8", "4.01", "4");
+        assertThat(charts.get("evaluation-23").svg())
+                .contains("role=\"img\" aria-label=\"" + title + "\"", "<title>" + title + "</title>");
     }
 
     @Test
@@ -48,10 +60,9 @@ class FiguresTest {
         assertThat(names).hasSize(5);
         for (String name : names) {
             var svg = Files.readString(out.resolve(name + ".svg"));
-            assertThat(svg).contains("rgb(221,170,51)").doesNotContain("NaN");
-            var parsed = DocumentBuilderFactory.newInstance();
-            parsed.setFeature("http://apache.org/xml/features/nonvalidating/load-external-dtd", false);
-            assertThat(parsed.newDocumentBuilder()
+            assertThat(svg).contains("#ddaa33").doesNotContain("NaN");
+            assertThat(DocumentBuilderFactory.newInstance()
+                            .newDocumentBuilder()
                             .parse(out.resolve(name + ".svg").toFile())
                             .getDocumentElement()
                             .getTagName())
@@ -59,11 +70,11 @@ class FiguresTest {
         }
         BufferedImage all = ImageIO.read(out.resolve("evaluation-23.png").toFile());
         int left = all.getWidth() / 2;
-        // the longest column of a colour on the left is the bar of both services: 8000, 4010 and 4000 ms
+        // the longest column of a colour on the left is the bar of both services: 8, 4.01 and 4 s
         int sync = tallest(all, left, BLUE);
         assertThat(sync).isGreaterThan(100);
-        assertThat(tallest(all, left, YELLOW) / (double) sync).isBetween(0.48, 0.52);
-        assertThat(tallest(all, left, GREEN) / (double) sync).isBetween(0.48, 0.52);
+        assertThat(tallest(all, left, YELLOW) / (double) sync).isBetween(0.47, 0.53);
+        assertThat(tallest(all, left, GREEN) / (double) sync).isBetween(0.47, 0.53);
     }
 
     private static int tallest(BufferedImage image, int width, int colour) {
@@ -71,9 +82,9 @@ class FiguresTest {
         for (int x = 0; x < width; x++) {
             int height = 0;
             for (int y = 0; y < image.getHeight(); y++) {
-                height += (image.getRGB(x, y) & 0xFFFFFF) == colour ? 1 : 0;
+                height = (image.getRGB(x, y) & 0xFFFFFF) == colour ? height + 1 : 0;
+                tallest = Math.max(tallest, height);
             }
-            tallest = Math.max(tallest, height);
         }
         return tallest;
     }
@@ -82,17 +93,81 @@ class FiguresTest {
     void whatWasMeasuredOnce_hasNoSpread() {
         var once = new EvaluationSettings(
                 out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, true, out.resolve("log"));
-        var charts = new Figures(once, MadeUp.asThePaperSays().measurements()).charts();
-        var computing = charts.get("evaluation-21").getLast();
-        assertThat(computing.getYAxisTitle()).endsWith("measured once");
-        assertThat(computing.getSeries("told 2 cores").getExtraValues()).isNull();
-        assertThat(figures(MadeUp.asThePaperSays())
-                        .charts()
-                        .get("evaluation-21")
-                        .getLast()
-                        .getSeries("told 2 cores")
-                        .getExtraValues())
-                .isNotNull();
+        var measured = new Measurements();
+        var often = new Measurements();
+        for (int repetition = 1; repetition <= 5; repetition++) {
+            for (var each : MadeUp.asThePaperSays().measurements().all()) {
+                var varied = new Measurement(
+                        each.part(),
+                        each.mode(),
+                        each.cores(),
+                        repetition,
+                        each.subject(),
+                        each.quantity(),
+                        each.value() * repetition);
+                often.add(varied);
+                if (repetition == 1) {
+                    measured.add(varied);
+                }
+            }
+        }
+        var single = new Figures(once, measured).charts().get("evaluation-21");
+        var repeated = new Figures(MadeUp.settings(out), often).charts().get("evaluation-21");
+
+        assertThat(texts(single)).contains("Computing time, µs for a loop, measured once");
+        assertThat(single.svg()).doesNotContain(THIN_LINE);
+        assertThat(repeated.svg()).contains(THIN_LINE);
+    }
+
+    /** {@code -Dfigures=write} writes them anew. */
+    @Test
+    void picturesInTheDocumentation_areThoseOfTheTableThere() throws Exception {
+        String guide = Files.readString(Path.of("..", "docs", "guide", "09-measurements.md"));
+        var charts = new Figures(MadeUp.settings(out), documented(guide)).charts();
+
+        for (int figure : new int[] {15, 22, 23}) {
+            String name = "evaluation-" + figure;
+            Path file = Path.of("..", "docs", "figures", name + ".svg");
+            if ("write".equals(System.getProperty("figures"))) {
+                Files.writeString(file, charts.get(name).svg());
+            }
+            assertThat(file).hasContent(charts.get(name).svg());
+            assertThat(guide).contains("(../figures/" + name + ".svg)");
+        }
+    }
+
+    /** Five repetitions that have the documented medians and quartiles. */
+    private static Measurements documented(String guide) {
+        var measurements = new Measurements();
+        String spread = " +([\\d.]+) \\(([\\d.]+?)\\.\\.([\\d.]+)\\) +\\|";
+        var row = Pattern.compile("(?m)^\\| (\\w+) +\\| (\\d) +\\| ([\\d.]+) s +\\|" + spread + spread + spread)
+                .matcher(guide);
+        var alone = Pattern.compile("by themselves ([\\d.]+) s and ([\\d.]+) s").matcher(guide);
+        assertThat(alone.find()).isTrue();
+        while (row.find()) {
+            Mode mode = Mode.valueOf(row.group(1).toUpperCase(Locale.ROOT));
+            int cores = Integer.parseInt(row.group(2));
+            for (int repetition = 1; repetition <= 5; repetition++) {
+                for (int column = 0; column < 3; column++) {
+                    String subject =
+                            List.of(Findings.FOLLOWER, Findings.WANDERER, Measurement.BOTH).get(column);
+                    int group = 4 + 3 * column + (repetition < 3 ? 1 : repetition == 3 ? 0 : 2);
+                    double seconds = Double.parseDouble(column == 2 ? row.group(3) : alone.group(column + 1));
+                    measurements.add(new Measurement(
+                            Part.LOOPS, mode, cores, repetition, subject, Quantity.TIME, 1000 * seconds));
+                    measurements.add(new Measurement(
+                            Part.LOOPS,
+                            mode,
+                            cores,
+                            repetition,
+                            subject,
+                            column == 2 ? Quantity.TURN : Quantity.CYCLE,
+                            Double.parseDouble(row.group(group))));
+                }
+            }
+        }
+        assertThat(measurements.all()).hasSize(6 * 5 * 3 * 2);
+        return measurements;
     }
 
     @Test

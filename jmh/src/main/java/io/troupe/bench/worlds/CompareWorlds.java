@@ -58,7 +58,7 @@ public final class CompareWorlds {
         System.out.print(new WorldsReport(options, results).table());
         var figure = options.figure();
         if (figure != null) {
-            Files.writeString(figure, new WorldsDrawing(results).svg());
+            Files.writeString(figure, WorldsDrawing.of(results).svg());
         }
     }
 

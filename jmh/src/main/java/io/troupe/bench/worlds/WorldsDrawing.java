@@ -1,19 +1,34 @@
 package io.troupe.bench.worlds;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.bench.Quartiles;
 import java.util.Comparator;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /** How many times faster than real time, by the number of robots, as a drawing (SVG); both axes are logarithmic. */
-record WorldsDrawing(WorldsResults results) {
+record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
     private static final double LINE_HEIGHT = 13;
     private static final int LEFT = 60;
-    private static final int TOP = 34;
+    private static final int TOP = 74;
     private static final int DECADE_WIDTH = 120;
     private static final int DECADE_HEIGHT = 62;
-    private static final int LABEL_WIDTH = 90;
-    private static final int FOOT = 52;
+    private static final int LABEL_WIDTH = 236;
+    private static final int FOOT = 70;
+
+    static WorldsDrawing of(WorldsResults results) {
+        Map<Integer, Map<WorldKind, Quartiles>> factors = new TreeMap<>();
+        results.turns().forEach((robots, kinds) -> {
+            Map<WorldKind, Quartiles> its = new EnumMap<>(WorldKind.class);
+            kinds.keySet().forEach(kind -> its.put(kind, results.factor(robots, kind)));
+            factors.put(robots, its);
+        });
+        return new WorldsDrawing(factors);
+    }
 
     String svg() {
         int robotDecades = decadesOfRobots();
@@ -33,17 +48,51 @@ record WorldsDrawing(WorldsResults results) {
             body.append(curve(kind));
         }
         body.append(labels());
+        String title = title();
         return WorldsReport.format(
-                        "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 %d %d' font-family='sans-serif' font-size='11'>%n"
-                                + "<style>.t{font-weight:bold}.g{stroke:#ddd}.r{stroke:#333;stroke-dasharray:5 3}"
-                                + ".c{fill:none;stroke-width:2}.m{stroke:#d9822b}.b{stroke:#8fb3d9}.o{stroke:#5c7a99}.d{stroke-dasharray:4 3}.q{stroke:#333}</style>%n"
-                                + "<rect width='100%%' height='100%%' fill='white'/>%n"
-                                + "<text x='10' y='18' class='t'>simulated seconds per second, by the number of robots</text>%n",
-                        width, height)
+                        "<svg xmlns='http://www.w3.org/2000/svg' width='%1$d' height='%2$d' viewBox='0 0 %1$d %2$d' role='img'"
+                                + " aria-label='%3$s' font-family='sans-serif' font-size='11'>%n<title>%3$s</title>%n"
+                                + "<style>.h{font-size:16px}.g{stroke:#ddd}.r{stroke:#333;stroke-dasharray:5 3}"
+                                + ".c{fill:none;stroke-width:2}.m{stroke:#d9822b}.b{stroke:#0072b2}.o{stroke:#cc79a7}.d{stroke-dasharray:4 3}.q{stroke:#333}</style>%n"
+                                + "<rect width='100%%' height='100%%' fill='white'/>%n<text x='10' y='26' class='h'>%3$s</text>%n",
+                        width, height, title)
+                + "<text x='10' y='46'>16 sonars and 80 camera columns at 10 Hz, physics at 100 Hz; medians, upright bars: quartiles;"
+                + " both axes logarithmic</text>\n<text x='10' y='64'>simulated seconds per second</text>\n"
                 + body
                 + WorldsReport.format(
-                        "<text x='10' y='%d'>16 sonars and 80 camera columns at 10 Hz, physics at 100 Hz; both axes logarithmic; bars: quartiles</text>%n</svg>%n",
-                        height - 10);
+                        "<text x='%.1f' y='%d' text-anchor='middle'>number of robots</text>%n"
+                                + "<text x='10' y='%d'>sparse: without the rays that can meet nothing coloured, as Troupe does</text>%n</svg>%n",
+                        (LEFT + x(Math.pow(10, robotDecades))) / 2, height - 32, height - 10);
+    }
+
+    /** The finding: the number of robots that still run in real time, as far as it was measured. */
+    private String title() {
+        int most = factors.keySet().stream()
+                .filter(robots -> factors.get(robots).containsKey(WorldKind.TROUPE))
+                .filter(robots -> factors.get(robots).get(WorldKind.TROUPE).median() >= 1)
+                .max(Integer::compare)
+                .orElse(0);
+        if (most == 0) {
+            return "No measured number of robots runs in real time on one thread";
+        }
+        return WorldsReport.format(
+                "Troupe simulates %,d %s %s times as fast as real time on one thread",
+                most,
+                most == 1 ? "robot" : "robots",
+                label(factors.get(most).get(WorldKind.TROUPE).median()));
+    }
+
+    private static String label(double factor) {
+        return WorldsReport.format(factor < 100 ? "%.1f" : "%,.0f", factor);
+    }
+
+    /** What stands at the end of a curve. */
+    private static String explained(WorldKind kind) {
+        return switch (kind) {
+            case TROUPE -> "troupe, one thread";
+            case TROUPE_2 -> "troupe-2, devices read by two threads";
+            default -> kind.label();
+        };
     }
 
     private String horizontal(int decade, int robotDecades) {
@@ -78,7 +127,7 @@ record WorldsDrawing(WorldsResults results) {
         double x = 0;
         double y = 0;
         for (int robots : robotsOf(kind)) {
-            Quartiles factor = results.factor(robots, kind);
+            Quartiles factor = quartiles(robots, kind);
             x = x(robots);
             y = y(Math.log10(factor.median()));
             points.append(WorldsReport.format("%.1f,%.1f ", x, y));
@@ -97,7 +146,7 @@ record WorldsDrawing(WorldsResults results) {
 
     /** Where a curve ends. */
     private double end(WorldKind kind) {
-        return y(Math.log10(results.factor(robotsOf(kind).getLast(), kind).median()));
+        return y(Math.log10(quartiles(robotsOf(kind).getLast(), kind).median()));
     }
 
     /** At the ends of the curves, moved down where they would stand on each other. */
@@ -112,37 +161,40 @@ record WorldsDrawing(WorldsResults results) {
             double y = Math.max(end(kind), free);
             free = y + LINE_HEIGHT;
             double x = x(robotsOf(kind).getLast());
-            labels.append(WorldsReport.format("<text x='%.1f' y='%.1f'>%s</text>%n", x + 8, y + 4, kind.label()));
+            labels.append(WorldsReport.format("<text x='%.1f' y='%.1f'>%s</text>%n", x + 8, y + 4, explained(kind)));
         }
         return labels.toString();
     }
 
+    private Quartiles quartiles(int robots, WorldKind kind) {
+        return requireNonNull(factors.getOrDefault(robots, Map.of()).get(kind), kind::label);
+    }
+
     private List<Integer> robotsOf(WorldKind kind) {
-        return results.turns().keySet().stream()
-                .filter(robots -> results.turns().get(robots).containsKey(kind))
+        return factors.keySet().stream()
+                .filter(robots -> factors.get(robots).containsKey(kind))
                 .sorted()
                 .toList();
     }
 
-    private List<Double> factors() {
-        return results.turns().keySet().stream()
-                .flatMap(robots -> results.turns().get(robots).keySet().stream()
-                        .map(kind -> results.factor(robots, kind).median()))
+    private List<Double> medians() {
+        return factors.values().stream()
+                .flatMap(kinds -> kinds.values().stream().map(Quartiles::median))
                 .toList();
     }
 
     private int decadesOfRobots() {
-        int most = results.turns().keySet().stream().max(Integer::compare).orElse(1);
+        int most = factors.keySet().stream().max(Integer::compare).orElse(1);
         return Math.max(1, (int) Math.ceil(Math.log10(most)));
     }
 
     private int topDecade() {
-        double most = factors().stream().max(Double::compare).orElse(1.0);
+        double most = medians().stream().max(Double::compare).orElse(1.0);
         return Math.max(1, (int) Math.ceil(Math.log10(most)));
     }
 
     private int bottomDecade() {
-        double least = factors().stream().min(Double::compare).orElse(1.0);
+        double least = medians().stream().min(Double::compare).orElse(1.0);
         return Math.min(0, (int) Math.floor(Math.log10(least)));
     }
 

@@ -19,7 +19,7 @@ final class GraphMapSvg {
     /** Height over width, as far as the rows allow. */
     private static final double SHAPE = 0.75;
 
-    private static final Sketch.Style STYLE = new Sketch.Style(true, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
+    private static final Sketch.Style STYLE = new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
 
     private final GraphContent content;
     private final int[] distances;

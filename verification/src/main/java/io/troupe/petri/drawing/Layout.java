@@ -7,6 +7,7 @@ import org.eclipse.elk.alg.layered.LayeredLayoutProvider;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.LayeredOptions;
 import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
+import org.eclipse.elk.alg.layered.options.WrappingStrategy;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
 import org.eclipse.elk.core.math.ElkPadding;
 import org.eclipse.elk.core.options.Direction;
@@ -25,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Layout {
     private static final int SEED = 1;
+    private static final double ASPECT_RATIO = 1.6;
 
     /** Among many long arcs the best placement takes a minute for 250 nodes; a good one, Brandes and Köpf's, does not. */
     private static final int MOST_EXACT_NODES = 90;
@@ -70,8 +72,13 @@ final class Layout {
         graph.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, style.edgeSpacing());
         graph.setProperty(LayeredOptions.PADDING, new ElkPadding(12));
         graph.setProperty(LayeredOptions.CYCLE_BREAKING_STRATEGY, style.order());
-        if (style.order() != CycleBreakingStrategy.BFS_NODE_ORDER || nodes <= MOST_EXACT_NODES) {
+        boolean large = style.wrapped() || style.order() == CycleBreakingStrategy.BFS_NODE_ORDER;
+        if (!large || nodes <= MOST_EXACT_NODES) {
             graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
+        }
+        if (style.wrapped()) {
+            graph.setProperty(LayeredOptions.WRAPPING_STRATEGY, WrappingStrategy.MULTI_EDGE);
+            graph.setProperty(LayeredOptions.ASPECT_RATIO, ASPECT_RATIO);
         }
     }
 

@@ -25,6 +25,8 @@ final class NetSvg {
     private static final int MOST_DOTS = 4;
     /** Up to so many nodes, one long chain is the clearest. */
     private static final int FEW_NODES = 24;
+    /** Width over height of a large net, unless it is drawn in rows. */
+    private static final double MOST_SHAPE = 3;
 
     private final PetriNet net;
     private final Marking marking;
@@ -52,7 +54,7 @@ final class NetSvg {
                     .outputs()
                     .forEach(arc -> arcs.add(new NetArcs.Drawn(transition, arc.place(), false, arc.weight())));
         }
-        layout = Layout.of(sketch());
+        layout = layout();
         var legend = this.components.isEmpty() ? 0 : LEGEND_PX;
         var size = new Size(
                 Math.max(layout.size().width(), legendX(this.components.size())),
@@ -60,10 +62,20 @@ final class NetSvg {
         svg = new Svg(size, net + " in " + marking, FONT_PX);
     }
 
-    private Sketch sketch() {
-        var nodes = net.places().size() + net.transitions().size();
-        var order = nodes > FEW_NODES ? CycleBreakingStrategy.BFS_NODE_ORDER : CycleBreakingStrategy.DEPTH_FIRST;
-        var sketch = new Sketch(new Sketch.Style(false, order, 14, 22, 9));
+    /** A small net as one chain; a large one breadth first or, where that would be a long strip, in rows. */
+    private Layout layout() {
+        if (net.places().size() + net.transitions().size() <= FEW_NODES) {
+            return Layout.of(sketch(false, CycleBreakingStrategy.DEPTH_FIRST));
+        }
+        var compact = Layout.of(sketch(false, CycleBreakingStrategy.BFS_NODE_ORDER));
+        var canWrap = arcs.stream().allMatch(arc -> arc.weight() == 1);
+        return canWrap && compact.size().width() > MOST_SHAPE * compact.size().height()
+                ? Layout.of(sketch(true, CycleBreakingStrategy.DEPTH_FIRST))
+                : compact;
+    }
+
+    private Sketch sketch(boolean wrapped, CycleBreakingStrategy order) {
+        var sketch = new Sketch(new Sketch.Style(false, wrapped, order, 14, 22, 9));
         for (var place : net.places()) {
             sketch.node(new Size(2 * RADIUS, 2 * RADIUS), Lettering.size(List.of(place.name()), FONT_PX));
         }

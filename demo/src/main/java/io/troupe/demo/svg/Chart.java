@@ -1,0 +1,184 @@
+package io.troupe.demo.svg;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.GraphicsEnvironment;
+import java.awt.RenderingHints;
+import java.awt.font.FontRenderContext;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.Consumer;
+import javax.imageio.ImageIO;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Lines, bars and text that are drawn once and written as SVG, where text stays text, and as PNG.
+ *
+ * <p><b>Units and shapes.</b> Pixels, y downwards; colours are {@code 0x00RRGGBB}.
+ */
+public final class Chart {
+    /** Where a text lies by its point. */
+    public enum Anchor {
+        START("start", 0),
+        MIDDLE("middle", 0.5),
+        END("end", 1);
+
+        private final String svg;
+        private final double share;
+
+        Anchor(String svg, double share) {
+            this.svg = svg;
+            this.share = share;
+        }
+    }
+
+    /** Pixels of the PNG for one of the drawing. */
+    private static final int SCALE = 2;
+
+    private final int width;
+    private final int height;
+    private final StringBuilder svg;
+    private final List<Consumer<Graphics2D>> strokes = new ArrayList<>();
+
+    public Chart(int width, int height, String title) {
+        this.width = width;
+        this.height = height;
+        this.svg = new StringBuilder(Svg.begin(width, height, 12, title));
+    }
+
+    public void line(double x1, double y1, double x2, double y2, int colour, double thick) {
+        line(x1, y1, x2, y2, colour, thick, "");
+    }
+
+    /** @param dash lengths of dashes and gaps in turn, with blanks between; "" = solid */
+    public void line(double x1, double y1, double x2, double y2, int colour, double thick, String dash) {
+        svg.append(String.format(
+                Locale.ROOT,
+                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#%06x\" stroke-width=\"%.1f\"%s/>%n",
+                x1,
+                y1,
+                x2,
+                y2,
+                colour,
+                thick,
+                dash.isEmpty() ? "" : " stroke-dasharray=\"" + dash + "\""));
+        strokes.add(canvas -> {
+            canvas.setColor(new Color(colour));
+            canvas.setStroke(
+                    dash.isEmpty()
+                            ? new BasicStroke((float) thick)
+                            : new BasicStroke((float) thick, 0, 0, 10, lengths(dash), 0));
+            canvas.draw(new Line2D.Double(x1, y1, x2, y2));
+        });
+    }
+
+    private static float[] lengths(String dash) {
+        String[] words = dash.split(" ");
+        float[] lengths = new float[words.length];
+        for (int i = 0; i < words.length; i++) {
+            lengths[i] = Float.parseFloat(words[i]);
+        }
+        return lengths;
+    }
+
+    public void bar(double x, double y, double wide, double high, int colour) {
+        svg.append(String.format(
+                Locale.ROOT,
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#%06x\"/>%n",
+                x,
+                y,
+                wide,
+                high,
+                colour));
+        strokes.add(canvas -> {
+            canvas.setColor(new Color(colour));
+            canvas.fill(new Rectangle2D.Double(x, y, wide, high));
+        });
+    }
+
+    public void dot(double x, double y, double radius, int colour) {
+        svg.append(String.format(
+                Locale.ROOT, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#%06x\"/>%n", x, y, radius, colour));
+        strokes.add(canvas -> {
+            canvas.setColor(new Color(colour));
+            canvas.fill(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
+        });
+    }
+
+    public void text(double x, double y, int sizePx, Anchor anchor, int colour, String words) {
+        svg.append(Svg.text(
+                x,
+                y,
+                String.format(
+                        Locale.ROOT,
+                        "font-size=\"%d\" text-anchor=\"%s\" fill=\"#%06x\"",
+                        sizePx,
+                        anchor.svg,
+                        colour),
+                words));
+        strokes.add(canvas -> {
+            canvas.setColor(new Color(colour));
+            canvas.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, sizePx));
+            double wide = canvas.getFontMetrics().getStringBounds(words, canvas).getWidth();
+            canvas.drawString(words, (float) (x - anchor.share * wide), (float) y);
+        });
+    }
+
+    public String svg() {
+        return svg + "</svg>\n";
+    }
+
+    /** Twice as large as the drawing, for sharp screens. */
+    public BufferedImage image() {
+        var image = new BufferedImage(SCALE * width, SCALE * height, BufferedImage.TYPE_INT_RGB);
+        Graphics2D canvas = image.createGraphics();
+        canvas.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        canvas.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        canvas.scale(SCALE, SCALE);
+        canvas.setColor(Color.WHITE);
+        canvas.fillRect(0, 0, width, height);
+        strokes.forEach(stroke -> stroke.accept(canvas));
+        canvas.dispose();
+        return image;
+    }
+
+    /** @throws IOException if there is no font for the PNG, which says what to do about it */
+    public static void checkFonts() throws IOException {
+        try {
+            if (GraphicsEnvironment.getLocalGraphicsEnvironment().getAvailableFontFamilyNames().length > 0) {
+                new Font(Font.SANS_SERIF, Font.PLAIN, 12).getStringBounds("0", new FontRenderContext(null, true, true));
+                return;
+            }
+        } catch (RuntimeException | LinkageError | InternalError unusable) {
+            throw noFont(unusable);
+        }
+        throw noFont(null);
+    }
+
+    private static IOException noFont(@Nullable Throwable cause) {
+        return new IOException(
+                "the pictures cannot be drawn: Java finds no font on this machine; install one, for example the packages fontconfig and fonts-dejavu-core",
+                cause);
+    }
+
+    /**
+     * As {@code name.svg} and {@code name.png}.
+     *
+     * @throws IOException if a file cannot be written, or Java finds no font on this machine
+     */
+    public void write(Path directory, String name) throws IOException {
+        checkFonts();
+        Files.writeString(directory.resolve(name + ".svg"), svg());
+        ImageIO.write(image(), "png", directory.resolve(name + ".png").toFile());
+    }
+}
