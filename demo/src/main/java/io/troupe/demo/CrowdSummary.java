@@ -32,7 +32,10 @@ final class CrowdSummary {
         summary.row(RunResult.SERVICES_TITLE, 0, RobotRecord::chargeFaults);
         summary.row(RunResult.NO_CYCLE_TITLE, 0, RobotRecord::ticksWithoutCycle);
         summary.extremes(
-                RunResult.STAY_TITLE + ", s", 1, "", robot -> robot.longestStay().micros() / 1e6);
+                RunResult.STAY_TITLE + ", s",
+                1,
+                "",
+                robot -> robot.longestStay().micros() / 1e6);
         return summary.text.toString();
     }
 

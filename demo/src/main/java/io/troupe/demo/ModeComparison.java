@@ -105,8 +105,8 @@ record ModeComparison(Map<Mode, RunResult> results) {
             return "";
         }
         StateChange change = states.get(index);
-        boolean marked = results.containsKey(Mode.PROMISE)
-                && firstDifference(mode).orElse(-1) == index;
+        boolean marked =
+                results.containsKey(Mode.PROMISE) && firstDifference(mode).orElse(-1) == index;
         return String.format(
                 Locale.ROOT,
                 "%s%6.1f s %d: %s",

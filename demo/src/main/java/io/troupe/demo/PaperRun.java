@@ -82,8 +82,8 @@ final class PaperRun {
         int expected = table.robots();
         List<RobotSpec> robots = scenario.world().robots();
         if (robots.size() != expected) {
-            throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot") + ", expected "
-                    + expected + " as the table of services has");
+            throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot")
+                    + ", expected " + expected + " as the table of services has");
         }
         int port = scenario.devices().stream()
                 .filter(device -> device.interfaceName().equals("position2d"))

@@ -99,7 +99,8 @@ final class RobotRecord {
             stayFrom = null;
         } else if (from == null
                 || StrictMath.hypot(
-                                pose.x() - from.pose().x(), pose.y() - from.pose().y())
+                                pose.x() - from.pose().x(),
+                                pose.y() - from.pose().y())
                         > STAY_M) {
             stayFrom = new Sample(timeMicros, pose, serviceName());
         } else if (timeMicros - from.timeMicros() > longestStay.micros()) {

@@ -35,7 +35,10 @@ final class RunLog implements AutoCloseable {
 
     /** The first line. */
     static Json header() {
-        return Json.line(0, "header").put("format", FORMAT).put("version", VERSION).put("program", Main.PROGRAM);
+        return Json.line(0, "header")
+                .put("format", FORMAT)
+                .put("version", VERSION)
+                .put("program", Main.PROGRAM);
     }
 
     void write(Json line) {

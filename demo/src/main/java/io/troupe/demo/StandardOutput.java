@@ -35,7 +35,8 @@ final class StandardOutput extends FilterOutputStream {
     }
 
     /** Why something was not written; null if all was, or nobody reads it any more. */
-    @Nullable String lost() {
+    @Nullable
+    String lost() {
         return READER_GONE.equals(lost) ? null : lost;
     }
 }

@@ -2,8 +2,8 @@ package io.troupe.demo;
 
 import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
-import io.troupe.demo.terminal.WorldReading;
 import io.troupe.demo.table.ServiceJars;
+import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;

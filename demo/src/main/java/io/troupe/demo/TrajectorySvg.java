@@ -38,6 +38,7 @@ final class TrajectorySvg {
     private static final int AGES = 6;
     /** Of the robots' lines, round and round; the first is solid. */
     private static final List<String> DASHES = List.of("", "8 4", "2 3", "14 4 2 4", "18 6", "8 3 2 3 2 3", "5 2");
+
     private static final Map<String, String> PATH_COLOURS = Map.of(
             Service.WALL_FOLLOWER.name(), "#7b3fa0",
             Service.SPACE_WANDERER.name(), "#1b9e9e");
@@ -92,8 +93,7 @@ final class TrajectorySvg {
         drawLegend();
         svg.append(Svg.begin(pageWidth, legendY + LEFT_PX, FONT_PX, finding()));
         for (int line = 0; line < title.size(); line++) {
-            svg.append(
-                    Svg.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
+            svg.append(Svg.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
         }
         world.obstacles().forEach(this::obstacle);
         for (int age = 0; age < (crowd ? AGES : 1); age++) {
@@ -221,7 +221,8 @@ final class TrajectorySvg {
 
     /** 1, 2 or 5 times a power of ten seconds, so that all robots together have about a dozen marks. */
     private long timeMarkMicros() {
-        double marksOfOne = Math.max(3, (double) MOST_TIME_MARKS / result.robots().size());
+        double marksOfOne =
+                Math.max(3, (double) MOST_TIME_MARKS / result.robots().size());
         return StrictMath.round(1e6 * Svg.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
     }
 
@@ -255,8 +256,14 @@ final class TrajectorySvg {
                 .findFirst()
                 .orElse(path.getLast())
                 .pose();
-        append("<g class=\"state\"><title>%s</title>", Svg.escape(change.describe(result.table()).strip()));
-        svg.append(tag(x(pose.x()), y(pose.y()), change.state().colour(), "s" + change.state().number()));
+        append(
+                "<g class=\"state\"><title>%s</title>",
+                Svg.escape(change.describe(result.table()).strip()));
+        svg.append(tag(
+                x(pose.x()),
+                y(pose.y()),
+                change.state().colour(),
+                "s" + change.state().number()));
         append("</g>%n");
     }
 
@@ -270,10 +277,7 @@ final class TrajectorySvg {
                         wide,
                         Svg.colour(colour))
                 + Svg.text(
-                        x,
-                        y + 4,
-                        "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"",
-                        words);
+                        x, y + 4, "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"", words);
     }
 
     /** The scale, lines as long as they fit side by side, then sentences. */

@@ -28,7 +28,8 @@ final class UsageProblems {
             return unmatched(List.of(unknown.group(1)), wrong.getCommandLine());
         }
         if (line.startsWith(INVALID_VALUE)) {
-            return line.substring(INVALID_VALUE.length()).replaceFirst("^option '([^']*)'(?: \\([^)]*\\))?: ", "$1 is ");
+            return line.substring(INVALID_VALUE.length())
+                    .replaceFirst("^option '([^']*)'(?: \\([^)]*\\))?: ", "$1 is ");
         }
         return line.startsWith(ERROR) ? line.substring(ERROR.length()) : line;
     }
@@ -45,7 +46,8 @@ final class UsageProblems {
         }
         return spec.subcommands().isEmpty()
                 ? "'" + first + "' is one argument too many"
-                : "there is no command '" + first + "'" + meant(first, spec.subcommands().keySet());
+                : "there is no command '" + first + "'"
+                        + meant(first, spec.subcommands().keySet());
     }
 
     /** A slip of the finger, or the beginning of a name. */
@@ -55,8 +57,6 @@ final class UsageProblems {
                         .filter(each -> written.length() >= FEWEST_LETTERS && each.startsWith(written))
                         .findFirst())
                 .map(name -> "; did you mean " + name + "?")
-                .orElseGet(() -> written.startsWith("-")
-                        ? ""
-                        : "; there are " + String.join(", ", known));
+                .orElseGet(() -> written.startsWith("-") ? "" : "; there are " + String.join(", ", known));
     }
 }

@@ -62,7 +62,8 @@ class InterruptTest {
 
     @Test
     void run_printsItsSummary_andItsLogSaysThatItWasCutShort() throws Exception {
-        assertThat(interrupted("\\] +[0-9.]+ of 100000", "run", "--world", "worlds/paper-arena.world", "--seconds", "100000"))
+        assertThat(interrupted(
+                        "\\] +[0-9.]+ of 100000", "run", "--world", "worlds/paper-arena.world", "--seconds", "100000"))
                 .anyMatch(line -> line.startsWith("distance driven"))
                 .anyMatch(line -> line.startsWith("interrupted: "));
         assertThat(lastLine(out.resolve("run.jsonl"))).endsWith(",\"cutShort\":\"interrupted\"}");

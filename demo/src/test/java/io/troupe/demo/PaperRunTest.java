@@ -60,7 +60,8 @@ class PaperRunTest {
         });
         List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
         assertThat(lines.getFirst())
-                .isEqualTo("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\"" + Main.PROGRAM
+                .isEqualTo("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\""
+                        + Main.PROGRAM
                         + "\",\"world\":\"paper arena\",\"robots\":2,\"seed\":1,\"mode\":\"promise\",\"reconnect\":false,"
                         + "\"seconds\":300.0,\"interval\":0.1}");
         assertThat(lines.get(1)).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
@@ -219,7 +220,8 @@ class PaperRunTest {
         String svg = new TrajectorySvg(ScenarioReader.read(WORLD).world(), result).draw();
         assertThat(svg).startsWith("<svg").endsWith("</svg>" + System.lineSeparator());
         assertThat(svg).contains("<title>red box 1</title>", "wallFollower", "spaceWanderer", "stroke-dasharray");
-        assertThat(svg.split("<g class=\"state\"", -1)).hasSize(result.states().size()); // one for each change, none for the start
+        assertThat(svg.split("<g class=\"state\"", -1))
+                .hasSize(result.states().size()); // one for each change, none for the start
         javax.xml.parsers.DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
                 .parse(new java.io.ByteArrayInputStream(svg.getBytes(java.nio.charset.StandardCharsets.UTF_8)));

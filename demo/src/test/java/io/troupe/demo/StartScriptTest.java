@@ -53,7 +53,8 @@ class StartScriptTest {
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
     }
 
-    private Outcome run(Map<String, String> environment, List<String> command) throws IOException, InterruptedException {
+    private Outcome run(Map<String, String> environment, List<String> command)
+            throws IOException, InterruptedException {
         var builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().put("JAVA_HOME", directory.resolve("jdk").toString());
         builder.environment().put("PATH", directory.resolve("path") + ":" + System.getenv("PATH"));

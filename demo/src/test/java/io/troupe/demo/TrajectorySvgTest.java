@@ -27,9 +27,7 @@ class TrajectorySvgTest {
         Files.copy(Path.of("worlds", "pioneer.inc"), directory.resolve("pioneer.inc"));
         Files.writeString(directory.resolve("narrow.world"), world());
         Files.writeString(directory.resolve("narrow.cfg"), configuration());
-        Files.writeString(
-                directory.resolve("five.table"),
-                """
+        Files.writeString(directory.resolve("five.table"), """
                 robots 5
                 ignore black : walls
                 state blue : wallFollower, spaceWanderer, spaceWanderer, spaceWanderer, wallFollower
@@ -52,8 +50,7 @@ class TrajectorySvgTest {
     }
 
     private static String world() {
-        var world = new StringBuilder(
-                """
+        var world = new StringBuilder("""
                 name "narrow hall"
                 interval_sim 100
                 include "pioneer.inc"

@@ -29,17 +29,16 @@ class WorldWarningsTest {
     /** @param takenPort at which serve gives up */
     private int troupe(String command, Path world, int takenPort, String... more) {
         Path out = directory.resolve("out");
-        String text =
-                switch (command) {
-                    case "run" -> "run --seconds 0.2 --out " + out + " --world " + world;
-                    case "modes" -> "modes --seconds 0.2 --out " + out + " --world " + world;
-                    case "app" -> "app missing.app --world " + world;
-                    case "draw" -> "draw --out " + directory.resolve("w.svg") + " " + world;
-                    case "evaluate" -> "evaluate --out " + out + " --world " + world;
-                    case "serve" -> "serve --port " + takenPort + " --world " + world;
-                    case "replay" -> "replay missing.txt --world " + world;
-                    default -> throw new IllegalArgumentException(command);
-                };
+        String text = switch (command) {
+            case "run" -> "run --seconds 0.2 --out " + out + " --world " + world;
+            case "modes" -> "modes --seconds 0.2 --out " + out + " --world " + world;
+            case "app" -> "app missing.app --world " + world;
+            case "draw" -> "draw --out " + directory.resolve("w.svg") + " " + world;
+            case "evaluate" -> "evaluate --out " + out + " --world " + world;
+            case "serve" -> "serve --port " + takenPort + " --world " + world;
+            case "replay" -> "replay missing.txt --world " + world;
+            default -> throw new IllegalArgumentException(command);
+        };
         String[] arguments = (text + " " + String.join(" ", more)).strip().split(" +");
         return Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err), arguments);
     }

@@ -28,8 +28,8 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
             Map<String, Bar> its = new LinkedHashMap<>();
             contenders
                     .keySet()
-                    .forEach(name -> its.put(
-                            name, new Bar(results.nanos(workload, name), results.ratio(workload, name))));
+                    .forEach(name ->
+                            its.put(name, new Bar(results.nanos(workload, name), results.ratio(workload, name))));
             bars.put(workload, its);
         });
         return new CompareDrawing(bars);
@@ -67,7 +67,8 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
 
     /** The finding: where our actors take the least time of all that are libraries. */
     private String title() {
-        List<Workload> ranked = bars.keySet().stream().filter(Workload::isRanked).toList();
+        List<Workload> ranked =
+                bars.keySet().stream().filter(Workload::isRanked).toList();
         long first = ranked.stream().filter(this::isOursFastest).count();
         return "Troupe takes the least time per operation in " + first + " of " + ranked.size()
                 + " workloads, the limit apart";
@@ -79,8 +80,8 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
         return ours != null
                 && contenders.entrySet().stream()
                         .filter(each -> !each.getKey().equals(Contenders.LIMIT.label()))
-                        .allMatch(each -> ours.ratio.median()
-                                <= each.getValue().ratio.median());
+                        .allMatch(each ->
+                                ours.ratio.median() <= each.getValue().ratio.median());
     }
 
     private List<Workload> rankedFirst() {

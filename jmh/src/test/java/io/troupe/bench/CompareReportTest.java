@@ -66,7 +66,9 @@ class CompareReportTest {
 
     @Test
     void drawing_hasABarForEveryContender() {
-        assertThat(drawing).startsWith("<svg").contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
+        assertThat(drawing)
+                .startsWith("<svg")
+                .contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
     }
 
     @Test
@@ -99,8 +101,9 @@ class CompareReportTest {
                         .put(found.group(2), new CompareDrawing.Bar(quartiles(found, 3), quartiles(found, 6)));
             }
         }
-        assertThat(bars).hasSize(9).allSatisfy((workload, its) -> assertThat(its)
-                .hasSize(9));
+        assertThat(bars)
+                .hasSize(9)
+                .allSatisfy((workload, its) -> assertThat(its).hasSize(9));
 
         String svg = new CompareDrawing(bars).svg();
         Path documented = Path.of("..", "docs", "figures", "actors.svg");

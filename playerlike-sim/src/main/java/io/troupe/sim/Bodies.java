@@ -3,7 +3,6 @@ package io.troupe.sim;
 import io.troupe.sim.physics.Physics;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.Shape;
 import io.troupe.sim.scenario.WorldSpec;

@@ -54,7 +54,9 @@ record StartPoses(List<Pose> poses, BitSet stuck) {
         Pose choose(RobotSpec robot, int index) {
             var outline = new Outline(robot.collisionShape(), robot.pose());
             List<Body> inTheWay = robot.blocksBodies()
-                    ? placed.stream().filter(body -> body.outline().overlaps(outline)).toList()
+                    ? placed.stream()
+                            .filter(body -> body.outline().overlaps(outline))
+                            .toList()
                     : List.of();
             boolean jitter = inTheWay.isEmpty() && (settings.jitterM() > 0 || settings.jitterRad() > 0);
             Pose chosen = jitter ? jittered(robot, outline) : robot.pose();

@@ -165,15 +165,14 @@ class AdvanceTest {
 
     @Test
     void sonarsOfStage4_areTheRangerWithOneRayForEachSensor_andAllRangersCanBeRead() {
-        World world = World.create(
-                ScenarioReader.readText("""
+        World world =
+                World.create(ScenarioReader.readText("""
                         model ( pose [ 3 0 0 0 ] size [ 2 8 ] )
                         position ( name "r"
                           ranger ( sensor ( range [ 0 8 ] fov 90 samples 3 ) )
                           ranger ( sensor ( pose [ 0 0 0 0 ] range [ 0 5 ] ) sensor ( pose [ 0 0 0 180 ] range [ 0 4 ] ) ) )
                         position ( name "scanner" pose [ 0 3 0 0 ] ranger ( sensor ( samples 90 ) ) )
-                        """, Path.of("t.world")).world(),
-                WorldSettings.DEFAULT);
+                        """, Path.of("t.world")).world(), WorldSettings.DEFAULT);
         WorldView view = world.view();
 
         assertThat(view.sonarCount(0)).isEqualTo(2);

@@ -58,8 +58,9 @@ public final class DeadlockSearch {
      */
     public List<Deadlock> deadlocks() {
         var dead = visited.dead();
-        return new OnDemand<>(dead.size(), i -> new Deadlock(
-                dead.get(i).marking(), dead.get(i).shortestTrace()));
+        return new OnDemand<>(
+                dead.size(),
+                i -> new Deadlock(dead.get(i).marking(), dead.get(i).shortestTrace()));
     }
 
     /** Whether no reachable marking is dead. */

@@ -110,7 +110,9 @@ public final class Liveness {
         text.append(", reversible ").append(reversible());
         text.append("\n  terminal components").append(graph.isComplete() ? "" : " so far");
         text.append(": ").append(components.size());
-        components.stream().limit(MOST_TOLD).forEach(component -> text.append("\n    ").append(component));
+        components.stream()
+                .limit(MOST_TOLD)
+                .forEach(component -> text.append("\n    ").append(component));
         if (components.size() > MOST_TOLD) {
             text.append("\n    and ").append(components.size() - MOST_TOLD).append(" more");
         }

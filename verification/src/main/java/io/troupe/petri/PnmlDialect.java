@@ -22,8 +22,8 @@ final class PnmlDialect {
             Set.of("ptnet", "ptnetb", "basicpnml.rng", "pnmlcoremodel", "p/t net", "epnml-1.1");
 
     /** Attributes that name or draw a thing, whatever their value. */
-    private static final Set<String> DRAWN = Set.of(
-            "name", "displayName", "nameOffsetX", "nameOffsetY", "positionX", "positionY", "angle", "active");
+    private static final Set<String> DRAWN =
+            Set.of("name", "displayName", "nameOffsetX", "nameOffsetY", "positionX", "positionY", "angle", "active");
 
     /** Attributes, and children by their value or text, that change nothing if they have one of these values. */
     private static final Map<String, Set<String>> NEUTRAL = Map.of(

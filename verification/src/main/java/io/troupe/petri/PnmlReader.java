@@ -169,7 +169,9 @@ final class PnmlReader {
                 case "token" -> readTokenColour();
                 case "labels" -> skip();
                 case "finalmarkings" -> {
-                    warn("final", "final markings are left out: a marking where nothing may fire is dead, final or not");
+                    warn(
+                            "final",
+                            "final markings are left out: a marking where nothing may fire is dead, final or not");
                     skip();
                 }
                 default -> {
@@ -342,9 +344,12 @@ final class PnmlReader {
                 throw bad("a second <" + element + "> in " + arc);
             }
         }
-        if (!seen.contains("inscription") && !name.equals("1") && WHOLE_NUMBER.matcher(name).matches()) {
+        if (!seen.contains("inscription")
+                && !name.equals("1")
+                && WHOLE_NUMBER.matcher(name).matches()) {
             // ProM shows the weight of an arc as its name
-            throw bad(arc + " is called \"" + name + "\" and has no <inscription>, expected one if that is its weight",
+            throw bad(
+                    arc + " is called \"" + name + "\" and has no <inscription>, expected one if that is its weight",
                     start);
         }
         document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, start));
@@ -359,7 +364,8 @@ final class PnmlReader {
             if (PnmlDialect.isForeign(namespace) || isPlain && (known.contains(name) || PnmlDialect.isDrawn(name))) {
                 continue;
             }
-            var what = "<" + xml.getLocalName() + ">" + orEmpty(xml.getAttributeValue(null, "id")).replaceFirst("^", " ");
+            var what = "<" + xml.getLocalName() + ">"
+                    + orEmpty(xml.getAttributeValue(null, "id")).replaceFirst("^", " ");
             if (isPlain && PnmlDialect.mayBeNeutral(name)) {
                 requireNeutral(name, xml.getAttributeValue(i), what.strip());
             } else {

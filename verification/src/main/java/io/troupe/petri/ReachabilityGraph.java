@@ -267,7 +267,10 @@ public final class ReachabilityGraph {
         text.append("\n  dead markings").append(soFar).append(": ").append(found.dead.size());
         if (found.dead.size() > 0) {
             var nearest = new State(found.dead.get(0));
-            text.append(", the nearest ").append(nearest).append(" after ").append(Shortened.list(nearest.shortestTrace()));
+            text.append(", the nearest ")
+                    .append(nearest)
+                    .append(" after ")
+                    .append(Shortened.list(nearest.shortestTrace()));
         } else if (!isComplete()) {
             text.append("; whether there are others is not known");
         }

@@ -9,7 +9,7 @@ final class Shortened {
 
     private Shortened() {}
 
-    /** As {@link List#toString()}, but of a long list only the beginning and how many follow. */
+    /** As a list prints itself, but of a long list only the beginning and how many follow. */
     static String list(List<?> items) {
         if (items.size() <= MOST) {
             return items.toString();

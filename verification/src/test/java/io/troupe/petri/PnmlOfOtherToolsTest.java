@@ -48,8 +48,7 @@ class PnmlOfOtherToolsTest {
         assertRefused(
                 NODES + "<arc id='a' source='p' target='t'><arctype><text>reset</text></arctype></arc>",
                 2,
-                "arctype of arc a is \"reset\""
-                        + ", expected normal in a place/transition net");
+                "arctype of arc a is \"reset\"" + ", expected normal in a place/transition net");
         assertThat(read(STANDARD, NODES + "<arc id='a' source='p' target='t' type='normal'/>")
                         .arcCount())
                 .isEqualTo(1);
@@ -156,8 +155,8 @@ class PnmlOfOtherToolsTest {
                         + "<finalmarkings><marking><place idref='p'><text>0</text></place></marking></finalmarkings>");
 
         assertThat(net.arcCount()).isEqualTo(1);
-        assertThat(warnings).anySatisfy(warning -> assertThat(warning)
-                .startsWith("other.pnml:3: final markings are left out"));
+        assertThat(warnings)
+                .anySatisfy(warning -> assertThat(warning).startsWith("other.pnml:3: final markings are left out"));
         assertRefused(
                 NODES + "<arc id='a' source='p' target='t'><name><text>3</text></name></arc>",
                 2,
@@ -173,8 +172,7 @@ class PnmlOfOtherToolsTest {
 
         assertThat(net.structure()).isEqualTo("place p 0\ntransition t 0 [p*1] -> [p*3]");
         assertThat(warnings)
-                .containsExactly(
-                        "other.pnml:4: id a of an arc is used twice", "other.pnml:5: arc t -> p has no id");
+                .containsExactly("other.pnml:4: id a of an arc is used twice", "other.pnml:5: arc t -> p has no id");
     }
 
     @Test
@@ -192,7 +190,9 @@ class PnmlOfOtherToolsTest {
                 3,
                 "there is no place or transition with id gone");
         assertRefused(
-                "<referencePlace id='r' ref='s'/>\n<referencePlace id='s' ref='r'/>", 2, "reference r refers to itself");
+                "<referencePlace id='r' ref='s'/>\n<referencePlace id='s' ref='r'/>",
+                2,
+                "reference r refers to itself");
     }
 
     @Test
@@ -218,8 +218,7 @@ class PnmlOfOtherToolsTest {
         var marked = Files.writeString(directory.resolve("8.pnml"), "\ufeff" + text);
         var latin = Files.write(
                 directory.resolve("1.pnml"),
-                ("<?xml version='1.0' encoding='ISO-8859-1'?>" + text)
-                        .getBytes(ISO_8859_1));
+                ("<?xml version='1.0' encoding='ISO-8859-1'?>" + text).getBytes(ISO_8859_1));
 
         for (var file : List.of(utf16, marked, latin)) {
             assertThat(Pnml.read(file).places()).extracting(Place::name).containsExactly("\u00e9");

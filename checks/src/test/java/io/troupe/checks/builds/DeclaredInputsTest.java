@@ -32,7 +32,9 @@ class DeclaredInputsTest {
                 undeclared.addAll(undeclared(module));
             }
         }
-        assertThat(undeclared).as("files that tests read and Gradle does not know of").isEmpty();
+        assertThat(undeclared)
+                .as("files that tests read and Gradle does not know of")
+                .isEmpty();
     }
 
     @Test
@@ -55,8 +57,10 @@ class DeclaredInputsTest {
         List<Path> inputs = inputs(module);
         List<String> undeclared = new ArrayList<>();
         for (Path source : sources(module.resolve("src/test/java"))) {
-            for (MatchResult match : PATH.matcher(Files.readString(source)).results().toList()) {
-                var path = module.resolve(String.join("/", quoted(match.group(1)))).normalize();
+            for (MatchResult match :
+                    PATH.matcher(Files.readString(source)).results().toList()) {
+                var path =
+                        module.resolve(String.join("/", quoted(match.group(1)))).normalize();
                 boolean isRead = Files.exists(path) && path.startsWith(module.getParent()) && !path.equals(module);
                 if (isRead && inputs.stream().noneMatch(path::startsWith)) {
                     undeclared.add(module.getFileName() + ": " + source.getFileName() + " reads "

@@ -154,7 +154,8 @@ final class GradleReader {
             } else if (statement.head().equals("plugins")
                     && !statement.body().strip().equals("application")) {
                 throw notUnderstood(file, statement);
-            } else if (statement.block() && statement.head().matches("plugins|application|distributions\\.main|tasks\\b.*")) {
+            } else if (statement.block()
+                    && statement.head().matches("plugins|application|distributions\\.main|tasks\\b.*")) {
                 requireNothingTelling(file, statement);
             } else {
                 throw notUnderstood(file, statement);

@@ -48,7 +48,9 @@ class HonestBuildsTest {
     @Test
     void classPathOfTheStartScript_isWrittenByTheMainJob() throws IOException {
         assertThat(file("README.md")).contains("compile exec:exec -pl demo -am");
-        var plugin = file("demo/pom.xml").split("<artifactId>maven-dependency-plugin</artifactId>")[1].split("</plugin>")[0];
+        var plugin = file("demo/pom.xml")
+                .split("<artifactId>maven-dependency-plugin</artifactId>")[1]
+                .split("</plugin>")[0];
         assertThat(plugin).contains("<phase>compile</phase>", "<goal>build-classpath</goal>");
     }
 

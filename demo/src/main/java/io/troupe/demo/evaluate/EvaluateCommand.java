@@ -136,7 +136,8 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
         terminal.printf(
                 "%ninterrupted: %d of %s complete%n",
-                complete, Plural.of(settings.repetitions(), "repetition") + (settings.repetitions() == 1 ? " was" : " were"));
+                complete,
+                Plural.of(settings.repetitions(), "repetition") + (settings.repetitions() == 1 ? " was" : " were"));
         terminal.flush();
         if (Files.size(settings.log()) == 0) {
             Files.delete(settings.log());

@@ -22,11 +22,7 @@ final class Evaluation {
      * @param world that of the settings
      * @param interruption ends the measuring where it is
      */
-    Evaluation(
-            EvaluationSettings settings,
-            PaperWorld world,
-            EvaluationProgress progress,
-            Interruption interruption) {
+    Evaluation(EvaluationSettings settings, PaperWorld world, EvaluationProgress progress, Interruption interruption) {
         this.interruption = interruption;
         this.settings = settings;
         this.world = world;

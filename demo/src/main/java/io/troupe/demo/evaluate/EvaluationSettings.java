@@ -29,7 +29,6 @@ record EvaluationSettings(
     }
 
     EvaluationSettings withRepetitions(int number) {
-        return new EvaluationSettings(
-                world, loops, cores, modes, number, warmUps, seconds, reconnect, realTime, log);
+        return new EvaluationSettings(world, loops, cores, modes, number, warmUps, seconds, reconnect, realTime, log);
     }
 }

@@ -81,9 +81,7 @@ final class Figures {
         String title = series.stream()
                 .map(bars -> bars.name() + " " + seconds(bars, Measurement.BOTH))
                 .collect(Collectors.joining(", ", "Both services take: ", ""));
-        charts.put(
-                "evaluation-" + figure,
-                chart(title, figure, ", on a JVM with " + Findings.cores(cores), series));
+        charts.put("evaluation-" + figure, chart(title, figure, ", on a JVM with " + Findings.cores(cores), series));
     }
 
     private String seconds(Bars bars, String subject) {
@@ -92,7 +90,8 @@ final class Figures {
 
     private Chart chart(String title, int figure, String machine, List<Bars> series) {
         String time = settings.realTime() ? "Real time" : "Simulated time";
-        String subtitle = "Figure " + figure + " of the paper, " + settings.loops() + " loops of each service" + machine;
+        String subtitle =
+                "Figure " + figure + " of the paper, " + settings.loops() + " loops of each service" + machine;
         var passing = new BarPanel(time + ", s for " + settings.loops() + " loops", PASSING);
         var computing = new BarPanel(
                 "Computing time, µs for a loop"
@@ -111,9 +110,7 @@ final class Figures {
                     bars.colour,
                     SUBJECTS.stream()
                             .map(subject -> spread(
-                                    bars,
-                                    subject,
-                                    subject.equals(Measurement.BOTH) ? Quantity.TURN : Quantity.CYCLE))
+                                    bars, subject, subject.equals(Measurement.BOTH) ? Quantity.TURN : Quantity.CYCLE))
                             .map(micros -> repeated() ? BarPanel.Bar.of(micros) : BarPanel.Bar.of(micros.median()))
                             .toList());
         }

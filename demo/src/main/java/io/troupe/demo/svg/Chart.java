@@ -120,11 +120,7 @@ public final class Chart {
                 x,
                 y,
                 String.format(
-                        Locale.ROOT,
-                        "font-size=\"%d\" text-anchor=\"%s\" fill=\"#%06x\"",
-                        sizePx,
-                        anchor.svg,
-                        colour),
+                        Locale.ROOT, "font-size=\"%d\" text-anchor=\"%s\" fill=\"#%06x\"", sizePx, anchor.svg, colour),
                 words));
         strokes.add(canvas -> {
             canvas.setColor(new Color(colour));

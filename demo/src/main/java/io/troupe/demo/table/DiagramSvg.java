@@ -63,7 +63,12 @@ final class DiagramSvg {
     }
 
     private void box(SvgText svg, Node node, Point centre) {
-        svg.box(centre.x() - boxWidth / 2, centre.y() - boxHeight / 2, boxWidth, boxHeight, node.ends() ? BOX : FINAL_BOX);
+        svg.box(
+                centre.x() - boxWidth / 2,
+                centre.y() - boxHeight / 2,
+                boxWidth,
+                boxHeight,
+                node.ends() ? BOX : FINAL_BOX);
         double y = centre.y() - (node.lines().size()) * SvgText.LINE_PX / 2 + 5;
         svg.line(node.heading(), centre.x(), y, CENTRED + " font-weight=\"bold\"");
         for (String line : node.lines()) {
@@ -117,7 +122,11 @@ final class DiagramSvg {
         Point start = edge(from, bend);
         Point end = edge(to, bend);
         svg.arrow("M" + pair(start) + " Q" + pair(bend) + " ", bend, end);
-        svg.label(entered.enters(), entered.colour(), onCurve(start.x(), bend.x(), end.x()), onCurve(start.y(), bend.y(), end.y()));
+        svg.label(
+                entered.enters(),
+                entered.colour(),
+                onCurve(start.x(), bend.x(), end.x()),
+                onCurve(start.y(), bend.y(), end.y()));
     }
 
     /** A coordinate of the label: before the middle, so that the labels of there and back are apart. */

@@ -20,8 +20,9 @@ public final class ServiceJars implements AutoCloseable {
     @Option(
             names = "--services-jar",
             paramLabel = "JAR",
-            description = "kinds of services for the table to name, from a jar with a ServiceKinds in META-INF/services, or"
-                    + " from a directory of classes; may be given several times",
+            description =
+                    "kinds of services for the table to name, from a jar with a ServiceKinds in META-INF/services, or"
+                            + " from a directory of classes; may be given several times",
             showDefaultValue = Visibility.NEVER)
     private List<Path> jars = new ArrayList<>();
 

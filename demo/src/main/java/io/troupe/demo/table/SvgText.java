@@ -37,9 +37,8 @@ final class SvgText {
         double direction = StrictMath.atan2(tip.y() - before.y(), tip.x() - before.x());
         var end = new Point(
                 tip.x() - HEAD_PX / 2 * StrictMath.cos(direction), tip.y() - HEAD_PX / 2 * StrictMath.sin(direction));
-        add(
-                "<path class=\"arrow\" d=\"" + start + number(end.x()) + "," + number(end.y())
-                        + "\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\"/>");
+        add("<path class=\"arrow\" d=\"" + start + number(end.x()) + "," + number(end.y())
+                + "\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\"/>");
         text.append(Svg.head(tip.x(), tip.y(), direction, HEAD_PX, "#444"));
     }
 
@@ -66,7 +65,8 @@ final class SvgText {
     private void add(String format, Object... values) {
         var safe = new Object[values.length];
         for (int index = 0; index < values.length; index++) {
-            safe[index] = values[index] instanceof Double number ? number(number) : Svg.escape(values[index].toString());
+            safe[index] =
+                    values[index] instanceof Double number ? number(number) : Svg.escape(values[index].toString());
         }
         text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, safe))
                 .append('\n');

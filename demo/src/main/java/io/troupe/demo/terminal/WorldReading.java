@@ -30,8 +30,7 @@ public final class WorldReading {
         FileProblems.checkInput(spec, file, "a world file");
         PrintWriter err = spec.commandLine().getErr();
         Consumer<WorldFileWarning> print = warning -> err.println("troupe: warning: " + warning);
-        Scenario scenario =
-                lenient ? ScenarioReader.readLeniently(file, print) : ScenarioReader.read(file, print);
+        Scenario scenario = lenient ? ScenarioReader.readLeniently(file, print) : ScenarioReader.read(file, print);
         err.flush();
         return scenario;
     }

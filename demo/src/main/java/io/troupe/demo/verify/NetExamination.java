@@ -88,13 +88,15 @@ final class NetExamination {
         String why;
         try {
             var search = DeadlockSearch.run(
-                    net, reporting(limits.sparing(limits.time().dividedBy(2)).search(Integer.MAX_VALUE), "dead markings"));
+                    net,
+                    reporting(limits.sparing(limits.time().dividedBy(2)).search(Integer.MAX_VALUE), "dead markings"));
             if (!search.deadlocks().isEmpty()) {
                 nearest = search.deadlocks().get(0);
-                results.accept(net.name() + ": can deadlock: " + search.deadlocks().size() + " dead "
-                        + (search.deadlocks().size() == 1 ? "marking" : "markings")
-                        + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest "
-                        + nearest.marking() + " after " + firings(nearest) + "\n");
+                results.accept(
+                        net.name() + ": can deadlock: " + search.deadlocks().size() + " dead "
+                                + (search.deadlocks().size() == 1 ? "marking" : "markings")
+                                + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest "
+                                + nearest.marking() + " after " + firings(nearest) + "\n");
                 return CAN_DEADLOCK;
             }
             if (search.end() == SearchEnd.COMPLETE) {
@@ -129,13 +131,19 @@ final class NetExamination {
     }
 
     private String seconds() {
-        return BigDecimal.valueOf(limits.time().toNanos(), 9).stripTrailingZeros().toPlainString();
+        return BigDecimal.valueOf(limits.time().toNanos(), 9)
+                .stripTrailingZeros()
+                .toPlainString();
     }
 
     private static String firings(DeadlockSearch.Deadlock deadlock) {
         var trace = deadlock.trace();
-        var told = trace.stream().limit(MOST_FIRINGS_TOLD).map(String::valueOf).collect(Collectors.joining(", ", "[", ""));
-        return told + (trace.size() > MOST_FIRINGS_TOLD ? ", .. and " + (trace.size() - MOST_FIRINGS_TOLD) + " more]" : "]");
+        var told =
+                trace.stream().limit(MOST_FIRINGS_TOLD).map(String::valueOf).collect(Collectors.joining(", ", "[", ""));
+        return told
+                + (trace.size() > MOST_FIRINGS_TOLD
+                        ? ", .. and " + (trace.size() - MOST_FIRINGS_TOLD) + " more]"
+                        : "]");
     }
 
     /** Reports what is known beside the verdict: of the full graph, and of siphons. */
@@ -217,7 +225,7 @@ final class NetExamination {
         if (!NetFiles.canDraw(net)) {
             results.accept("no .svg of the net, which has " + NetFiles.size(net) + "; .dot files have no limit\n");
         }
-        results.accept("wrote, as .dot" + (NetFiles.canDraw(net) ? " and .svg: " : ": ") + String.join(", ", written)
-                + "\n");
+        results.accept(
+                "wrote, as .dot" + (NetFiles.canDraw(net) ? " and .svg: " : ": ") + String.join(", ", written) + "\n");
     }
 }

@@ -1,8 +1,8 @@
 package io.troupe.demo.verify;
 
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.petri.PaperNets;
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.ReachabilityGraph;

@@ -83,8 +83,7 @@ public final class VerifyCommand implements Callable<Integer> {
                     "--time is " + seconds + ", expected seconds above 0, up to " + (int) MAX_SECONDS);
         }
         if (memoryMib != null && memoryMib < 1) {
-            throw new ParameterException(
-                    spec.commandLine(), "--memory is " + memoryMib + ", expected MiB, 1 or more");
+            throw new ParameterException(spec.commandLine(), "--memory is " + memoryMib + ", expected MiB, 1 or more");
         }
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
@@ -131,8 +130,7 @@ public final class VerifyCommand implements Callable<Integer> {
             files.write(reading);
         }
         OutputFiles.write(out.resolve("verify.md"), new VerifyReport(readings, teams, wirings).markdown());
-        results.accept(
-                "wrote " + out.resolve("verify.md") + ", and the nets beside it as .pnml, .dot and .svg\n");
+        results.accept("wrote " + out.resolve("verify.md") + ", and the nets beside it as .pnml, .dot and .svg\n");
     }
 
     /** Whatever goes wrong after the verdict does not change the status: a script relies on it. */

@@ -42,8 +42,8 @@ final class VerifyReport {
     }
 
     static String summary(TeamStudy team) {
-        return "  " + team.robots() + (team.robots() == 1 ? " robot:  " : " robots: ")
-                + String.join(", ", cells(team)) + "\n";
+        return "  " + team.robots() + (team.robots() == 1 ? " robot:  " : " robots: ") + String.join(", ", cells(team))
+                + "\n";
     }
 
     static String summary(WiringStudy wiring) {

@@ -113,9 +113,11 @@ class CrowdFigureTest {
                 .filter(line -> line.getAttribute("stroke-width").equals("1.2")
                         && line.getAttribute("x1").equals(line.getAttribute("x2")))
                 .toList();
-        assertThat(bars).hasSize(MEDIANS.size()).allSatisfy(bar -> assertThat(number(bar, "y1") - number(bar, "y2"))
-                .as("from half the median to twice the median")
-                .isCloseTo(decadePx * Math.log10(4), within(0.2)));
+        assertThat(bars)
+                .hasSize(MEDIANS.size())
+                .allSatisfy(bar -> assertThat(number(bar, "y1") - number(bar, "y2"))
+                        .as("from half the median to twice the median")
+                        .isCloseTo(decadePx * Math.log10(4), within(0.2)));
     }
 
     @Test

@@ -16,8 +16,8 @@ class EvaluationProgressTest {
 
     private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
     private final ManualClock clock = new ManualClock();
-    private final EvaluationProgress progress =
-            new EvaluationProgress(TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
+    private final EvaluationProgress progress = new EvaluationProgress(
+            TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
 
     /** What has been written since it was asked for last. */
     private String shown() {

@@ -149,8 +149,8 @@ class FiguresTest {
             int cores = Integer.parseInt(row.group(2));
             for (int repetition = 1; repetition <= 5; repetition++) {
                 for (int column = 0; column < 3; column++) {
-                    String subject =
-                            List.of(Findings.FOLLOWER, Findings.WANDERER, Measurement.BOTH).get(column);
+                    String subject = List.of(Findings.FOLLOWER, Findings.WANDERER, Measurement.BOTH)
+                            .get(column);
                     int group = 4 + 3 * column + (repetition < 3 ? 1 : repetition == 3 ? 0 : 2);
                     double seconds = Double.parseDouble(column == 2 ? row.group(3) : alone.group(column + 1));
                     measurements.add(new Measurement(

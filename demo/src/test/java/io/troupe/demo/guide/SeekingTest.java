@@ -86,7 +86,9 @@ class SeekingTest {
         Pose pose = end.robots().getFirst().pose();
         Blob light = seen(end, 0, Colours.RED);
         assertThat(light.rangeM()).isCloseTo(NEAR_M, within(0.001));
-        assertThat(light.left() + light.right() + 1).as("twice the middle column").isBetween(79, 81);
+        assertThat(light.left() + light.right() + 1)
+                .as("twice the middle column")
+                .isBetween(79, 81);
         double bearingRad = Math.atan2(0.5 - pose.y(), 1.5 - pose.x());
         assertThat(pose.headingRad()).isCloseTo(bearingRad, within(2 * COLUMN_RAD));
     }

@@ -111,7 +111,11 @@ class VerifyCommandTest {
         out.getBuffer().setLength(0);
         assertThat(verify("--help")).isZero();
         assertThat(out.toString().replaceAll("\\s+", " "))
-                .contains("0 done; with --net: proved", "1 failed; with --net: the net can deadlock", "2 bad input", "3 with --net: not known");
+                .contains(
+                        "0 done; with --net: proved",
+                        "1 failed; with --net: the net can deadlock",
+                        "2 bad input",
+                        "3 with --net: not known");
     }
 
     /** A weight of 2, so that siphons decide nothing. */
@@ -183,10 +187,10 @@ class VerifyCommandTest {
     @Test
     void fileOfAnotherTool_isReadWithAWarning() throws IOException {
         var file = Files.writeString(
-                directory.resolve("other.pnml"),
-                "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
+                directory.resolve("other.pnml"), "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
 
-        assertThat(verify("--net", file.toString(), "--out", directory.toString())).isZero();
+        assertThat(verify("--net", file.toString(), "--out", directory.toString()))
+                .isZero();
         assertThat(out.toString()).startsWith("troupe: warning: " + file + ":1: the namespace is \"\"");
     }
 

@@ -129,10 +129,19 @@ class ShippedWorldsTest {
 
     /** Stage 4 ends at a type or an interface that it does not have. */
     @ParameterizedTest
-    @CsvSource({"paper-arena.world", "office.world", "cave.world", "track.world", "pioneer.inc", "laser.inc", "office.cfg"})
+    @CsvSource({
+        "paper-arena.world",
+        "office.world",
+        "cave.world",
+        "track.world",
+        "pioneer.inc",
+        "laser.inc",
+        "office.cfg"
+    })
     void twinForStage4_hasNothingOfTheClassicDialect(String name) throws IOException {
         String text = Files.readString(file("stage4/" + name)).replaceAll("#.*", "");
 
-        assertThat(text).doesNotContainPattern("\\blaser\\s*\\(|define \\w+ laser|scount|spose|sview|ssize|\"sonar|\"laser:");
+        assertThat(text)
+                .doesNotContainPattern("\\blaser\\s*\\(|define \\w+ laser|scount|spose|sview|ssize|\"sonar|\"laser:");
     }
 }

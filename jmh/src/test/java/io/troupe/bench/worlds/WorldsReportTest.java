@@ -52,7 +52,8 @@ class WorldsReportTest {
     @Test
     void drawing_saysWhatItFound_withUnits() {
         assertThat(WorldsDrawing.of(results).svg())
-                .contains("role='img' aria-label='Troupe simulates 2 robots 200 times as fast as real time on one thread'")
+                .contains(
+                        "role='img' aria-label='Troupe simulates 2 robots 200 times as fast as real time on one thread'")
                 .contains("<title>Troupe simulates 2 robots 200 times", ">simulated seconds per second<")
                 .contains(">number of robots<");
     }
@@ -68,8 +69,7 @@ class WorldsReportTest {
                 factors.computeIfAbsent((int) number(found.group(1)), robots -> new EnumMap<>(WorldKind.class))
                         .put(
                                 WorldKind.named(found.group(2)),
-                                new Quartiles(
-                                        number(found.group(4)), number(found.group(3)), number(found.group(5))));
+                                new Quartiles(number(found.group(4)), number(found.group(3)), number(found.group(5))));
             }
         }
         assertThat(factors).hasSize(6);

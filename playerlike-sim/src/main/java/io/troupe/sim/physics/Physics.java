@@ -240,7 +240,8 @@ public final class Physics {
 
     /** Whether something touches or overlaps the robot and keeps it from half of what it was told to do in the last 0.2 s. */
     public boolean stalled(int robot) {
-        return (touches.touched(robot) || robots.get(robot).isHeld()) && robots.get(robot).heldBack();
+        return (touches.touched(robot) || robots.get(robot).isHeld())
+                && robots.get(robot).heldBack();
     }
 
     /** The touches that began since the last {@link #forgetTouches}; always the same object. */

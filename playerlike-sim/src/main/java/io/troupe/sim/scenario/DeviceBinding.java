@@ -10,8 +10,7 @@ package io.troupe.sim.scenario;
  * @param ranger which of the robot's {@link RobotSpec#rangers} answers: for {@code laser}, for {@code ranger}, where it
  *     may be {@link #SONAR_RING}, and for the {@code sonar} of a robot without a ring of its own; else 0
  */
-public record DeviceBinding(
-        int port, String interfaceName, int index, String model, int ranger, SourcePosition where) {
+public record DeviceBinding(int port, String interfaceName, int index, String model, int ranger, SourcePosition where) {
     /** As {@link #ranger}: the robot's {@link RobotSpec#sonar}, offered as a ranger. */
     public static final int SONAR_RING = -1;
 }

@@ -41,7 +41,8 @@ final class DriveReader {
             if (List.of("omni", "car").contains(drive)) {
                 findings.warn(
                         where,
-                        "\"drive\" \"" + drive + "\" is not simulated: the robot has two driven wheels, as with \"diff\"");
+                        "\"drive\" \"" + drive
+                                + "\" is not simulated: the robot has two driven wheels, as with \"diff\"");
             } else {
                 throw new WorldFileException(where, "\"drive\" must be \"diff\", not \"" + drive + '"');
             }

@@ -12,7 +12,8 @@ record Provided(int port, String interfaceName, int index) {
     /** The item, null if it is left out. */
     static @Nullable Provided parse(Value.Text item, Findings findings) {
         // Player does not mind blanks around a field
-        String[] fields = Stream.of(item.text().split(":", -1)).map(String::strip).toArray(String[]::new);
+        String[] fields =
+                Stream.of(item.text().split(":", -1)).map(String::strip).toArray(String[]::new);
         if (fields.length > 5) {
             throw new WorldFileException(
                     item.where(), "\"" + item.text() + "\" has more fields than key:host:port:interface:index");

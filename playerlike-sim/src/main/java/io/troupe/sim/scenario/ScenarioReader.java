@@ -84,8 +84,9 @@ public final class ScenarioReader {
         } catch (WorldFileException e) {
             findings.warn(
                     new SourcePosition(config, 1, 1),
-                    "this file beside " + world.file() + " is not used, and every robot is offered instead; name it to use"
-                            + " it: " + e.getMessage());
+                    "this file beside " + world.file()
+                            + " is not used, and every robot is offered instead; name it to use" + " it: "
+                            + e.getMessage());
             return DeviceOffer.everything(world);
         }
     }

@@ -142,8 +142,10 @@ final class Vocabulary {
             all(numbers(4, 4), "color_rgba"),
             all(withoutEffect("has no effect, here or in Stage 4: write range and fov"), "view"));
 
-    private static final Map<String, PropertyRule> LASER_PROPERTIES =
-            union(MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "fov"), all(WHOLE, "samples", "resolution"),
+    private static final Map<String, PropertyRule> LASER_PROPERTIES = union(
+            MODEL_PROPERTIES,
+            all(NUMBER, "range_min", "range_max", "fov"),
+            all(WHOLE, "samples", "resolution"),
             all(withoutEffect("has no effect here: every sample is cast"), "laser_sample_skip"));
 
     private static final Map<String, PropertyRule> BLOBFINDER_PROPERTIES = union(
@@ -156,12 +158,11 @@ final class Vocabulary {
             all(withoutEffect("is an obsolete name which Stage ignores; write colors"), "channels"),
             all(withoutEffect("is an obsolete name which Stage ignores; write range"), "range_max"));
 
-    private static final Map<String, PropertyRule> BLOCK_PROPERTIES =
-            union(
-                    all(WHOLE, "points"),
-                    all(array(2, 2), "point"),
-                    all(numbers(2, 2), "z"),
-                    all(withoutEffect("has no effect here: a block has the colour of its model"), "color", "color_rgba"));
+    private static final Map<String, PropertyRule> BLOCK_PROPERTIES = union(
+            all(WHOLE, "points"),
+            all(array(2, 2), "point"),
+            all(numbers(2, 2), "z"),
+            all(withoutEffect("has no effect here: a block has the colour of its model"), "color", "color_rgba"));
 
     private static final Map<String, PropertyRule> DRIVER_PROPERTIES = union(
             all(TEXT, "name", "plugin", "model", "worldfile"),

@@ -57,8 +57,7 @@ final class VocabularyCheck {
             findings.leaveOut(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
-                            + Suggestions.briefly(
-                                    property.name(), type.usefulProperties()));
+                            + Suggestions.briefly(property.name(), type.usefulProperties()));
             return;
         }
         if (!rule.withoutEffect().isEmpty()) {

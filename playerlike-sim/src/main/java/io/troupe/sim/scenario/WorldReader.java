@@ -32,7 +32,10 @@ final class WorldReader {
         VocabularyCheck.check(document, findings);
         Entity root = document.root();
         var reader = new WorldReader(
-                Units.of(root), Dialect.of(root, findings), findings, root.where().file());
+                Units.of(root),
+                Dialect.of(root, findings),
+                findings,
+                root.where().file());
         for (Entity entity : document.entities()) {
             switch (entity.type()) {
                 case "position" -> reader.robot(entity);
@@ -86,7 +89,8 @@ final class WorldReader {
             } else if (Vocabulary.isSensor(child.type())) {
                 findings.warn(
                         child.where(),
-                        "a " + child.type() + " must hang on a robot (a position); on a model that stands still it is left"
+                        "a " + child.type()
+                                + " must hang on a robot (a position); on a model that stands still it is left"
                                 + " out");
             }
         }
@@ -97,7 +101,8 @@ final class WorldReader {
         if (!program.isBlank()) {
             findings.warn(
                     model.whereOf("ctrl"),
-                    "\"ctrl\" \"" + program + "\" is a program that Stage runs and that is not run here: robots wait for"
+                    "\"ctrl\" \"" + program
+                            + "\" is a program that Stage runs and that is not run here: robots wait for"
                             + " their clients");
         }
     }

@@ -177,14 +177,13 @@ class ConfigReaderTest {
     @Test
     void ring_ofSonars_isProvidedByBothInterfaces() {
         Scenario scenario = ScenarioReader.readConfig(worlds.write(
-                "t.cfg",
-                STAGE + "driver ( name \"stage\" provides [ \"ranger:0\" \"sonar:0\" ] model \"full\" )"));
+                "t.cfg", STAGE + "driver ( name \"stage\" provides [ \"ranger:0\" \"sonar:0\" ] model \"full\" )"));
 
         assertThat(scenario.devices())
                 .extracting(d -> d.interfaceName() + ":" + d.index() + " " + d.ranger())
                 .containsExactly("simulation:0 0", "ranger:0 " + DeviceBinding.SONAR_RING, "sonar:0 0");
-        assertThat(worlds.configProblem(STAGE
-                        + "driver ( name \"stage\" provides [ \"ranger:0\" \"ranger:1\" ] model \"full\" )"))
+        assertThat(worlds.configProblem(
+                        STAGE + "driver ( name \"stage\" provides [ \"ranger:0\" \"ranger:1\" ] model \"full\" )"))
                 .isEqualTo("t.cfg:2:45: robot \"full\" has one ranger, and it is already provided at t.cfg:2:34");
     }
 

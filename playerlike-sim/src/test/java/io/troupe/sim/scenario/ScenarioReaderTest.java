@@ -67,17 +67,19 @@ class ScenarioReaderTest {
         Path world = worlds.write("two.world", TWO_ROBOTS);
 
         assertThat(worlds.warningsOf(world))
-                .containsExactly("two.cfg:1:1: this file beside two.world is not used, and every robot is offered instead;"
-                        + " name it to use it: two.cfg:1:82: it is for another world, arena.world");
+                .containsExactly(
+                        "two.cfg:1:1: this file beside two.world is not used, and every robot is offered instead;"
+                                + " name it to use it: two.cfg:1:82: it is for another world, arena.world");
         assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"\"sonar:x\"", "\"laser:0\"", "\"positon2d:0\"", "\"position2d:0\" \"position2d:0\"", "7", ""})
+    @ValueSource(
+            strings = {"\"sonar:x\"", "\"laser:0\"", "\"positon2d:0\"", "\"position2d:0\" \"position2d:0\"", "7", ""})
     void configuration_besideAWorldAndWithAnError_isNotUsedAndThatIsAWarning(String items) {
         String stage = "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"two.world\" )";
-        Path config = worlds.write(
-                "two.cfg", stage + "driver ( name \"stage\" provides [ " + items + " ] model \"bare\" )");
+        Path config =
+                worlds.write("two.cfg", stage + "driver ( name \"stage\" provides [ " + items + " ] model \"bare\" )");
         Path world = worlds.write("two.world", TWO_ROBOTS);
 
         assertThat(worlds.warningsOf(world))

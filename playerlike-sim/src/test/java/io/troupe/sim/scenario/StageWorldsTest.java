@@ -149,8 +149,9 @@ class StageWorldsTest {
 
         assertThat(asPolygon).isEqualTo(shape("model ( size [ 4 1 ] " + block + " )"));
         assertThat(shape("model ( size [ 4 1 ] "
-                        + square.replace("polygons", "blocks").replace("polygon[", "block[").replace(
-                                "block[0].filled 1", "block[0].z [ 0 1 ]")
+                        + square.replace("polygons", "blocks")
+                                .replace("polygon[", "block[")
+                                .replace("block[0].filled 1", "block[0].z [ 0 1 ]")
                         + " )"))
                 .isEqualTo(asPolygon);
         assertThat(shape("define wedge model ( " + square + " ) wedge ( size [ 4 1 ] )"))
@@ -183,9 +184,7 @@ class StageWorldsTest {
         RobotSpec robot = worlds.world("""
                         position ( ranger ( scount 2 spose[0] [ 0 0 0 ] spose[1] [ 0 0 90 ]
                           ssize[0] [ 0.01 0.05 ] ssize[1] [ 0.01 0.05 ] sview[0] [ 0.1 4 20 ] sview[1] [ 0.1 4 20 ] ) )
-                        """)
-                .robots()
-                .getFirst();
+                        """).robots().getFirst();
 
         assertThat(robot.sonar()).isNotNull();
         assertThat(robot.sonar().maxRangeM()).isEqualTo(4);
@@ -217,15 +216,14 @@ class StageWorldsTest {
         RobotSpec robot = worlds.world("""
                         position ( size [ 0.4 0.4 ]
                           position ( pose [ 0.3 0 0 90 ] size [ 0.2 0.1 ] color "blue" laser ( pose [ 0.1 0 0 0 ] ) ) )
-                        """)
-                .robots()
-                .getFirst();
+                        """).robots().getFirst();
 
-        assertThat(robot.cargo()).singleElement().satisfies(plate -> assertThat(plate.colour())
-                .isEqualTo(0x0000ff));
-        assertThat(robot.rangers()).singleElement().satisfies(laser -> assertThat(
-                        laser.mount().y())
-                .isCloseTo(0.1, within(1e-12)));
+        assertThat(robot.cargo())
+                .singleElement()
+                .satisfies(plate -> assertThat(plate.colour()).isEqualTo(0x0000ff));
+        assertThat(robot.rangers())
+                .singleElement()
+                .satisfies(laser -> assertThat(laser.mount().y()).isCloseTo(0.1, within(1e-12)));
     }
 
     @Test
@@ -239,7 +237,8 @@ class StageWorldsTest {
         Path world = worlds.file("t.world");
         var where = new SourcePosition(from, 1, 1);
 
-        assertThat(worlds.world("include \"parts/all.inc\" wall ()").obstacles()).hasSize(1);
+        assertThat(worlds.world("include \"parts/all.inc\" wall ()").obstacles())
+                .hasSize(1);
         assertThat(SourceText.find(from, world, List.of(stage), "only.inc", where))
                 .isEqualTo(stage.resolve("only.inc"));
         assertThat(SourceText.find(from, world, List.of(stage), "wall.inc", where))

@@ -33,8 +33,9 @@ class WorldChecksTest {
     @Test
     void robots_overlapping_areBothNamedWithTheirPlaces() {
         assertThat(worlds.warnings(robot("a", 0, 0, 0) + robot("b", 0.9, 0.9, 0)))
-                .containsExactly("t.world:2:1: robot \"b\" overlaps robot \"a\" (t.world:1:1) at the start: it stalls until"
-                        + " it is put elsewhere");
+                .containsExactly(
+                        "t.world:2:1: robot \"b\" overlaps robot \"a\" (t.world:1:1) at the start: it stalls until"
+                                + " it is put elsewhere");
     }
 
     @Test
@@ -58,8 +59,9 @@ class WorldChecksTest {
         String box = "model ( name \"box\" pose [ 2 0 0 0 ] size [ 3 3 ] ";
 
         assertThat(worlds.warnings(robot("a", 2, 0, 0) + box + ")"))
-                .containsExactly("t.world:1:1: robot \"a\" overlaps obstacle \"box\" (t.world:2:1) at the start: it stalls"
-                        + " until it is put elsewhere");
+                .containsExactly(
+                        "t.world:1:1: robot \"a\" overlaps obstacle \"box\" (t.world:2:1) at the start: it stalls"
+                                + " until it is put elsewhere");
         assertThat(worlds.warnings(robot("a", 2, 0, 0) + box + "obstacle_return 0 )"))
                 .isEmpty();
     }

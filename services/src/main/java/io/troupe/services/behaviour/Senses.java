@@ -32,7 +32,6 @@ public record Senses(
     public Optional<Blob> largestBlob(int colour) {
         return blobs.stream()
                 .filter(blob -> blob.colour() == colour)
-                .max(Comparator.comparingInt(Blob::areaPx2)
-                        .thenComparing(Blob::leftPx, Comparator.reverseOrder()));
+                .max(Comparator.comparingInt(Blob::areaPx2).thenComparing(Blob::leftPx, Comparator.reverseOrder()));
     }
 }

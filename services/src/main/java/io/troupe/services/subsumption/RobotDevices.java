@@ -68,7 +68,9 @@ final class RobotDevices {
 
     /** Whether there has been a reading yet. */
     boolean hasData() {
-        return position.getData() != null && sonar.getData() != null && blobfinder.getData() != null
+        return position.getData() != null
+                && sonar.getData() != null
+                && blobfinder.getData() != null
                 && (laser == null || laser.getData() != null);
     }
 

@@ -23,8 +23,13 @@ final class RobotLinks {
 
     /** The connection with a robot, made if there is none. */
     RobotLink connect(int robot) {
-        return links.computeIfAbsent(robot, index -> RobotLink.connect(
-                settings.host(), settings.port(), index, settings.table().usesLaser(index)));
+        return links.computeIfAbsent(
+                robot,
+                index -> RobotLink.connect(
+                        settings.host(),
+                        settings.port(),
+                        index,
+                        settings.table().usesLaser(index)));
     }
 
     /** Whether the connection that has just been made replaces another. */

@@ -88,7 +88,8 @@ public final class ServiceJar implements AutoCloseable {
         }
         List<Kind> all = new ArrayList<>();
         boolean found = false;
-        for (var providers = ServiceLoader.load(ServiceKinds.class, loader).stream().iterator();
+        for (var providers =
+                        ServiceLoader.load(ServiceKinds.class, loader).stream().iterator();
                 hasNext(providers); ) {
             var provider = providers.next();
             if (provider.type().getClassLoader() == loader) { // not one on the class path of Troupe

@@ -27,7 +27,8 @@ class RobotSensesTest {
     private Behaviour note() {
         return senses -> {
             readings.add(senses);
-            return Optional.of(new Velocity(senses.laser().isEmpty() ? 0 : senses.laser().rangeM(1), 0));
+            return Optional.of(
+                    new Velocity(senses.laser().isEmpty() ? 0 : senses.laser().rangeM(1), 0));
         };
     }
 
@@ -42,9 +43,8 @@ class RobotSensesTest {
                 .when(Colours.BLUE, first, second)
                 .allowFinal()
                 .build();
-        var settings = RobotServices.Settings.ofThePaper()
-                .withPort(FakeRobots.PORT)
-                .withTable(table);
+        var settings =
+                RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT).withTable(table);
         return test.spawn(RobotServices.class, () -> new RobotServices(settings));
     }
 
@@ -128,8 +128,7 @@ class RobotSensesTest {
     @Test
     void robotWithoutLaser_isAnErrorThatNamesIt() {
         var services = services(scanning, looking);
-        var end = services.serve(
-                0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);
+        var end = services.serve(0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);
         test.crank();
         assertThat(test.error(end))
                 .isInstanceOf(PlayerException.class)

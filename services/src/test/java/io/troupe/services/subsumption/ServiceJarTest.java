@@ -59,7 +59,10 @@ class ServiceJarTest {
 
     private static String home(Class<?> type) {
         try {
-            return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI())
+            return Path.of(type.getProtectionDomain()
+                            .getCodeSource()
+                            .getLocation()
+                            .toURI())
                     .toString();
         } catch (URISyntaxException impossible) {
             throw new AssertionError(impossible);
@@ -157,7 +160,8 @@ class ServiceJarTest {
     void providerThatCannotBeMade_isToldByItsName() throws IOException {
         assertUnusable(jar(TURN, "Yours"), "Provider Yours not found");
         assertUnusable(jar(TURN, "Turning"), "Turning");
-        String throwing = TURN.replace("@Override", "public Mine() { throw new RuntimeException(\"unfit\"); } @Override");
+        String throwing =
+                TURN.replace("@Override", "public Mine() { throw new RuntimeException(\"unfit\"); } @Override");
         assertUnusable(jar(throwing, "Mine"), "Mine", "unfit");
         String initialized = TURN.replace("@Override", "static final int X = Integer.parseInt(\"x\"); @Override");
         assertUnusable(jar(initialized, "Mine"), "Mine", "For input string");

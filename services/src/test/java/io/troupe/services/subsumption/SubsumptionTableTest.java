@@ -172,10 +172,8 @@ class SubsumptionTableTest {
         assertThat(table.next(blue, Colours.GREEN, 0)).map(State::colour).hasValue(Colours.GREEN);
         assertThat(table.next(table.state(Colours.GREEN).orElseThrow(), Colours.RED, 1))
                 .isEmpty();
-        var both = List.of(
-                Patch.of(Colours.RED, 500, 0),
-                Patch.of(Colours.GREEN, 20, 0),
-                Patch.of(Colours.BLACK, 900, 0));
+        var both =
+                List.of(Patch.of(Colours.RED, 500, 0), Patch.of(Colours.GREEN, 20, 0), Patch.of(Colours.BLACK, 900, 0));
         assertThat(table.ruleIn(blue).pick(both, 5)).hasValue(Colours.GREEN);
         assertThat(table.ruleIn(blue).pick(both.subList(0, 1), 1)).isEmpty();
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1).hold(Double.NaN))

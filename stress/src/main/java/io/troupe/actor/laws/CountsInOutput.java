@@ -48,7 +48,8 @@ final class CountsInOutput extends FilterOutputStream {
     }
 
     /** Why the results counted last prove nothing, or null if every law that was planned has passed. */
-    @Nullable String fault() {
+    @Nullable
+    String fault() {
         keep('\n');
         if (last == null) {
             return "no law ran: jcstress counted no results";

@@ -33,13 +33,16 @@ class LawsMainTest {
     @Test
     void run_inWhichEveryLawEndsInASoftError_isAFault() throws Exception {
         assertThat(faultAfter(status(12, 0, 0, 12, 0) + "\n"))
-                .isEqualTo("expected that every law passes, got (Results: 12 planned; 0 passed, 0 failed, 12 soft errs, "
-                        + "0 hard errs): no law ran to its end");
+                .isEqualTo(
+                        "expected that every law passes, got (Results: 12 planned; 0 passed, 0 failed, 12 soft errs, "
+                                + "0 hard errs): no law ran to its end");
     }
 
     @Test
     void run_inWhichOneLawEndsInAnError_isAFault() throws Exception {
-        assertThat(faultAfter(status(12, 11, 0, 1, 0) + "\n")).contains("1 soft errs").contains("in the report");
+        assertThat(faultAfter(status(12, 11, 0, 1, 0) + "\n"))
+                .contains("1 soft errs")
+                .contains("in the report");
         assertThat(faultAfter(status(12, 11, 0, 0, 1) + "\n")).contains("1 hard errs");
     }
 

@@ -19,7 +19,8 @@ final class GraphMapSvg {
     /** Height over width, as far as the rows allow. */
     private static final double SHAPE = 0.75;
 
-    private static final Sketch.Style STYLE = new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
+    private static final Sketch.Style STYLE =
+            new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
 
     private final GraphContent content;
     private final int[] distances;
@@ -78,9 +79,7 @@ final class GraphMapSvg {
         content.edges.stream()
                 .filter(edge -> isForward(edge) && !edge.onPath())
                 .forEach(edge -> edge(edge, Colours.FAINT));
-        content.edges.stream()
-                .filter(GraphContent.Edge::onPath)
-                .forEach(edge -> edge(edge, Colours.PATH));
+        content.edges.stream().filter(GraphContent.Edge::onPath).forEach(edge -> edge(edge, Colours.PATH));
         content.states.forEach(this::state);
         return svg.end();
     }

@@ -10,7 +10,8 @@ final class GraphSvg {
     private static final double EDGE_FONT_PX = 11;
     private static final double WRAP_PX = 90;
     private static final double GAP_PX = 3;
-    private static final Sketch.Style STYLE = new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 16, 18, 8);
+    private static final Sketch.Style STYLE =
+            new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 16, 18, 8);
 
     private final GraphContent content;
     private final Layout layout;

@@ -109,8 +109,8 @@ public final class NetDrawing {
 
     private void requireAtMost(int count, int most, String what) {
         if (count > most) {
-            throw new IllegalArgumentException("net " + net.name() + " has " + count + " " + what + ", expected at most "
-                    + most + " for an SVG drawing; dot() has no limit");
+            throw new IllegalArgumentException("net " + net.name() + " has " + count + " " + what
+                    + ", expected at most " + most + " for an SVG drawing; dot() has no limit");
         }
     }
 

@@ -46,8 +46,7 @@ final class Stories {
         for (var place : marking.marked()) {
             switch (net.spot(place)) {
                 case WiringNet.Spot.At(var component, var where) -> at.put(component, where);
-                case WiringNet.Spot.Asking(var component, var request) ->
-                    asking.put(component, request);
+                case WiringNet.Spot.Asking(var component, var request) -> asking.put(component, request);
                 case WiringNet.Spot.Serving serving -> {}
             }
         }
@@ -59,8 +58,7 @@ final class Stories {
             var asked = asking.get(component);
             var where = at.get(component);
             if (asked != null) {
-                waits.put(
-                        component, new Wait.Answer(component, wiring.provider(component, asked), asked.call()));
+                waits.put(component, new Wait.Answer(component, wiring.provider(component, asked), asked.call()));
             } else if (where != null) {
                 waits.put(component, idle(component, where, at, asking));
             }
@@ -69,8 +67,7 @@ final class Stories {
     }
 
     /** A component that stands in a state and has no step of its own. */
-    private Wait idle(
-            String component, String state, Map<String, String> at, Map<String, Step.Requests> asking) {
+    private Wait idle(String component, String state, Map<String, String> at, Map<String, Step.Requests> asking) {
         var offers = wiring.protocol(component).out(state).stream()
                 .filter(Step.Provides.class::isInstance)
                 .map(step -> ((Step.Provides) step).call())

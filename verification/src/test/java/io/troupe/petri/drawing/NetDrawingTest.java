@@ -189,9 +189,10 @@ class NetDrawingTest {
         assertThat(picture.attribute("role")).isEqualTo("img");
         assertThat(picture.attribute("aria-label")).isEqualTo(picture.title());
         assertThat(svg).doesNotContain("marker");
-        assertThat(picture.groups("arc")).allSatisfy(arc -> assertThat(Picture.elements(arc, "path").stream()
-                        .filter(path -> path.getAttribute("class").equals("head")))
-                .hasSize(1));
+        assertThat(picture.groups("arc"))
+                .allSatisfy(arc -> assertThat(Picture.elements(arc, "path").stream()
+                                .filter(path -> path.getAttribute("class").equals("head")))
+                        .hasSize(1));
     }
 
     @Test
@@ -216,8 +217,7 @@ class NetDrawingTest {
         assertThat(picture.fills("transition")).containsEntry("Tr1", "#fbd9a8").containsEntry("Tstop", "#eeeeee");
         assertThat(picture.texts()).contains("robot", "player", "middleware", "service");
         assertThat(picture.viewBox().bottom())
-                .isGreaterThan(
-                        new Picture(NetDrawing.of(net).svg()).viewBox().bottom());
+                .isGreaterThan(new Picture(NetDrawing.of(net).svg()).viewBox().bottom());
         assertThatThrownBy(() -> NetDrawing.of(PaperNets.robot()).tinting(PaperNets.components(net)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("place R3'' of component robot is not of net robot");

@@ -66,7 +66,8 @@ final class Picture {
 
     /** Of a line between the points that its data name, in pixels. */
     static double lengthOfFirstPath(Element group) {
-        var numbers = Arrays.stream(elements(group, "path").getFirst().getAttribute("d").split("[^0-9.-]+"))
+        var numbers = Arrays.stream(
+                        elements(group, "path").getFirst().getAttribute("d").split("[^0-9.-]+"))
                 .filter(number -> !number.isEmpty())
                 .mapToDouble(Double::parseDouble)
                 .toArray();

@@ -111,8 +111,7 @@ class WiringCheckTest {
                 .in("eating", requests("left.put").then("has right"))
                 .in("has right", requests("right.put").then("thinking"))
                 .build();
-        var table =
-                Wiring.of("table").components("phil", count, philosopher).components("fork", count, fork);
+        var table = Wiring.of("table").components("phil", count, philosopher).components("fork", count, fork);
         for (var i = 1; i <= count; i++) {
             table.bind("phil" + i, "left", "fork" + i).bind("phil" + i, "right", "fork" + (i % count + 1));
         }

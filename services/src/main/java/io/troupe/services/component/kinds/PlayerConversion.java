@@ -43,8 +43,7 @@ final class PlayerConversion implements Conversion<SetSpeed, Reading> {
                         new ApplicationData<>(RobotTopics.position(robot), position(timeSeconds, position));
                     case Blobs blobs ->
                         new ApplicationData<>(
-                                RobotTopics.blobs(robot),
-                                new BlobsReading(timeSeconds, Blob.of(blobs.data())));
+                                RobotTopics.blobs(robot), new BlobsReading(timeSeconds, Blob.of(blobs.data())));
                     case Laser laser ->
                         new ApplicationData<>(RobotTopics.laser(robot), scan(timeSeconds, laser.data()));
                 });
@@ -60,11 +59,7 @@ final class PlayerConversion implements Conversion<SetSpeed, Reading> {
 
     private static LaserReading scan(double timeSeconds, PlayerLaserData scan) {
         return new LaserReading(
-                timeSeconds,
-                scan.getMin_angle(),
-                scan.getMax_angle(),
-                scan.getMax_range(),
-                metres(scan.getRanges()));
+                timeSeconds, scan.getMin_angle(), scan.getMax_angle(), scan.getMax_range(), metres(scan.getRanges()));
     }
 
     private static PositionReading position(double timeSeconds, Position position) {

@@ -90,11 +90,10 @@ class BehaviourComponentTest {
     @Test
     void behaviourThatAsksForThem_getsBlobsLaserAndStall_thatCameBefore() {
         List<Senses> readings = new ArrayList<>();
-        start(BehaviourComponent.of(
-                "driver", "driving", List.of(), Set.of(Sense.BLOBS, Sense.LASER), () -> senses -> {
-                    readings.add(senses);
-                    return Optional.empty();
-                }));
+        start(BehaviourComponent.of("driver", "driving", List.of(), Set.of(Sense.BLOBS, Sense.LASER), () -> senses -> {
+            readings.add(senses);
+            return Optional.empty();
+        }));
         ranges(0.1, 5);
         test.run(() -> {
             user.publish(RobotTopics.position("driver"), new PositionReading(0.2, 0, 0, 0, true));
@@ -114,8 +113,8 @@ class BehaviourComponentTest {
     void behaviourThatDoesNotAsk_hearsNeitherBlobsNorLaser() {
         var plain = BehaviourComponent.of("c", "driving", List.of(), () -> senses -> Optional.empty());
         assertThat(plain.hears()).containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"));
-        var looking = BehaviourComponent.of(
-                "c", "driving", List.of(), Set.of(Sense.BLOBS), () -> senses -> Optional.empty());
+        var looking =
+                BehaviourComponent.of("c", "driving", List.of(), Set.of(Sense.BLOBS), () -> senses -> Optional.empty());
         assertThat(looking.hears())
                 .containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"), RobotTopics.blobs("c"));
     }
