@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
@@ -32,15 +33,24 @@ class WorldWarningsTest {
         String text = switch (command) {
             case "run" -> "run --seconds 0.2 --out " + out + " --world " + world;
             case "modes" -> "modes --seconds 0.2 --out " + out + " --world " + world;
-            case "app" -> "app missing.app --world " + world;
+            case "app" -> "app " + empty("t.app") + " --world " + world;
             case "draw" -> "draw --out " + directory.resolve("w.svg") + " " + world;
             case "evaluate" -> "evaluate --out " + out + " --world " + world;
             case "serve" -> "serve --port " + takenPort + " --world " + world;
-            case "replay" -> "replay missing.txt --world " + world;
+            case "replay" -> "replay " + empty("t.txt") + " --world " + world;
             default -> throw new IllegalArgumentException(command);
         };
         String[] arguments = (text + " " + String.join(" ", more)).strip().split(" +");
         return Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err), arguments);
+    }
+
+    /** The command reads the world first, and then complains of this. */
+    private Path empty(String name) {
+        try {
+            return Files.writeString(directory.resolve(name), "");
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
     }
 
     /** No robots, so that the commands end soon after they have read it. */
