@@ -68,6 +68,8 @@ public final class Main implements Callable<Integer> {
     /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
     static final int FAILED = 1;
 
+    private static final int ERROR_BESIDE_VERDICT = 4;
+
     /** Exit status for a service that an application needs and nobody offers. */
     static final int MISSING_SERVICE = 3;
 
@@ -96,9 +98,14 @@ public final class Main implements Callable<Integer> {
         String lost = standardOutput.lost();
         if (lost != null) {
             err.println("troupe: the output could not be written: " + lost);
-            status = status == 0 ? FAILED : status;
+            status = status != 0 ? status : hasVerdict(arguments) ? ERROR_BESIDE_VERDICT : FAILED;
         }
         System.exit(status);
+    }
+
+    /** Of {@code verify --net}, whose status 1 says that the net can deadlock. */
+    private static boolean hasVerdict(String... arguments) {
+        return Arrays.stream(arguments).anyMatch(each -> each.equals("--net") || each.startsWith("--net="));
     }
 
     /** Runs a command and answers its exit status, one of {@link #exitStatuses}. */

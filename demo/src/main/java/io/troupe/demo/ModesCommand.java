@@ -75,12 +75,12 @@ final class ModesCommand implements Callable<Integer> {
     private int interrupted(Map<Mode, RunResult> results) {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new ModeComparison(results).table());
-        terminal.println("interrupted: there is no comparison and no new modes.svg. "
-                + results.entrySet().stream()
-                        .map(each -> "run-" + each.getKey() + ".jsonl has "
-                                + Json.seconds(each.getValue().endMicros()) + " s")
-                        .collect(Collectors.joining(", "))
-                + "; the last line of one that was cut short says so");
+        String files = results.entrySet().stream()
+                .map(each -> "run-" + each.getKey() + ".jsonl has "
+                        + Json.seconds(each.getValue().endMicros()) + " s")
+                .collect(Collectors.joining(", "));
+        terminal.println("interrupted: there is no comparison and no new modes.svg"
+                + (files.isEmpty() ? "" : ". " + files + "; the last line of one that was cut short says so"));
         terminal.flush();
         return Interruption.STATUS;
     }

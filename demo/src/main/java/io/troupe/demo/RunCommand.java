@@ -120,7 +120,7 @@ final class RunCommand implements Callable<Integer> {
         }
         Path picture = out.resolve("trajectory.svg");
         OutputFiles.write(picture, new TrajectorySvg(scenario.world(), result).draw());
-        if (interruption.isRequested()) {
+        if (interruption.isRequested() && result.endMicros() < StrictMath.round(seconds * 1e6)) {
             terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
         }
         terminal.println("wrote " + picture + " and " + file);

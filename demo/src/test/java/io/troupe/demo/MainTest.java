@@ -67,7 +67,8 @@ class MainTest {
 
     @Test
     void netFileThatIsNone_isOneLine() throws IOException {
-        Path file = Files.writeString(directory.resolve("bad.pnml"), "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
+        Path file = Files.writeString(
+                directory.resolve("bad.pnml"), "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
         assertComplaint(
                 troupe("verify", "--net", file.toString(), "--out", directory.toString()), "bad.pnml", "troupe verify");
     }

@@ -103,7 +103,10 @@ public class Position2DInterface extends AbstractPositionDevice {
         }
     }
 
-    /** Drives with a velocity in the robot's frame; state 0 stops the motors. A differential drive ignores the part to the side, as Stage does. */
+    /**
+     * Drives with a velocity in the robot's frame. Simulated robots ignore {@code state}, as Stage does: 0 drives, too; to
+     * stop, send zero speed. A differential drive ignores the part to the side.
+     */
     public void setVelocity(PlayerPose2d velocity, int state) {
         drive(velocity.getPx(), velocity.getPy(), velocity.getPa(), state != 0);
     }
@@ -129,7 +132,7 @@ public class Position2DInterface extends AbstractPositionDevice {
      * Drives to a pose in the odometry frame.
      *
      * @param velocity the speeds to go there with; simulated robots choose their own
-     * @param state 0 stops the motors
+     * @param state ignored by simulated robots, as by Stage: 0 drives, too
      */
     public void setPosition(PlayerPose2d position, PlayerPose2d velocity, int state) {
         checkFinite("go to", position.getPx(), position.getPy(), position.getPa());

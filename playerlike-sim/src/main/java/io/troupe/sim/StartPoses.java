@@ -25,6 +25,7 @@ record StartPoses(List<Pose> poses, BitSet stuck) {
                 choice.add("obstacle", obstacle.name(), -1, new Outline(obstacle.shape(), obstacle.pose()));
             }
         }
+        choice.findStuck(spec.robots());
         var poses = new ArrayList<Pose>();
         for (int i = 0; i < spec.robots().size(); i++) {
             poses.add(choice.choose(spec.robots().get(i), i));
@@ -48,22 +49,44 @@ record StartPoses(List<Pose> poses, BitSet stuck) {
         }
 
         void add(String kind, String name, int robot, Outline outline) {
-            placed.add(new Body(kind + " '" + name + "'", robot, outline));
+            placed.add(new Body(title(kind, name), robot, outline));
+        }
+
+        private static String title(String kind, String name) {
+            return kind + " '" + name + "'";
+        }
+
+        /** By the poses of the file alone. A stuck robot stays there, and the others are kept clear of it. */
+        void findStuck(List<RobotSpec> robots) {
+            var all = new ArrayList<>(placed);
+            for (int i = 0; i < robots.size(); i++) {
+                RobotSpec robot = robots.get(i);
+                if (robot.blocksBodies()) {
+                    var body = new Body(
+                            title("robot", robot.name()), i, new Outline(robot.collisionShape(), robot.pose()));
+                    for (Body other : all) {
+                        if (other.outline().overlaps(body.outline())) {
+                            stuck.set(i);
+                            if (other.robot() >= 0) {
+                                stuck.set(other.robot());
+                            }
+                        }
+                    }
+                    all.add(body);
+                }
+            }
+            all.stream()
+                    .filter(body -> body.robot() >= 0 && stuck.get(body.robot()))
+                    .forEach(placed::add);
         }
 
         Pose choose(RobotSpec robot, int index) {
-            var outline = new Outline(robot.collisionShape(), robot.pose());
-            List<Body> inTheWay = robot.blocksBodies()
-                    ? placed.stream()
-                            .filter(body -> body.outline().overlaps(outline))
-                            .toList()
-                    : List.of();
-            boolean jitter = inTheWay.isEmpty() && (settings.jitterM() > 0 || settings.jitterRad() > 0);
-            Pose chosen = jitter ? jittered(robot, outline) : robot.pose();
-            if (!inTheWay.isEmpty()) {
-                stuck.set(index);
-                inTheWay.stream().filter(body -> body.robot() >= 0).forEach(body -> stuck.set(body.robot()));
+            if (stuck.get(index)) {
+                return robot.pose(); // placed already
             }
+            var outline = new Outline(robot.collisionShape(), robot.pose());
+            boolean jitter = settings.jitterM() > 0 || settings.jitterRad() > 0;
+            Pose chosen = jitter ? jittered(robot, outline) : robot.pose();
             outline.place(chosen);
             if (robot.blocksBodies()) {
                 add("robot", robot.name(), index, outline);

@@ -5,7 +5,9 @@ import static io.troupe.sim.Specs.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.sim.device.Outline;
 import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.WorldFileException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -42,9 +44,37 @@ class StuckRobotTest {
 
         Snapshot later = world.advance(20);
 
-        assertThat(later.robots().get(0).pose().x()).isCloseTo(-3, within(0.021));
+        assertThat(later.robots().get(0).pose()).isEqualTo(new Pose(-3, 0, 0)); // not moved at random either
         assertThat(later.robots().get(1).pose()).isEqualTo(new Pose(-3.1, 0.1, 1));
         assertThat(later.robots()).allMatch(robot -> robot.odometry().stalled());
+    }
+
+    /** Whatever the seed: only what overlaps in the file is stuck; without room for a move the world is refused. */
+    @Test
+    void robotsSideBySide_areMovedAtRandom_andNeverStuck() {
+        double gapM = 0.2;
+        while (overlap(Pose.ORIGIN, new Pose(0, gapM, 0))) {
+            gapM += 0.005;
+        }
+        var spec = Specs.world(List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(0, gapM, 0))));
+        int free = 0;
+        for (int seed = 1; seed <= 50; seed++) {
+            var settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(0.02, 0.03);
+            try {
+                assertThat(StartPoses.of(spec, settings).stuck().isEmpty())
+                        .as("seed %d, %s m apart", seed, gapM)
+                        .isTrue();
+                free++;
+            } catch (WorldFileException noRoom) {
+                assertThat(noRoom).hasMessageContaining("has no room to start");
+            }
+        }
+        assertThat(free).isGreaterThan(10);
+    }
+
+    private static boolean overlap(Pose one, Pose other) {
+        var shape = robot("r", one).collisionShape();
+        return new Outline(shape, one).overlaps(new Outline(shape, other));
     }
 
     @Test

@@ -20,6 +20,9 @@ final class IntList {
 
     void add(int value) {
         if (size == values.length) {
+            if (size == MAX_LENGTH) {
+                throw new OutOfMemoryError("a list of " + size + " numbers"); // the search ends with what it has
+            }
             values = Arrays.copyOf(values, grown());
         }
         values[size++] = value;

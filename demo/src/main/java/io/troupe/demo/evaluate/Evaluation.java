@@ -1,8 +1,8 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.demo.terminal.Interruption;
-import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
@@ -10,6 +10,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
  * Measures everything, one job at a time, so that no two measurements disturb each other: the JVMs take turns.
  */
 final class Evaluation {
+    private static final Duration NOTICE = Duration.ofSeconds(2);
+
     private final EvaluationSettings settings;
     private final PaperWorld world;
     private final Plan plan;
@@ -56,8 +58,9 @@ final class Evaluation {
                 completeRepetitions++;
             }
             return measurements;
-        } catch (IOException | InterruptedCommand ended) { // Ctrl-C ends the processes too
-            if (!interruption.isRequested()) {
+        } catch (IOException
+                | RuntimeException ended) { // Ctrl-C ends the processes too, perhaps before it is noticed here
+            if (!interruption.isRequestedWithin(NOTICE)) {
                 throw ended;
             }
             return measurements;

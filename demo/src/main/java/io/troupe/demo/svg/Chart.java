@@ -1,5 +1,6 @@
 package io.troupe.demo.svg;
 
+import io.troupe.demo.terminal.OutputFiles;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -11,8 +12,8 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -174,7 +175,9 @@ public final class Chart {
      */
     public void write(Path directory, String name) throws IOException {
         checkFonts();
-        Files.writeString(directory.resolve(name + ".svg"), svg());
-        ImageIO.write(image(), "png", directory.resolve(name + ".png").toFile());
+        OutputFiles.write(directory.resolve(name + ".svg"), svg());
+        var png = new ByteArrayOutputStream();
+        ImageIO.write(image(), "png", png);
+        OutputFiles.write(directory.resolve(name + ".png"), png.toByteArray());
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.demo.terminal;
 
+import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -14,6 +15,7 @@ public final class Interruption implements AutoCloseable {
     public static final int STATUS = 130;
 
     private static final long CLOSING_SECONDS = 30;
+    private static final long LAST_WORDS_MILLIS = 500;
     private static final Runnable NOTHING = () -> {};
 
     /** Ends what a command does when Ctrl-C was pressed; caught where it prints what it has. */
@@ -25,9 +27,11 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
+    private final Thread owner = Thread.currentThread();
     private final CountDownLatch closed = new CountDownLatch(1);
     private final AtomicReference<Runnable> atRequest = new AtomicReference<>(NOTHING);
     private final Thread hook = new Thread(this::await, "finish");
+    private final CountDownLatch asked = new CountDownLatch(1);
     private volatile boolean requested;
 
     private Interruption() {}
@@ -45,6 +49,16 @@ public final class Interruption implements AutoCloseable {
 
     public boolean isRequested() {
         return requested;
+    }
+
+    /** Waits for a Ctrl-C that a child process noticed first: it goes to all processes of a terminal. */
+    public boolean isRequestedWithin(Duration limit) {
+        try {
+            return asked.await(limit.toMillis(), TimeUnit.MILLISECONDS);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return requested;
+        }
     }
 
     /** @throws InterruptedCommand if Ctrl-C was pressed */
@@ -65,13 +79,16 @@ public final class Interruption implements AutoCloseable {
     /** As Ctrl-C does. */
     void request() {
         requested = true;
+        asked.countDown();
         atRequest.get().run();
     }
 
     private void await() {
         request();
         try {
-            closed.await(CLOSING_SECONDS, TimeUnit.SECONDS);
+            if (closed.await(CLOSING_SECONDS, TimeUnit.SECONDS)) {
+                owner.join(LAST_WORDS_MILLIS); // it may have to print what went wrong; its exit waits for this thread
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -174,7 +174,7 @@ final class NetExamination {
         }
     }
 
-    /** Nothing if there is no memory for them, which is reported. */
+    /** Nothing if they cannot be had, which is reported. */
     private @Nullable SiphonAnalysis siphons() {
         if (siphons == null) {
             progress.accept("net " + net.name() + ": siphons");
@@ -182,6 +182,8 @@ final class NetExamination {
                 siphons = SiphonAnalysis.of(net, Siphons.DEFAULT_MAX_STEPS, limits.left());
             } catch (OutOfMemoryError e) {
                 results.accept("siphons are not known: the virtual machine has too little memory\n");
+            } catch (ArithmeticException e) {
+                results.accept("siphons are not known: " + e.getMessage() + "\n");
             }
         }
         return siphons;

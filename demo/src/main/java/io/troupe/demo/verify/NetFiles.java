@@ -37,12 +37,12 @@ final class NetFiles {
 
     /** All four components of the paper's net, each in its tint. */
     private void writeWhole(String name, PetriNet net) throws IOException {
-        Pnml.write(net, directory.resolve(name + ".pnml"));
+        OutputFiles.write(directory.resolve(name + ".pnml"), Pnml.toText(net));
         draw(name, net, NetDrawing.of(net).tinting(PaperNets.components(net)));
     }
 
     void write(String name, PetriNet net) throws IOException {
-        Pnml.write(net, directory.resolve(name + ".pnml"));
+        OutputFiles.write(directory.resolve(name + ".pnml"), Pnml.toText(net));
         draw(name, net);
     }
 

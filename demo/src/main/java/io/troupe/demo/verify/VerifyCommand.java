@@ -15,6 +15,7 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -36,7 +37,8 @@ import picocli.CommandLine.Spec;
             "1:failed; with --net: the net can deadlock, and nothing else",
             "2:bad input: a wrong option, a file that cannot be read or written, a net with too many tokens",
             "3:with --net: not known within --time and --memory",
-            "4:an error in this program"
+            "4:with --net: an error in this program, or its output could not be written",
+            "130:interrupted; what was known until then was printed"
         },
         exitCodeOnExecutionException = 4)
 public final class VerifyCommand implements Callable<Integer> {
@@ -99,7 +101,7 @@ public final class VerifyCommand implements Callable<Integer> {
             });
             try {
                 if (net != null) {
-                    return examine(net, progress, results);
+                    return examine(net, interruption, progress, results);
                 }
                 verifyPaper(progress, results);
             } catch (InterruptedCommand interrupted) {
@@ -134,7 +136,7 @@ public final class VerifyCommand implements Callable<Integer> {
     }
 
     /** Whatever goes wrong after the verdict does not change the status: a script relies on it. */
-    private int examine(Path file, Consumer<String> progress, Consumer<String> results) {
+    private int examine(Path file, Interruption interruption, Consumer<String> progress, Consumer<String> results) {
         FileProblems.checkInput(spec, file, "a net in PNML");
         PrintWriter err = spec.commandLine().getErr();
         try {
@@ -142,29 +144,39 @@ public final class VerifyCommand implements Callable<Integer> {
                 err.println("troupe: warning: " + warning);
                 err.flush();
             });
-            var examination = new NetExamination(read, limits(), progress, results);
+            var examination = new NetExamination(read, limits(interruption), progress, results);
             int status = examination.decide();
-            examination.explain();
             try {
+                examination.explain();
                 examination.draw(
                         new NetFiles(out), file.getFileName().toString().replaceFirst("\\.[^.]*$", ""));
+            } catch (InterruptedCommand interrupted) {
+                throw interrupted;
             } catch (IOException e) {
                 err.println("troupe: the pictures cannot be written: " + FileProblems.words(e));
-                err.flush();
+            } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
+                err.println("troupe: after the verdict: " + e);
             }
+            err.flush();
             return status;
         } catch (ArithmeticException e) {
             throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
         } catch (OutOfMemoryError e) {
             results.accept(file + ": not known: the virtual machine has too little memory for this net\n");
             return NetExamination.UNKNOWN;
+        } catch (Error e) { // it would end the program with 1, which is a verdict
+            throw new IllegalStateException("an error in this program: " + e, e);
         }
     }
 
-    private NetExamination.Limits limits() {
+    private NetExamination.Limits limits(Interruption interruption) {
         var time = Duration.ofNanos((long) (seconds * 1e9));
         long start = System.nanoTime();
         long bytes = memoryMib == null ? Runtime.getRuntime().maxMemory() / 5 * 3 : (long) memoryMib << 20;
-        return new NetExamination.Limits(time, () -> time.minusNanos(System.nanoTime() - start), bytes);
+        Supplier<Duration> left = () -> {
+            interruption.check(); // asked often, so that Ctrl-C need not wait for the limit
+            return time.minusNanos(System.nanoTime() - start);
+        };
+        return new NetExamination.Limits(time, left, bytes);
     }
 }

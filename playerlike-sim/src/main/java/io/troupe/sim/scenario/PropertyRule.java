@@ -97,7 +97,7 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
         return switch (form) {
             case NUMBER -> "a number";
             case WHOLE -> "a whole number";
-            case FLAG -> "0 or 1";
+            case FLAG -> "a number, 0 for no";
             case TEXT -> "a text in double quotes";
             case NUMBERS ->
                 "a tuple of " + (least == most ? String.valueOf(least) : least + " or " + most) + " numbers";

@@ -45,6 +45,9 @@ final class SensorReader {
 
     private SonarSpec view(Entity ranger, List<Pose> mounts) {
         String key = ranger.has("sview") ? "sview" : Property.key("sview", 0);
+        for (int i = 1; i < mounts.size() && !ranger.has(key); i++) {
+            key = Property.key("sview", i);
+        }
         if (!ranger.has(key)) {
             return new SonarSpec(mounts, 0, 5, Math.PI / mounts.size());
         }

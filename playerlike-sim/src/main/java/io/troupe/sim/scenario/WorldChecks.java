@@ -106,11 +106,14 @@ final class WorldChecks {
             Body robot = robots.get(i);
             Stream.concat(robots.subList(0, i).stream(), walls.stream())
                     .filter(robot::overlaps)
-                    .findFirst()
-                    .ifPresent(other -> findings.warn(
+                    .forEach(other -> findings.warn(
                             robot.where,
                             robot.name + " overlaps " + other.name + " (" + other.where
-                                    + ") at the start: it stalls until it is put elsewhere"));
+                                    + ") at the start: "
+                                    + (robots.contains(other)
+                                            ? "both stall, each until it is"
+                                            : "it stalls until it is")
+                                    + " put elsewhere"));
         }
     }
 

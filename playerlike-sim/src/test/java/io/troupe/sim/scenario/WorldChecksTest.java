@@ -34,7 +34,7 @@ class WorldChecksTest {
     void robots_overlapping_areBothNamedWithTheirPlaces() {
         assertThat(worlds.warnings(robot("a", 0, 0, 0) + robot("b", 0.9, 0.9, 0)))
                 .containsExactly(
-                        "t.world:2:1: robot \"b\" overlaps robot \"a\" (t.world:1:1) at the start: it stalls until"
+                        "t.world:2:1: robot \"b\" overlaps robot \"a\" (t.world:1:1) at the start: both stall, each until"
                                 + " it is put elsewhere");
     }
 

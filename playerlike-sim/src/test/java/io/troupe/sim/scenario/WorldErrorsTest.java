@@ -54,7 +54,7 @@ class WorldErrorsTest {
                 "model ( pose [1 2 \"x\"] )     | t.world:1:14: \"pose\" must be a tuple of 3 or 4 numbers, not a tuple of 3 values",
                 "model ( color 7 )              | t.world:1:15: \"color\" must be a text in double quotes, not the number 7",
                 "model ( mass \"heavy\" )        | t.world:1:14: \"mass\" must be a number, not the text \"heavy\"",
-                "model ( gui_nose \"yes\" )      | t.world:1:18: \"gui_nose\" must be 0 or 1, not the text \"yes\"",
+                "model ( gui_nose \"yes\" )      | t.world:1:18: \"gui_nose\" must be a number, 0 for no, not the text \"yes\"",
                 "model ( size[0] [1 1] )        | t.world:1:9: \"size\" takes no index",
                 "window ( size \"big\" )         | t.world:1:15: \"size\" must be a tuple of 2 numbers, not the text \"big\"",
                 "interval_sim 0.5               | t.world:1:14: \"interval_sim\" must be a whole number, not the number 0.5",

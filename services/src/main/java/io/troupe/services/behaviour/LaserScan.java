@@ -68,7 +68,7 @@ public final class LaserScan {
     /** The direction of one beam, 0 for the rightmost. */
     public double bearingRad(int beam) {
         return rangesM.length < 2
-                ? minBearingRad
+                ? (minBearingRad + maxBearingRad) / 2 // a single beam looks along the middle
                 : minBearingRad + beam * ((maxBearingRad - minBearingRad) / (rangesM.length - 1));
     }
 

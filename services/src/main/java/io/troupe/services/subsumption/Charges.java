@@ -54,7 +54,12 @@ final class Charges implements AutoCloseable {
         }
         RobotLink link = links.connect(robot);
         if (service.usesLaser()) {
-            link.devices().useLaser(); // the table need not have the service
+            try {
+                link.devices().useLaser(); // the table need not have the service
+            } catch (PlayerException refused) {
+                links.serviceEnded(robot, true);
+                throw refused;
+            }
         }
         var loop =
                 new ServiceLoop(space, robot, service, link, reference, finder, observer, links.takeReconnected(robot));

@@ -84,8 +84,12 @@ final class RobotDevices {
         return sonar.getTimestamp();
     }
 
-    /** The newest readings. */
-    Senses senses() {
+    /**
+     * The newest readings.
+     *
+     * @param withLaser whether the service asks for the scan; another service of the robot may have subscribed to the laser
+     */
+    Senses senses(boolean withLaser) {
         var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());
         return new Senses(
                 timeSeconds(),
@@ -93,7 +97,7 @@ final class RobotDevices {
                 pose,
                 position.getData().getStall() != 0,
                 blobs(),
-                laser == null ? LaserScan.EMPTY : LaserScan.of(laser.getData()));
+                laser == null || !withLaser ? LaserScan.EMPTY : LaserScan.of(laser.getData()));
     }
 
     /** What the blobfinder saw at the same time; made once for each image, as finder and behaviour both ask for it. */

@@ -60,7 +60,7 @@ final class ServiceCycle {
         }
         finder.look(devices, lastSeconds - beganSeconds);
         if (drives.getAsBoolean()) {
-            devices.drive(behaviour.step(devices.senses()).orElse(Velocity.STOP));
+            devices.drive(behaviour.step(devices.senses(service.usesLaser())).orElse(Velocity.STOP));
         }
         observer.cycled(robot, service);
     }

@@ -120,6 +120,9 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void react() {
+        if (!robots.stream().allMatch(RobotDevices::hasData)) {
+            return; // the first reading of a slow sensor has not come yet
+        }
         if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
             reactWithAll();
         } else if (ReadingTime.isCycle(lastCycleSeconds, robots.get(turn).stampSeconds())) {

@@ -70,6 +70,7 @@ class SensesTest {
 
     @Test
     void scan_ofOneBeam_hasItsBearing_andNoneWithoutANumberIsTaken() {
+        assertThat(LaserScan.of(-1, 1, 8, new float[] {2}).bearingRad(0)).isZero();
         assertThat(LaserScan.of(0.25, 0.25, 8, new float[] {2}).bearingRad(0)).isEqualTo(0.25);
         assertThatThrownBy(() -> LaserScan.of(-1, 1, 8, new float[] {1, Float.NaN}))
                 .hasMessage("laser beam 1 reads NaN, expected metres");

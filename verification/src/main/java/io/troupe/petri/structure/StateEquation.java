@@ -109,7 +109,7 @@ public final class StateEquation {
         }
         try {
             return Optional.of(new TokenBound(set, weights, scale)).filter(bound -> bound.tokens() > 0);
-        } catch (IllegalArgumentException notQuite) {
+        } catch (IllegalArgumentException | ArithmeticException notQuite) {
             return Optional.empty(); // rounded to something else; a larger scale may fit
         }
     }

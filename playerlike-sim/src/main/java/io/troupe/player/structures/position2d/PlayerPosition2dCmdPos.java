@@ -3,7 +3,7 @@ package io.troupe.player.structures.position2d;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** A command to drive to a pose in the odometry frame; state 0 stops the motors. */
+/** A command to drive to a pose in the odometry frame; simulated robots ignore its state, as Stage does. */
 public class PlayerPosition2dCmdPos {
     private PlayerPose pos = new PlayerPose();
     private PlayerPose vel = new PlayerPose();

@@ -3,7 +3,7 @@ package io.troupe.player.structures.position2d;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** A velocity command; state 0 stops the motors. */
+/** A velocity command; simulated robots ignore its state, as Stage does. */
 public class PlayerPosition2dCmdVel {
     private PlayerPose vel = new PlayerPose();
     private byte state;
