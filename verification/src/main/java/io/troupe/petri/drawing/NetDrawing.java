@@ -9,6 +9,7 @@ import io.troupe.petri.Transition;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -63,14 +64,14 @@ public final class NetDrawing {
 
     /** The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times. */
     public NetDrawing highlighting(Collection<Transition> firings) {
-        var distinct = Set.copyOf(firings);
+        var distinct = new LinkedHashSet<Transition>(firings); // an error names the first that is wrong
         var all = net.transitions();
         for (var firing : distinct) {
             require(
                     firing.index() < all.size() && all.get(firing.index()).equals(firing),
                     "transition " + firing + " is not of net ");
         }
-        return new NetDrawing(net, marking, distinct, components);
+        return new NetDrawing(net, marking, Set.copyOf(distinct), components);
     }
 
     /**
