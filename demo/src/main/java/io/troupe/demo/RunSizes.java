@@ -2,7 +2,7 @@ package io.troupe.demo;
 
 import java.util.Locale;
 
-/** How large the files of a run get, about: told before a long one, when it is not too late. */
+/** How large the files of a run become, about; a warning before a long run names them. */
 record RunSizes(double logBytes, double pictureBytes) {
     private static final double LARGE_BYTES = 50e6;
     /** Measured in the paper's arena. */

@@ -34,7 +34,7 @@ final class StandardOutput extends FilterOutputStream {
         }
     }
 
-    /** Why something was not written; null if all was, or nobody reads it any more. */
+    /** Why something was not written; null if all was, or no reader is left. */
     @Nullable
     String lost() {
         return READER_GONE.equals(lost) ? null : lost;

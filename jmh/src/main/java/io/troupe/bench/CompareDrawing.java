@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Times and ratios as a drawing (SVG). The workloads that rank nobody come last, say so, and have no colours. */
+/** Times and ratios as a drawing (SVG). The workloads without a ranking come last, say so, and have no colours. */
 record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
     /** What one contender needed in one workload, and as a multiple of the limit's in the same round. */
     record Bar(Quartiles nanos, Quartiles ratio) {}

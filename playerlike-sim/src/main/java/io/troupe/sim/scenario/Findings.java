@@ -60,7 +60,7 @@ final class Findings {
     }
 
     /**
-     * Reports a name that nobody knows; if the reader goes on, the thing is left out.
+     * Reports an unknown name; if the reader goes on, the thing is left out.
      *
      * @throws WorldFileException if the reader is strict
      */

@@ -49,7 +49,7 @@ public final class ScenarioReader {
         return read(file, Findings.strict(requireNonNull(warnings, "warnings")));
     }
 
-    /** The same, leniently: what nobody knows is a warning and left out, instead of stopping the reading. */
+    /** The same, leniently: an unknown name is a warning and left out, instead of stopping the reading. */
     public static Scenario readLeniently(Path file, Consumer<WorldFileWarning> warnings) {
         return read(file, Findings.lenient(requireNonNull(warnings, "warnings")));
     }
