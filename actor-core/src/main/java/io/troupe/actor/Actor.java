@@ -13,6 +13,29 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Optional: any object can be the implementation of an actor interface. Made by the factory given to
  * {@link ActorSpace#spawn}; its public methods that return {@code void} or {@link Promise} are its messages.
+ *
+ * {@snippet :
+ * class Heater extends Actor {
+ *     private int degrees = 18;
+ *
+ *     @Override
+ *     protected void started() {
+ *         every(Duration.ofMinutes(1), () -> degrees++);
+ *     }
+ *
+ *     public void set(int newDegrees) {
+ *         degrees = newDegrees;
+ *     }
+ *
+ *     public Promise<Integer> degrees() {
+ *         return Promise.of(degrees);
+ *     }
+ * }
+ *
+ * Heater heater = space.spawn(Heater.class, Heater::new); // a proxy
+ * heater.set(20); // a message
+ * }
+ *
  * <p><b>Threads.</b> The space's thread; calling these methods from another one throws {@link IllegalStateException}.
  * <p><b>Source.</b> Paper, Figures 17 and 20.
  */

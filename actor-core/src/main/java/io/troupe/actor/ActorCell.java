@@ -12,6 +12,8 @@ import org.jspecify.annotations.Nullable;
  * An actor as its space sees it: where its messages go and who handles them. For generated code.
  *
  * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's.
+ *
+ * @hidden
  */
 public final class ActorCell {
     private static final long FIRST_PAUSE_NANOS = 10_000_000;

@@ -6,6 +6,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * How an actor is made; immutable.
  *
+ * {@snippet :
+ * ActorSettings settings = ActorSettings.named("counter")
+ *         .withSupervision(Supervision.restart(3, Duration.ofMinutes(1)))
+ *         .withMailbox(1_000, Overflow.REJECT);
+ * Counter counter = space.spawn(Counter.class, Counter::new, settings);
+ * }
+ *
  * @param name for messages about it; null = the type's simple name and a number
  * @param onError is told what its one-way messages and timers throw; null = the space's handler is
  * @param supervision what becomes of it then

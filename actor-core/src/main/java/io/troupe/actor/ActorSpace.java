@@ -18,6 +18,18 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} makes further ones, for tests or one per core. Ends with
  * {@link #close}.
+ *
+ * {@snippet :
+ * interface Greeter {
+ *     Promise<String> greet(String name);
+ * }
+ *
+ * try (ActorSpace space = ActorSpace.create(SpaceSettings.named("hello"))) {
+ *     Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+ *     greeter.greet("Ada").then(text -> log.add(text)); // on the thread of the space
+ * } // close() serves what was queued
+ * }
+ *
  * <p><b>Threads.</b> Every method from any thread unless it says otherwise. An actor's code only ever runs on its space's thread, so it
  * needs no locks. Actors share the thread: one that interrupts it interrupts whatever comes next there, until the space sleeps (clearing the flag
  * at each message would cost as much as a fifth of a message).

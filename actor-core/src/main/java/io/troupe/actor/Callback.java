@@ -11,6 +11,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> A parameter type of actor methods. The caller passes a lambda, as in the paper: {@code robot.wander((colour, error) -> ..)}; the actor
  * calls {@link #next}, and at the end {@link #finish} or {@link #fail}. Who wants to stop listening, or to hear of the end, passes a {@link Stream}.
+ *
+ * {@snippet :
+ * camera.watch((colour, error) -> log.add("saw " + colour));
+ *
+ * var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
+ * camera.watch(stream); // stream.cancel() ends it
+ * }
+ *
  * <p><b>Threads.</b> The actor may call it from any thread. The caller's side runs on the caller's space, as entries of its callback queue, on behalf of
  * the calling actor; if the caller is no actor space, on the space of the actor, and no more once that is closed, but for the failure of a call that is turned away.
  * <p><b>End.</b> An actor need not end a callback, so its own end does not: one that stops or restarts without {@link #finish} or {@link #fail} leaves the callback

@@ -3,6 +3,15 @@ package io.troupe.actor;
 /**
  * A message that reached nobody.
  *
+ * {@snippet :
+ * Consumer<DeadLetter> onDeadLetter = letter -> log.add(letter.message() + " to " + letter.actor());
+ * ActorSpace space = ActorSpace.create(
+ *         SpaceSettings.named("shop").withOnDeadLetter(onDeadLetter).withHandCrank());
+ * Counter counter = space.spawn(Counter.class, Counter::new);
+ * space.close();
+ * counter.add(1); // too late
+ * }
+ *
  * @param actor name of the actor it was for
  * @param message the method, with its arguments
  * @param reason why it was not delivered

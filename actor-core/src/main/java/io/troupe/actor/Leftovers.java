@@ -5,6 +5,13 @@ import java.util.List;
 /**
  * What a space had not done when it was closed. Each call among it has been refused: a message as a dead letter, a request by rejection.
  *
+ * {@snippet :
+ * Leftovers left = space.close(Duration.ofSeconds(5));
+ * if (!left.isEmpty()) {
+ *     System.getLogger("shop").log(System.Logger.Level.WARNING, "not done: " + left);
+ * }
+ * }
+ *
  * @param messages one-way calls that waited
  * @param requests requests that waited and were not cancelled
  * @param openRequests requests that had begun, and whose answers were not settled when their actors were stopped

@@ -4,6 +4,15 @@ package io.troupe.actor;
  * How many calls may wait in an actor's mailbox, and what happens to one more. A request that is cancelled holds its place until its turn, because it stays in the
  * queue until then: cancelling cannot make a bounded mailbox grow.
  *
+ * {@snippet :
+ * MailboxBound newestOnly = new MailboxBound(1, Overflow.DROP_OLDEST);
+ * ActorSettings settings = ActorSettings.named("printer")
+ *         .withMailbox(newestOnly.capacity(), newestOnly.overflow());
+ * Printer printer = space.spawn(Printer.class, () -> log::add, settings);
+ * printer.print("first");
+ * printer.print("second"); // takes the place of the first, which becomes a dead letter
+ * }
+ *
  * @param capacity calls that may wait
  * @param overflow what happens to one more
  */

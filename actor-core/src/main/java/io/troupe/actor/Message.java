@@ -8,6 +8,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A one-way call on its way. For generated code: each {@code void} method of an actor type has its subclass, whose fields are the
  * arguments.
+ *
+ * @hidden
  */
 public abstract class Message extends Node {
     private final ActorCell cell;

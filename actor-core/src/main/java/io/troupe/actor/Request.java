@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A call that answers, on its way, and at once the promise of the answer. For generated code: each method of an actor type that returns a
  * promise has its subclass, whose fields are the arguments.
+ *
+ * @hidden
  */
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     private static final int COUNTED = 1_000; // a time-out behind a long queue must not cost its length

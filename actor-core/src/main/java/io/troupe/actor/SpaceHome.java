@@ -58,11 +58,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     // ---- the way into the queues
 
+    /** @hidden */
     @Override
     protected final boolean isCurrent() {
         return Thread.currentThread() == thread;
     }
 
+    /** @hidden */
     @Override
     protected final void enqueue(Node node) {
         enqueueCallback(node);
@@ -76,11 +78,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
+    /** @hidden */
     @Override
     protected final void enqueueFromAfar(Node node) {
         offer(node, callbackInbox);
     }
 
+    /** @hidden */
     @Override
     protected final void enqueueAtHome(Node node) {
         if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
@@ -116,11 +120,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     // ---- what promises ask of their home
 
+    /** @hidden */
     @Override
     protected final Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         return timers.schedule(delayNanos, task, ifClosed);
     }
 
+    /** @hidden */
     @Override
     protected final void rejected(Promise<?> promise, Throwable error) {
         if (lifeline.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
@@ -137,6 +143,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
+    /** @hidden */
     @Override
     protected final void rejectedTooLate(Promise<?> promise, Throwable error) {
         if (!(error
@@ -146,6 +153,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
+    /** @hidden */
     @Override
     protected final void await(Promise<?> promise) {
         sequences.await(promise);

@@ -8,6 +8,14 @@ import java.util.function.Consumer;
 /**
  * How an actor space is made; immutable.
  *
+ * {@snippet :
+ * SpaceSettings settings = SpaceSettings.named("shop")
+ *         .withOnError(onError)
+ *         .withOnDeadLetter(onDeadLetter)
+ *         .withOnStall(Duration.ofSeconds(30), onStall);
+ * ActorSpace space = ActorSpace.create(settings);
+ * }
+ *
  * @param name of the space and its thread
  * @param clock by which timers run
  * @param onError is told what nobody else could be told

@@ -7,6 +7,11 @@ import java.util.stream.Collectors;
 /**
  * One message has held a space's thread for too long; everybody else in the space waits meanwhile.
  *
+ * {@snippet :
+ * Consumer<Stall> onStall = stall -> log.add(stall.space() + ": " + stall.atLeast());
+ * SpaceSettings settings = SpaceSettings.named("shop").withOnStall(Duration.ofMillis(200), onStall);
+ * }
+ *
  * @param space its name
  * @param atLeast how long it has taken so far
  * @param stack where the thread is now, innermost call first

@@ -6,6 +6,15 @@ import java.time.Duration;
  * What becomes of an actor when a one-way message, a timer, a reader of its callbacks, or {@link Actor#started()} throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise
  * that {@code then} answered.) The error is reported in any case.
  *
+ * {@snippet :
+ * ActorSettings settings =
+ *         ActorSettings.DEFAULT.withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
+ * Counter counter = space.spawn(Counter.class, Counter::new, settings);
+ * counter.add(-1); // restarts
+ * counter.add(-1); // restarts
+ * counter.add(-1); // the third failure within ten seconds: the actor stops
+ * }
+ *
  * @param directive what to do
  * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor, and so does one more failed start in a row, within the window or not
  * @param window by the space's clock

@@ -12,6 +12,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> For senders and receivers that need not know each other: one sensor, many readers. Made by {@link #of}, or by {@link #latest} when whoever
  * subscribes late shall hear the last value. Ends with {@link #finish} or {@link #fail}; whoever subscribes then hears of the end only.
+ *
+ * {@snippet :
+ * Topic<Integer> colours = Topic.latest(space, "colours");
+ * colours.publish(0xFF0000);
+ * Callback.Stream<Integer> subscription = colours.subscribe(colour -> log.add("saw " + colour));
+ * colours.publish(0x00FF00); // returns 1: the number of subscribers
+ * }
+ *
  * <p><b>Threads.</b> Every method from any thread. What a subscriber hears runs on the space that subscribed, as entries of its callback queue, on behalf
  * of the actor that subscribed; if that was no actor space, on the space of the topic. A callback that an actor was handed keeps its first reader.
  * Publishing runs none of a subscriber's code but {@link Callback#isCancelled}, so a slow or broken one holds up nobody else.

@@ -83,6 +83,23 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return text.toString();
     }
 
+    /** In one line: which modes have the states of promise mode, and which until when. */
+    String finding() {
+        String others = results.keySet().stream()
+                .filter(mode -> mode != Mode.PROMISE)
+                .map(mode -> firstDifference(mode).isEmpty()
+                        ? mode + " not at all"
+                        : String.format(
+                                Locale.ROOT,
+                                "%s differs from %.1f s on",
+                                mode,
+                                firstDifferenceMicros(
+                                                mode, firstDifference(mode).getAsInt())
+                                        / 1e6))
+                .collect(Collectors.joining(", "));
+        return "Compared with promise mode: " + others;
+    }
+
     /** The states side by side, of the modes that there are. */
     String table() {
         var text = new StringBuilder();

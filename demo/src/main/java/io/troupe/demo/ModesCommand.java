@@ -87,7 +87,7 @@ final class ModesCommand implements Callable<Integer> {
 
     private int compare(Scenario scenario, Map<Mode, RunResult> results) throws IOException {
         var comparison = new ModeComparison(results);
-        String title = scenario.world().name() + ", seed " + seed + ": states in the three modes";
+        String title = comparison.finding() + " (" + scenario.world().name() + ", seed " + seed + ")";
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(comparison.text());
         terminal.flush(); // first: files may fail

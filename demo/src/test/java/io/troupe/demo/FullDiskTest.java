@@ -2,11 +2,16 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.PaperNets;
+import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.Pnml;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -48,17 +53,38 @@ class FullDiskTest {
 
     @Test
     void output_thatCannotBeWritten_isStatus1() throws Exception {
-        var process = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        Main.class.getName(),
-                        "--version")
-                .redirectOutput(FULL.toFile())
-                .start();
+        assertThat(statusWithFullOutput("--version")).isEqualTo(Main.FAILED);
+    }
+
+    @Test
+    void proof_thatCannotBeWritten_isStatus4_becauseStatus1IsAVerdict() throws Exception {
+        Path net = directory.resolve("net.pnml");
+        Pnml.write(PaperNets.corrected(Reading.A), net);
+        assertThat(statusWithFullOutput("verify", "--net", net.toString(), "--out", directory.toString()))
+                .isEqualTo(4);
+    }
+
+    @Test
+    void deadlock_thatCannotBeWritten_isStillStatus1() throws Exception {
+        Path net = directory.resolve("net.pnml");
+        Pnml.write(PaperNets.uncorrected(Reading.A), net);
+        assertThat(statusWithFullOutput("verify", "--net", net.toString(), "--out", directory.toString()))
+                .isEqualTo(1);
+    }
+
+    private static int statusWithFullOutput(String... arguments) throws IOException, InterruptedException {
+        var command = new ArrayList<>(List.of(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Dtroupe.progress.seconds=600", // no progress lines among the errors
+                "-cp",
+                System.getProperty("java.class.path"),
+                Main.class.getName()));
+        command.addAll(List.of(arguments));
+        var process = new ProcessBuilder(command).redirectOutput(FULL.toFile()).start();
         try (var err = process.errorReader()) {
-            assertThat(err.readLine()).isEqualTo("troupe: the output could not be written: No space left on device");
+            assertThat(err.lines())
+                    .containsExactly("troupe: the output could not be written: No space left on device");
         }
-        assertThat(process.waitFor()).isEqualTo(Main.FAILED);
+        return process.waitFor();
     }
 }

@@ -2,12 +2,16 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -26,16 +30,21 @@ class InterruptTest {
     @TempDir
     private Path out;
 
-    /** All lines of a command that is ended as soon as it has printed a line like that. */
+    /** All lines of a command with {@code --out} that is ended as soon as it has printed a line like that. */
     private List<String> interrupted(String marker, String... arguments) throws IOException, InterruptedException {
+        return endedAt(marker, Stream.concat(Stream.of(arguments), Stream.of("--out", out.toString()))
+                .toList());
+    }
+
+    private static List<String> endedAt(String marker, List<String> arguments)
+            throws IOException, InterruptedException {
         var command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Dtroupe.progress.seconds=0",
                 "-cp",
                 System.getProperty("java.class.path"),
                 Main.class.getName()));
-        command.addAll(List.of(arguments));
-        command.addAll(List.of("--out", out.toString()));
+        command.addAll(arguments);
         var process = new ProcessBuilder(command).redirectErrorStream(true).start();
         var lines = new ArrayList<String>();
         try (var output = process.inputReader()) {
@@ -110,6 +119,26 @@ class InterruptTest {
         assertThat(Files.readAllLines(out.resolve("evaluation.csv"))).hasSizeGreaterThan(10);
         assertThat(out.resolve("evaluation-15.svg")).doesNotExist();
         assertThat(out.resolve("evaluation.log")).doesNotExist();
+    }
+
+    @Test
+    void replay_saysHowFarItCame() throws Exception {
+        Path recording = out.resolve("long.txt");
+        int ticks = 100_000;
+        try (var file = Files.newBufferedWriter(recording)) {
+            var world = World.create(
+                    ScenarioReader.read(Path.of("worlds/paper-arena.cfg")).world(), WorldSettings.DEFAULT);
+            try (var open = world.record(file)) {
+                for (int tick = 0; tick < ticks; tick++) {
+                    world.advance();
+                }
+            }
+        }
+        assertThat(endedAt(
+                        "[1-9][0-9]* of " + ticks + " ticks",
+                        List.of("replay", recording.toString(), "--world", "worlds/paper-arena.cfg")))
+                .anyMatch(line -> line.matches("interrupted: [1-9][0-9]* of " + ticks + " ticks of world .* were played"))
+                .anyMatch(line -> line.matches("robot1: [0-9.]+ m, [0-9]+ contacts?"));
     }
 
     @Test

@@ -8,6 +8,20 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred. Until it is settled, the actor keeps the request
  * with its arguments; if the actor ends first, the request is rejected, and settling the deferred has no effect on it.
+ *
+ * {@snippet :
+ * public Promise<Boolean> waitForCoin() {
+ *     coin = new Deferred<>();
+ *     return coin; // answered later
+ * }
+ *
+ * public void insertCoin() {
+ *     if (coin != null) {
+ *         coin.resolve(true);
+ *     }
+ * }
+ * }
+ *
  * <p><b>Threads.</b> Any thread may settle it; the first one wins.
  * <p><b>Errors.</b> A rejection that nobody listens to is reported to the error handler of the space it belongs to. One that was made outside every space belongs to
  * none, and its rejection is not reported: pass the space to the constructor, or listen.
@@ -33,6 +47,7 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         this.ifCancelled = ifCancelled;
     }
 
+    /** @hidden */
     @Override
     protected void cancelled() {
         if (ifCancelled != null) {
@@ -40,6 +55,7 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         }
     }
 
+    /** @hidden */
     @Override
     protected boolean madeOutside() {
         return madeOutside;
@@ -60,16 +76,19 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         follow(Objects.requireNonNull(other, "other"));
     }
 
+    /** @hidden */
     @Override
     protected @Nullable Home home() {
         return home;
     }
 
+    /** @hidden */
     @Override
     protected boolean isLocal() {
         return false;
     }
 
+    /** @hidden */
     @Override
     protected void run() {
         throw new IllegalStateException("a deferred promise is never queued");

@@ -17,6 +17,7 @@ public abstract class Home {
     private final Owner self;
     private Turn turn;
 
+    /** @hidden */
     @SuppressWarnings("this-escape") // owners keep the home, and ask it nothing before there is something to run
     protected Home() {
         outsider = new Owner(this, true);
@@ -33,6 +34,7 @@ public abstract class Home {
      * Declares the calling thread to be this home's until {@link #leaveThread}.
      *
      * @return whose it was before
+     * @hidden
      */
     protected final @Nullable Home enterThread() {
         Home before = CURRENT.get();
@@ -40,7 +42,11 @@ public abstract class Home {
         return before;
     }
 
-    /** Declares the calling thread to be what it was before. */
+    /**
+     * Declares the calling thread to be what it was before.
+     *
+     * @hidden
+     */
     protected static void leaveThread(@Nullable Home before) {
         if (before == null) {
             CURRENT.remove();
@@ -49,16 +55,32 @@ public abstract class Home {
         }
     }
 
-    /** Whether the calling thread is this home's. */
+    /**
+     * Whether the calling thread is this home's.
+     *
+     * @hidden
+     */
     protected abstract boolean isCurrent();
 
-    /** Queues a node; first in, first out per sender. */
+    /**
+     * Queues a node; first in, first out per sender.
+     *
+     * @hidden
+     */
     protected abstract void enqueue(Node node);
 
-    /** As {@link #enqueue} from another thread, whoever calls: behind what other threads have queued. */
+    /**
+     * As {@link #enqueue} from another thread, whoever calls: behind what other threads have queued.
+     *
+     * @hidden
+     */
     protected abstract void enqueueFromAfar(Node node);
 
-    /** As {@link #enqueue}, on this home's thread. */
+    /**
+     * As {@link #enqueue}, on this home's thread.
+     *
+     * @hidden
+     */
     protected abstract void enqueueAtHome(Node node);
 
     /**
@@ -66,21 +88,38 @@ public abstract class Home {
      * that does not wait for the home, unless the home's clock is moved by hand.
      *
      * @return takes it back, from any thread
+     * @hidden
      */
     protected abstract Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed);
 
-    /** A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still so. */
+    /**
+     * A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still so.
+     *
+     * @hidden
+     */
     protected abstract void rejected(Promise<?> promise, Throwable error);
 
-    /** A promise was rejected after all its listeners had been given up because of time limits. */
+    /**
+     * A promise was rejected after all its listeners had been given up because of time limits.
+     *
+     * @hidden
+     */
     protected void rejectedTooLate(Promise<?> promise, Throwable error) {
         rejected(promise, error);
     }
 
-    /** Lets others run until the promise is settled, if the caller is a sequential body; else throws. */
+    /**
+     * Lets others run until the promise is settled, if the caller is a sequential body; else throws.
+     *
+     * @hidden
+     */
     protected abstract void await(Promise<?> promise);
 
-    /** From now on this home's thread runs on behalf of that owner. */
+    /**
+     * From now on this home's thread runs on behalf of that owner.
+     *
+     * @hidden
+     */
     protected final void begin(Owner owner) {
         Turn now = turn;
         if (now.owner != owner) {
@@ -88,27 +127,47 @@ public abstract class Home {
         }
     }
 
-    /** From now on this home's thread runs on its own behalf. */
+    /**
+     * From now on this home's thread runs on its own behalf.
+     *
+     * @hidden
+     */
     protected final void beginForItself() {
         begin(self);
     }
 
-    /** On whose behalf this home's thread is running. */
+    /**
+     * On whose behalf this home's thread is running.
+     *
+     * @hidden
+     */
     protected final Owner owner() {
         return turn.owner;
     }
 
-    /** The owner of what runs on this home's own behalf. */
+    /**
+     * The owner of what runs on this home's own behalf.
+     *
+     * @hidden
+     */
     protected final Owner itself() {
         return self;
     }
 
-    /** To be called now and then, see {@link Turn}. */
+    /**
+     * To be called now and then, see {@link Turn}.
+     *
+     * @hidden
+     */
     protected final void renewTurn() {
         turn = new Turn(turn.owner);
     }
 
-    /** A duration in nanoseconds, or as many as can be counted: some 292 years. */
+    /**
+     * A duration in nanoseconds, or as many as can be counted: some 292 years.
+     *
+     * @hidden
+     */
     protected static long nanosOf(Duration duration) {
         try {
             return duration.toNanos();
@@ -119,27 +178,47 @@ public abstract class Home {
 
     // ---- what homes may do with nodes and promises
 
-    /** Runs a node. */
+    /**
+     * Runs a node.
+     *
+     * @hidden
+     */
     protected static void run(Node node) throws Throwable {
         node.run();
     }
 
-    /** Lets a node deal with what running it has thrown. */
+    /**
+     * Lets a node deal with what running it has thrown.
+     *
+     * @hidden
+     */
     protected static void threw(Node node, Throwable thrown) {
         node.threw(thrown);
     }
 
-    /** Whether a node goes to a mailbox. */
+    /**
+     * Whether a node goes to a mailbox.
+     *
+     * @hidden
+     */
     protected static boolean isMail(Node node) {
         return node.isMail();
     }
 
-    /** Whether a thread outside made the promise and may be just about to listen to it. */
+    /**
+     * Whether a thread outside made the promise and may be just about to listen to it.
+     *
+     * @hidden
+     */
     protected static boolean isMadeOutside(Promise<?> promise) {
         return promise.madeOutside();
     }
 
-    /** Whether anybody was or will be told how the promise ends. */
+    /**
+     * Whether anybody was or will be told how the promise ends.
+     *
+     * @hidden
+     */
     protected static boolean isHeard(Promise<?> promise) {
         return promise.isHeard();
     }
@@ -148,12 +227,17 @@ public abstract class Home {
      * Runs an action when the promise is settled, on whichever thread does that.
      *
      * @param isOver whether the action need not be run any more, so that the promise may forget it; asked by any thread
+     * @hidden
      */
     protected static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
         promise.register(new Relay(action, isOver));
     }
 
-    /** A promise of that home that is settled by hand; the action runs, on the calling thread, when it is cancelled. */
+    /**
+     * A promise of that home that is settled by hand; the action runs, on the calling thread, when it is cancelled.
+     *
+     * @hidden
+     */
     protected static <T extends @Nullable Object> Deferred<T> cancellable(Home home, Runnable ifCancelled) {
         return new Deferred<>(home, ifCancelled);
     }

@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> For generated code and for the rooms of this library, not for applications: a message, a request and a listener are
  * nodes, so that queueing one allocates nothing.
+ *
+ * @hidden
  */
 public abstract class Node {
     /** Link to another node; owned by the queue, or by the promise it listens to, that holds this node. */

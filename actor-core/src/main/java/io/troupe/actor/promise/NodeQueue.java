@@ -42,6 +42,8 @@ abstract class QueueTail extends QueueHeadPadding {
  * What a thread did before {@code offer} is visible to the thread that is given the node.
  * <p><b>Order.</b> First in, first out per offering thread; between threads, the order of their atomic exchanges.
  * <p><b>Cost.</b> One atomic exchange per offer, no allocation.
+ *
+ * @hidden
  */
 @SuppressWarnings("unused")
 public final class NodeQueue extends QueueTail {

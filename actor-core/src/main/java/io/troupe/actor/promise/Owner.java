@@ -8,6 +8,8 @@ import org.jspecify.annotations.Nullable;
  * On whose behalf something runs in a home: one life of an actor, or the home itself.
  *
  * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on any.
+ *
+ * @hidden
  */
 public class Owner {
     private static final int FEW = 8;

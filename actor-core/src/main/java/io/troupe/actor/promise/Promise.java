@@ -19,6 +19,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> What a request to an actor answers at once. Settled exactly once: fulfilled with a value or rejected with an error.
  * Made by calling an actor, by {@link Deferred}, or by {@link #of}.
+ *
+ * {@snippet :
+ * Promise<String> receipt = shop.price("lamp")
+ *         .thenCompose(price -> shop.buy("lamp", price))
+ *         .orTimeout(Duration.ofSeconds(2))
+ *         .exceptionally(error -> "not bought: " + error.getMessage());
+ * }
+ *
  * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered; registered elsewhere, on the
  * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). In a space it
  * is an entry of the callback queue, never a call on the stack of whoever settles the promise.
@@ -29,6 +37,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's {@code then}.
  */
 public abstract class Promise<T extends @Nullable Object> extends Settleable<T> {
+    /** @hidden */
     protected Promise() {}
 
     Promise(Object outcome) {
@@ -228,10 +237,18 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return done;
     }
 
-    /** It was cancelled by hand, on the calling thread. For promises whose work can be saved then. */
+    /**
+     * It was cancelled by hand, on the calling thread. For promises whose work can be saved then.
+     *
+     * @hidden
+     */
     protected void cancelled() {}
 
-    /** A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else waits. */
+    /**
+     * A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else waits.
+     *
+     * @hidden
+     */
     protected void timedOut() {}
 
     /**
@@ -283,7 +300,11 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return null;
     }
 
-    /** How far it has come, to be put behind its name in a message: empty, or beginning with a comma. */
+    /**
+     * How far it has come, to be put behind its name in a message: empty, or beginning with a comma.
+     *
+     * @hidden
+     */
     protected String progress() {
         return "";
     }

@@ -41,13 +41,25 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         VarHandle.storeStoreFence();
     }
 
-    /** Where listeners from outside every space run, and where a lost rejection is reported; null if nowhere. */
+    /**
+     * Where listeners from outside every space run, and where a lost rejection is reported; null if nowhere.
+     *
+     * @hidden
+     */
     protected abstract @Nullable Home home();
 
-    /** Whether it changes on its home's thread only. */
+    /**
+     * Whether it changes on its home's thread only.
+     *
+     * @hidden
+     */
     protected abstract boolean isLocal();
 
-    /** Whether it was made by a thread outside its home, which may need a moment to register a listener. */
+    /**
+     * Whether it was made by a thread outside its home, which may need a moment to register a listener.
+     *
+     * @hidden
+     */
     protected boolean madeOutside() {
         return false;
     }
@@ -107,6 +119,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /**
      * Whether it is settled, or all who have listened so far need its outcome no more; a thread whose wait is over may wait again. For promises that are not
      * local.
+     *
+     * @hidden
      */
     protected final boolean isGivenUp() {
         while (true) {
@@ -141,7 +155,11 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return settleAtHome(new Rejection(Objects.requireNonNull(error, "error")));
     }
 
-    /** Settles this promise as the other is, as {@link #follow}, on its home's thread. */
+    /**
+     * Settles this promise as the other is, as {@link #follow}, on its home's thread.
+     *
+     * @hidden
+     */
     protected final void followAtHome(Promise<? extends T> other) {
         Object outcome = other.outcomeNow();
         if (outcome == null || other == this) {
@@ -151,12 +169,20 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** The rest of {@link #followAtHome} if the other one is not settled yet. */
+    /**
+     * The rest of {@link #followAtHome} if the other one is not settled yet.
+     *
+     * @hidden
+     */
     protected void followPending(Promise<? extends T> other) {
         follow(other);
     }
 
-    /** As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has not settled}. */
+    /**
+     * As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has not settled}.
+     *
+     * @hidden
+     */
     protected final void follow(Promise<? extends T> other, Owner owner) {
         var answer = new OpenAnswer(this, owner);
         owner.open(answer);
@@ -183,17 +209,29 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return finish(listeners, outcome);
     }
 
-    /** Fulfils this promise; false if it was settled before. */
+    /**
+     * Fulfils this promise; false if it was settled before.
+     *
+     * @hidden
+     */
     protected final boolean settleValue(T value) {
         return settle(asOutcome(value));
     }
 
-    /** Rejects this promise; false if it was settled before. */
+    /**
+     * Rejects this promise; false if it was settled before.
+     *
+     * @hidden
+     */
     protected final boolean settleError(Throwable error) {
         return settle(new Rejection(Objects.requireNonNull(error, "error")));
     }
 
-    /** Settles this promise as the other is, as soon as it is. */
+    /**
+     * Settles this promise as the other is, as soon as it is.
+     *
+     * @hidden
+     */
     protected final void follow(Promise<? extends T> other) {
         if (other == this) {
             settleError(new IllegalStateException("a promise cannot wait for itself: " + this));

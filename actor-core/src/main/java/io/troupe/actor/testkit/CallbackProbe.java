@@ -10,6 +10,14 @@ import org.jspecify.annotations.Nullable;
  * A callback that records what it hears.
  *
  * <p><b>Role.</b> Made by {@link TestSpace#callback}, and passed to an actor or to a {@link io.troupe.actor.Topic}.
+ *
+ * {@snippet :
+ * CallbackProbe<Integer> colours = test.callback();
+ * camera.watch(colours);
+ * assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
+ * colours.expectFinished();
+ * }
+ *
  * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method that looks first serves what waits in the space.
  * <p><b>Errors.</b> A result or an end that comes after the end is an {@link IllegalStateException} of the sender.
  */

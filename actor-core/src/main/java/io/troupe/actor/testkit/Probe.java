@@ -22,6 +22,16 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Made by {@link TestSpace#probe}; {@link #actor} is what the code under test gets. It is an actor of that space as any other.
  * A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a {@link Callback}.
+ *
+ * {@snippet :
+ * Probe<Shop> shop = test.probe(Shop.class);
+ * Clerk clerk = test.spawn(Clerk.class, () -> new Clerk(shop.actor()));
+ * Promise<String> advice = clerk.advise("lamp");
+ * shop.expectCall("price(lamp)");
+ * shop.answer(20);
+ * assertThat(test.get(advice)).isEqualTo("wait");
+ * }
+ *
  * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first serves what waits in the space.
  * <p><b>Order.</b> Calls are in the order in which they were handled; requests are answered in that order too.
  * <p><b>Errors.</b> What the test got wrong, or did not get, is an {@link AssertionError} that lists the calls so far.

@@ -18,6 +18,15 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Made in a test, in a try-with-resources or with {@link #close} at its end: that is where forgotten errors, dead letters and
  * unserved messages fail the test.
+ *
+ * {@snippet :
+ * try (var test = new TestSpace()) {
+ *     Heater heater = test.spawn(Heater.class, Heater::new);
+ *     test.advance(Duration.ofMinutes(2));
+ *     assertThat(test.get(heater.degrees())).isEqualTo(20);
+ * } // close() fails the test if an error or a message was forgotten
+ * }
+ *
  * <p><b>Threads.</b> The test's thread; it is the space's thread while it cranks.
  */
 public final class TestSpace implements AutoCloseable {

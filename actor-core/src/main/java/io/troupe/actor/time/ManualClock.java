@@ -9,6 +9,16 @@ import java.util.concurrent.atomic.AtomicLong;
 /**
  * A clock that somebody else moves: a test, or a simulated world. Starts at zero.
  *
+ * {@snippet :
+ * ManualClock clock = new ManualClock();
+ * ActorSpace space = ActorSpace.create(
+ *         SpaceSettings.named("simulation").withClock(clock).withHandCrank());
+ * Promise<String> late = new Deferred<String>(space).orTimeout(Duration.ofSeconds(2));
+ * space.crank();
+ * clock.advance(Duration.ofSeconds(2));
+ * space.crank(); // serves the timers that are due
+ * }
+ *
  * <p><b>Threads.</b> Any thread. Spaces that use it wake up when it moves.
  */
 public final class ManualClock implements Clock {

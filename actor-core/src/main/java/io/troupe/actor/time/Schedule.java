@@ -4,6 +4,10 @@ package io.troupe.actor.time;
  * When a periodic timer runs next, in particular if it was late because its thread was busy.
  *
  * <p>The deadlines of the first two are one period apart, however long the runs take; only {@link #FIXED_DELAY} counts from the end of a run.
+ *
+ * {@snippet :
+ * cycle = every(Duration.ofMillis(100), Schedule.SKIP_MISSED, () -> log.add("cycle"));
+ * }
  */
 public enum Schedule {
     /**

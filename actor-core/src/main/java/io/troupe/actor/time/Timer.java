@@ -3,9 +3,17 @@ package io.troupe.actor.time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A task that waits on a {@link TimerWheel} for its moment.
+ * A task that waits for its deadline: what {@code after(..)} and {@code every(..)} of an actor return.
  *
- * <p><b>Threads.</b> The wheel's thread.
+ * {@snippet :
+ * public void pause() {
+ *     if (cycle != null) {
+ *         cycle.cancel();
+ *     }
+ * }
+ * }
+ *
+ * <p><b>Threads.</b> The thread of its space.
  */
 public final class Timer {
     /** The place of a timer that is neither on the wheel nor in its heap. */

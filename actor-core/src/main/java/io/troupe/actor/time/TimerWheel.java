@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> Setting and cancelling take constant time. A timer moves to a finer wheel up to seven times before it runs, and takes time in the logarithm of
  * the number of those that are due in the same millisecond, or overdue. Timers that are due later cost nothing meanwhile.
  * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 7 (1987).
+ *
+ * @hidden
  */
 public final class TimerWheel {
     /*

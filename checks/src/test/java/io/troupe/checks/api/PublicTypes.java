@@ -15,16 +15,16 @@ import javax.lang.model.element.Modifier;
 import javax.tools.ToolProvider;
 
 /** Reads the public top-level types of a source folder, with their Javadoc, by the compiler's own parser. */
-final class PublicTypes {
+public final class PublicTypes {
     /**
      * A public top-level type.
      *
      * @param name with its package
      * @param javadoc text of its comment in one line; empty if it has none
      */
-    record PublicType(String name, String javadoc) {
+    public record PublicType(String name, String javadoc) {
         /** Its comment says that it is public for technical reasons only. */
-        boolean isForTheLibraryOnly() {
+        public boolean isForTheLibraryOnly() {
             String text = javadoc.toLowerCase(java.util.Locale.ROOT);
             return text.contains("for generated code") || text.contains("for the rooms of this library");
         }
@@ -32,7 +32,7 @@ final class PublicTypes {
 
     private PublicTypes() {}
 
-    static List<PublicType> in(Path folder) throws IOException {
+    public static List<PublicType> in(Path folder) throws IOException {
         List<Path> sources;
         try (var files = Files.walk(folder)) {
             sources = files.filter(file -> file.toString().endsWith(".java"))

@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
- * The samples of a Markdown page, and whether a source holds them.
+ * The samples of a Markdown page or of Javadoc, and whether a source holds them.
  *
  * <p><b>Role.</b> A sample is cut in pieces by empty lines, and each piece must occur in one and the same source. What the formatter decides, and what no
  * compiler reads, does not count: white space, {@code //} comments, {@code @Override}.
@@ -16,6 +16,9 @@ import java.util.regex.Pattern;
 final class Samples {
     private static final Pattern FENCE = Pattern.compile("(?ms)^```(\\w*)\\n(.*?)^```$");
     private static final Pattern COMMENT = Pattern.compile("(?m)(?<![:\"])//.*$");
+    private static final Pattern JAVADOC = Pattern.compile("(?ms)^ */\\*\\*.*?\\*/");
+    private static final Pattern SNIPPET = Pattern.compile("(?m)^ *\\* \\{@snippet :\\n");
+    private static final Pattern STAR = Pattern.compile("(?m)^ *\\* ?");
     private static final Pattern SPACE = Pattern.compile("\\s+");
     private static final Pattern SPACE_BESIDE_A_SIGN = Pattern.compile(" (?=\\W)|(?<=\\W) ");
 
@@ -45,9 +48,33 @@ final class Samples {
         return samples;
     }
 
+    /** The Java samples in the Javadoc of a source: its inline {@code @snippet} tags, as they are printed. */
+    static List<Sample> ofJavadoc(String source, String java) {
+        List<Sample> samples = new ArrayList<>();
+        var snippets = SNIPPET.matcher(java);
+        while (snippets.find()) {
+            int line = (int) java.substring(0, snippets.start()).lines().count() + 1;
+            String code = java.substring(snippets.end(), endOfSnippet(java, snippets.end()));
+            samples.add(new Sample(source, line, "java", STAR.matcher(code).replaceAll("")));
+        }
+        return samples;
+    }
+
+    /** Where the brace is that closes an inline tag; its content has as many that open as that close. */
+    private static int endOfSnippet(String java, int start) {
+        int depth = 1;
+        for (int end = start; end < java.length(); end++) {
+            depth += java.charAt(end) == '{' ? 1 : java.charAt(end) == '}' ? -1 : 0;
+            if (depth == 0) {
+                return end;
+            }
+        }
+        throw new IllegalArgumentException("a snippet without an end: " + java.substring(start));
+    }
+
     /** The text without what does not count. */
     static String essence(String java) {
-        String code = COMMENT.matcher(java).replaceAll("").replace("@Override", "");
+        String code = COMMENT.matcher(JAVADOC.matcher(java).replaceAll("")).replaceAll("").replace("@Override", "");
         String spaced = SPACE.matcher(code).replaceAll(" ").strip();
         return SPACE_BESIDE_A_SIGN.matcher(spaced).replaceAll("");
     }

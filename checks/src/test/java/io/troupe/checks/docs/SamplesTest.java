@@ -3,6 +3,7 @@ package io.troupe.checks.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.checks.Repository;
+import io.troupe.checks.api.PublicTypes;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,6 +39,68 @@ class SamplesTest {
             }
         }
         assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
+    }
+
+    @Test
+    void samplesInJavadoc_occurInCompiledSources() throws IOException {
+        var sources = essences();
+        var missing = new TreeMap<String, Set<String>>();
+        int count = 0;
+        for (Path source : Repository.javaSources()) {
+            if (source.toString().contains("/src/main/")) {
+                for (var sample : Samples.ofJavadoc(source.getFileName().toString(), Files.readString(source))) {
+                    count++;
+                    var pieces = Samples.missing(sample, sources);
+                    if (!pieces.isEmpty()) {
+                        missing.put(sample.toString(), pieces);
+                    }
+                }
+            }
+        }
+        assertThat(count).as("samples").isGreaterThan(20);
+        assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
+    }
+
+    /** What a page of the API says without a sample: exceptions, and types that users meet without writing their names. */
+    private static final Set<String> WITHOUT_A_SAMPLE = Set.of(
+            "ActorException", "ActorStoppedException", "ActorTypeException", "MailboxFullException", "Clock", "Home");
+
+    @Test
+    void typesOfActorCore_haveASample() throws IOException {
+        Path folder = Repository.root().resolve("actor-core/src/main/java");
+        var types = PublicTypes.in(folder);
+        assertThat(types)
+                .filteredOn(type -> !type.isForTheLibraryOnly())
+                .filteredOn(type -> WITHOUT_A_SAMPLE.stream().noneMatch(name -> type.name().endsWith("." + name)))
+                .hasSizeGreaterThan(20)
+                .allSatisfy(type -> assertThat(type.javadoc()).as(type.name()).contains("{@snippet"));
+    }
+
+    @Test
+    void samplesInJavadoc_areFound_andAreNoSources() {
+        var source = """
+                /**
+                 * Helps.
+                 *
+                 * {@snippet :
+                 * void set(int x) {
+                 *     this.x = x;
+                 * }
+                 *
+                 * lamp.set(1);
+                 * }
+                 *
+                 * {@snippet lang = "text":
+                 * not Java
+                 * }
+                 */
+                class Lamp {}
+                """;
+        var samples = Samples.ofJavadoc("Lamp.java", source);
+        assertThat(samples).hasSize(1);
+        assertThat(samples.getFirst().pieces()).containsExactly("void set(int x) {\n    this.x = x;\n}", "lamp.set(1);");
+        assertThat(Samples.missing(samples.getFirst(), Map.of("Lamp.java", Samples.essence(source))))
+                .hasSize(2);
     }
 
     @Test

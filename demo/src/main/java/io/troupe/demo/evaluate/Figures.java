@@ -62,7 +62,7 @@ final class Figures {
         }
         Bars last = series.getLast();
         String title = Findings.format(
-                "%s: both services take %s, by themselves %s and %s",
+                "%s: both services take %s, the wall follower %s and the space wanderer %s",
                 mode,
                 seconds(last, Measurement.BOTH),
                 seconds(last, Findings.FOLLOWER),

@@ -1,8 +1,11 @@
 package io.troupe.demo.serve;
 
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.sim.RecordingException;
 import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.scenario.RobotSpec;
@@ -18,6 +21,7 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -45,23 +49,38 @@ public final class ReplayCommand implements Callable<Integer> {
         WorldSpec world = worlds.scenario().world();
         Replay replay = read();
         var travelled = new Travelled(world.robots().size());
-        long checksum;
+        PrintWriter terminal = spec.commandLine().getOut();
+        try (var interruption = Interruption.open()) {
+            try {
+                long checksum = play(replay, world, travelled, interruption);
+                terminal.printf(
+                        Locale.ROOT,
+                        "%s of world %s, the same bit for bit; checksum %08x%n",
+                        Plural.of(replay.ticks(), "tick"),
+                        world.name(),
+                        checksum);
+            } catch (InterruptedCommand interrupted) {
+                terminal.println("interrupted: " + travelled.ticks + " of " + Plural.of(replay.ticks(), "tick")
+                        + " of world " + world.name() + " were played");
+            }
+            print(travelled, world.robots(), terminal);
+            return interruption.isRequested() ? Interruption.STATUS : 0;
+        }
+    }
+
+    private static long play(Replay replay, WorldSpec world, Travelled travelled, Interruption interruption) {
         try (var line = TerminalLine.open()) {
-            checksum = replay.play(world, snapshot -> {
+            return replay.play(world, snapshot -> {
+                interruption.check();
                 travelled.add(snapshot);
                 if (snapshot.tick() % TICKS_PER_REPORT == 0) {
                     line.show("", snapshot.tick() + " of " + replay.ticks() + " ticks");
                 }
             });
         }
-        PrintWriter terminal = spec.commandLine().getOut();
-        terminal.printf(
-                Locale.ROOT,
-                "%s of world %s, the same bit for bit; checksum %08x%n",
-                Plural.of(replay.ticks(), "tick"),
-                world.name(),
-                checksum);
-        List<RobotSpec> robots = world.robots();
+    }
+
+    private static void print(Travelled travelled, List<RobotSpec> robots, PrintWriter terminal) {
         for (int i = 0; i < robots.size(); i++) {
             terminal.printf(
                     Locale.ROOT,
@@ -71,14 +90,16 @@ public final class ReplayCommand implements Callable<Integer> {
                     Plural.of(travelled.contacts[i], "contact"));
         }
         terminal.flush();
-        return 0;
     }
 
     private Replay read() throws IOException {
         try (var reader = Files.newBufferedReader(recording)) {
             return Replay.read(reader);
         } catch (CharacterCodingException e) {
-            throw new IOException(recording + " is not a recording: it is not text", e);
+            throw new ParameterException(
+                    spec.commandLine(), recording + " is not a recording: it is not text", e);
+        } catch (RecordingException e) {
+            throw new ParameterException(spec.commandLine(), recording + ": " + e.getMessage(), e);
         }
     }
 
@@ -88,6 +109,7 @@ public final class ReplayCommand implements Callable<Integer> {
         private final int[] contacts;
         private final double[] x;
         private final double[] y;
+        private long ticks;
 
         Travelled(int robots) {
             distanceM = new double[robots];
@@ -97,6 +119,7 @@ public final class ReplayCommand implements Callable<Integer> {
         }
 
         void add(Snapshot snapshot) {
+            ticks = snapshot.tick();
             for (int i = 0; i < x.length; i++) {
                 var pose = snapshot.robots().get(i).pose();
                 if (snapshot.tick() > 0) {

@@ -44,7 +44,7 @@ class FiguresTest {
         assertThat(charts.keySet())
                 .containsExactly("evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
         assertThat(texts(charts.get("evaluation-15")))
-                .contains("sync: both services take 8 s, by themselves 4 s and 1 s")
+                .contains("sync: both services take 8 s, the wall follower 4 s and the space wanderer 1 s")
                 .contains("JVM with 2 cores", "JVM with 3 cores", "Simulated time, s for 1000 loops");
         String title = "Both services take: sync 8 s, callback 4.01 s, promise 4 s";
         assertThat(texts(charts.get("evaluation-23")))

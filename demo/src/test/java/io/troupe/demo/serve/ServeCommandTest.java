@@ -106,6 +106,19 @@ class ServeCommandTest {
         assertThat(out.toString()).contains("made in another world");
     }
 
+    @Test
+    void fileThatIsNoRecording_isStatus2() throws Exception {
+        Path file = directory.resolve("session.txt");
+        String world = WORLDS.resolve("paper-arena.cfg").toString();
+        Files.writeString(file, "troupe-recording 1\nworld x\nsettings y\n");
+        assertThat(replay(file.toString(), "--world", world)).isEqualTo(2);
+        assertThat(out.toString()).contains(file + ": line 3 of the recording: settings 'y'");
+
+        Files.write(file, new byte[] {(byte) 0xFF, (byte) 0xFE});
+        assertThat(replay(file.toString(), "--world", world)).isEqualTo(2);
+        assertThat(out.toString()).contains(file + " is not a recording: it is not text");
+    }
+
     private int replay(String... arguments) {
         return execute(new ReplayCommand(), arguments);
     }

@@ -46,6 +46,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     private final List<List<DeviceCommand.Velocity>> commands;
     private final Set<Integer> stalled = new HashSet<>();
     private final Set<Integer> withLaser = new HashSet<>();
+    private final Set<Integer> slowLasers = new HashSet<>();
     private long tick;
     private int connectionsMade;
     private boolean refuses;
@@ -86,6 +87,15 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     /** The robot has a laser of three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
     public void giveLaser(int robot) {
         withLaser.add(robot);
+    }
+
+    /** From now on the robot's laser publishes nothing, or, if it is not slow, publishes again. */
+    void setLaserSlow(int robot, boolean slow) {
+        if (slow) {
+            slowLasers.add(robot);
+        } else {
+            slowLasers.remove(robot);
+        }
     }
 
     /** How many connections have subscribed to a robot's laser. */
@@ -197,6 +207,8 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
                     number,
                     seconds,
                     subscribed.stream()
+                            .filter(device -> device.interfaceCode() != Interfaces.LASER.code()
+                                    || !slowLasers.contains(device.index()))
                             .map(device -> new DataMessage(device, seconds, read(device)))
                             .toList()));
         }

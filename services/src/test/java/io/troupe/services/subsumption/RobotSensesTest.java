@@ -126,6 +126,34 @@ class RobotSensesTest {
     }
 
     @Test
+    void serviceWithoutLaser_getsNoScan_evenIfAnotherOfItsRobotHasSubscribed() {
+        robots.giveLaser(0);
+        var services = services(scanning, looking);
+        var first = running();
+        services.serve(0, scanning, first, new AtomicReference<>(0), ColourRule.NONE);
+        robots.tick(100);
+        test.get(services.stop(first));
+        serve(services, 0, looking);
+        robots.tick(100);
+        robots.tick(100);
+        assertThat(robots.laserSubscriptions(0)).isOne();
+        assertThat(readings).extracting(each -> each.laser().size()).containsExactly(3, 0, 0);
+    }
+
+    @Test
+    void serviceThatTheTableDoesNotHave_isRefusedWithoutALaser_andItsRobotCanBeServedAgain() {
+        var services = services(looking, looking);
+        var end = services.serve(0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);
+        test.crank();
+        assertThat(test.error(end)).isInstanceOf(PlayerException.class).hasMessageContaining("laser:0");
+        assertThat(robots.connections()).isZero();
+        serve(services, 0, looking);
+        robots.tick(100);
+        assertThat(robots.connections()).isOne();
+        assertThat(readings).hasSize(1);
+    }
+
+    @Test
     void robotWithoutLaser_isAnErrorThatNamesIt() {
         var services = services(scanning, looking);
         var end = services.serve(0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);

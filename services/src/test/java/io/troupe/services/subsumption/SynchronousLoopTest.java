@@ -101,6 +101,34 @@ class SynchronousLoopTest {
     }
 
     @Test
+    void services_waitForTheFirstScanOfASlowLaser() throws InterruptedException {
+        robots.giveLaser(1);
+        robots.setLaserSlow(1, true);
+        List<Integer> sizes = Collections.synchronizedList(new ArrayList<>());
+        var scanning = new Service("scanning", false, () -> senses -> {
+                    sizes.add(senses.laser().size());
+                    return Optional.empty();
+                })
+                .withLaser();
+        var table = SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, WF, scanning)
+                .allowFinal()
+                .build();
+        var settings = new SubsumptionRun.Settings(
+                Mode.SYNC, "localhost", FakeRobots.PORT, table, Clock.system(), charge, (state, seenBy) -> {});
+        try (var run = SubsumptionRun.start(settings)) {
+            robots.tickAndAwait(100);
+            robots.tickAndAwait(100);
+            assertCommands(0, 0);
+            robots.setLaserSlow(1, false);
+            robots.tickAndAwait(100);
+            robots.tickAndAwait(100);
+            run.check();
+        }
+        assertThat(sizes).containsExactly(3);
+    }
+
+    @Test
     void dataThatComeMoreOftenThanACycle_arePassedOver() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings)) {
             for (int i = 0; i < 8; i++) {

@@ -1,0 +1,448 @@
+package io.troupe.actor.guide;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.Callback;
+import io.troupe.actor.DeadLetter;
+import io.troupe.actor.ErrorHandler;
+import io.troupe.actor.Leftovers;
+import io.troupe.actor.MailboxBound;
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.SpaceMetrics;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.Stall;
+import io.troupe.actor.Supervision;
+import io.troupe.actor.Topic;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Outcome;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.CallbackProbe;
+import io.troupe.actor.testkit.Probe;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.time.Schedule;
+import io.troupe.actor.time.Timer;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The samples in the Javadoc of actor-core, each with what its comments say; {@code SamplesTest} compares the texts. */
+class JavadocSamplesTest {
+    private final List<String> log = new ArrayList<>();
+
+    interface Greeter {
+        Promise<String> greet(String name);
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void actorSpace_spawnsAnActor_thatAnswers() {
+        try (ActorSpace space = ActorSpace.create(SpaceSettings.named("hello"))) {
+            Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+            greeter.greet("Ada").then(text -> log.add(text)); // on the thread of the space
+        } // close() serves what was queued
+
+        assertThat(log).containsExactly("Hello, Ada");
+    }
+
+    static class Heater extends Actor {
+        private int degrees = 18;
+
+        @Override
+        protected void started() {
+            every(Duration.ofMinutes(1), () -> degrees++);
+        }
+
+        public void set(int newDegrees) {
+            degrees = newDegrees;
+        }
+
+        public Promise<Integer> degrees() {
+            return Promise.of(degrees);
+        }
+    }
+
+    @Test
+    void actor_isTheTypeThatOthersCall() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Heater heater = space.spawn(Heater.class, Heater::new); // a proxy
+            heater.set(20); // a message
+
+            test.advance(Duration.ofMinutes(3));
+            assertThat(test.get(heater.degrees())).isEqualTo(23);
+        }
+    }
+
+    static class Counter extends Actor {
+        private int count;
+
+        public void add(int amount) {
+            if (amount < 0) {
+                throw new IllegalArgumentException("amount is " + amount);
+            }
+            count += amount;
+        }
+
+        public Promise<Integer> count() {
+            return Promise.of(count);
+        }
+    }
+
+    @Test
+    void actorSettings_nameBoundAndSuperviseAnActor() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            ActorSettings settings = ActorSettings.named("counter")
+                    .withSupervision(Supervision.restart(3, Duration.ofMinutes(1)))
+                    .withMailbox(1_000, Overflow.REJECT);
+            Counter counter = space.spawn(Counter.class, Counter::new, settings);
+
+            assertThat(counter).hasToString("counter");
+            counter.add(5);
+            counter.add(-1);
+            assertThat(test.get(counter.count())).isZero(); // a fresh instance
+            assertThat(test.takeProblems())
+                    .extracting(TestSpace.Problem::where)
+                    .containsExactly("add(int) of counter");
+        }
+    }
+
+    @Test
+    void supervision_restartsTwice_thenStops() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            ActorSettings settings =
+                    ActorSettings.DEFAULT.withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
+            Counter counter = space.spawn(Counter.class, Counter::new, settings);
+            counter.add(-1); // restarts
+            counter.add(-1); // restarts
+            counter.add(-1); // the third failure within ten seconds: the actor stops
+
+            assertThat(test.error(counter.count())).isInstanceOf(ActorStoppedException.class);
+            assertThat(test.takeProblems()).hasSize(3);
+        }
+    }
+
+    interface Printer {
+        void print(String page);
+    }
+
+    @Test
+    void mailboxBound_dropsTheOldest() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            MailboxBound newestOnly = new MailboxBound(1, Overflow.DROP_OLDEST);
+            ActorSettings settings = ActorSettings.named("printer")
+                    .withMailbox(newestOnly.capacity(), newestOnly.overflow());
+            Printer printer = space.spawn(Printer.class, () -> log::add, settings);
+            printer.print("first");
+            printer.print("second"); // takes the place of the first, which becomes a dead letter
+
+            test.crank();
+            assertThat(log).containsExactly("second");
+            assertThat(test.takeDeadLetters()).extracting(DeadLetter::message).containsExactly("print(first)");
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void spaceSettings_sayWhereReportsGo() throws Exception {
+        var reported = new Deferred<String>();
+        var undelivered = new Deferred<DeadLetter>();
+        ErrorHandler onError = (where, error) -> reported.resolve(where + ": " + error.getMessage());
+        Consumer<DeadLetter> onDeadLetter = undelivered::resolve;
+        Consumer<Stall> onStall = stall -> log.add(stall.toString());
+
+        SpaceSettings settings = SpaceSettings.named("shop")
+                .withOnError(onError)
+                .withOnDeadLetter(onDeadLetter)
+                .withOnStall(Duration.ofSeconds(30), onStall);
+        ActorSpace space = ActorSpace.create(settings);
+
+        Counter counter = space.spawn(Counter.class, Counter::new);
+        counter.add(-1);
+        assertThat(reported.get(Duration.ofSeconds(30))).startsWith("add(int) of Counter#1: amount is -1");
+        space.close();
+        counter.add(1);
+        assertThat(undelivered.get(Duration.ofSeconds(30)).message()).isEqualTo("add(1)");
+    }
+
+    @Test
+    void errorHandler_isAFunction() {
+        ErrorHandler handler = (where, error) -> log.add(where + " failed: " + error.getMessage());
+        SpaceSettings settings = SpaceSettings.named("shop").withOnError(handler);
+
+        settings.onError().handle("here", new IllegalStateException("why"));
+        assertThat(log).containsExactly("here failed: why");
+    }
+
+    @Test
+    void deadLetter_namesItsActor_andTheReason() {
+        Consumer<DeadLetter> onDeadLetter = letter -> log.add(letter.message() + " to " + letter.actor());
+        ActorSpace space = ActorSpace.create(
+                SpaceSettings.named("shop").withOnDeadLetter(onDeadLetter).withHandCrank());
+        Counter counter = space.spawn(Counter.class, Counter::new);
+        space.close();
+        counter.add(1); // too late
+
+        assertThat(log).containsExactly("add(1) to Counter#1");
+    }
+
+    @Test
+    void stall_namesItsSpace_andHowLong() {
+        Consumer<Stall> onStall = stall -> log.add(stall.space() + ": " + stall.atLeast());
+        SpaceSettings settings = SpaceSettings.named("shop").withOnStall(Duration.ofMillis(200), onStall);
+
+        settings.onStall().accept(new Stall("shop", Duration.ofMillis(250), List.of()));
+        assertThat(log).containsExactly("shop: PT0.25S");
+    }
+
+    @Test
+    void leftovers_countWhatAClosedSpaceHadNotDone() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withHandCrank());
+            space.spawn(Heater.class, Heater::new);
+            space.crank();
+
+            Leftovers left = space.close(Duration.ofSeconds(5));
+            if (!left.isEmpty()) {
+                System.getLogger("shop").log(System.Logger.Level.WARNING, "not done: " + left);
+            }
+
+            assertThat(left.isEmpty()).isTrue(); // timers alone are nothing that was not done
+            test.crank();
+        }
+    }
+
+    @Test
+    void metrics_areReadFromAnyThread() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            space.spawn(Heater.class, Heater::new);
+            SpaceMetrics metrics = space.metrics();
+            String line = metrics.actors() + " actors, " + metrics.waiting() + " waiting, behind by " + metrics.latency();
+
+            assertThat(line).startsWith("0 actors, 1 waiting");
+            test.crank();
+            assertThat(metrics.actors()).isOne();
+        }
+    }
+
+    interface Camera {
+        void watch(Callback<Integer> colours);
+    }
+
+    static class FakeCamera implements Camera {
+        @Override
+        public void watch(Callback<Integer> colours) {
+            colours.next(0xFF0000);
+            colours.next(0x00FF00);
+            colours.finish();
+        }
+    }
+
+    @Test
+    void callback_bringsManyResults_andItsEndToAStream() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Camera camera = space.spawn(Camera.class, FakeCamera::new);
+            camera.watch((colour, error) -> log.add("saw " + colour));
+
+            var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
+            camera.watch(stream); // stream.cancel() ends it
+
+            test.crank();
+            assertThat(log).containsExactly("saw 16711680", "saw 65280", "got 16711680", "got 65280", "end null");
+        }
+    }
+
+    @Test
+    void topic_bringsValuesToSubscribers() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Topic<Integer> colours = Topic.latest(space, "colours");
+            colours.publish(0xFF0000);
+            Callback.Stream<Integer> subscription = colours.subscribe(colour -> log.add("saw " + colour));
+            colours.publish(0x00FF00); // returns 1: the number of subscribers
+
+            test.crank();
+            assertThat(log).containsExactly("saw 16711680", "saw 65280");
+            subscription.cancel();
+            assertThat(colours.publish(1)).isZero();
+        }
+    }
+
+    interface Shop {
+        Promise<Integer> price(String item);
+
+        Promise<String> buy(String item, int price);
+    }
+
+    @Test
+    void promise_isChained() {
+        try (var test = new TestSpace()) {
+            Probe<Shop> probe = test.probe(Shop.class);
+            Shop shop = probe.actor();
+            Promise<String> receipt = shop.price("lamp")
+                    .thenCompose(price -> shop.buy("lamp", price))
+                    .orTimeout(Duration.ofSeconds(2))
+                    .exceptionally(error -> "not bought: " + error.getMessage());
+
+            receipt.then(text -> log.add(text));
+            probe.answer(20);
+            probe.expectCall("price(lamp)");
+            probe.expectCall("buy(lamp, 20)");
+            probe.answer("receipt no 7");
+            assertThat(log).containsExactly("receipt no 7");
+        }
+    }
+
+    static class Turnstile extends Actor {
+        private @Nullable Deferred<Boolean> coin;
+
+        public Promise<Boolean> waitForCoin() {
+            coin = new Deferred<>();
+            return coin; // answered later
+        }
+
+        public void insertCoin() {
+            if (coin != null) {
+                coin.resolve(true);
+            }
+        }
+    }
+
+    @Test
+    void deferred_isSettledLater() {
+        try (var test = new TestSpace()) {
+            Turnstile turnstile = test.spawn(Turnstile.class, Turnstile::new);
+            Promise<Boolean> open = turnstile.waitForCoin();
+            test.crank();
+            assertThat(open.isDone()).isFalse();
+            turnstile.insertCoin();
+            assertThat(test.get(open)).isTrue();
+        }
+    }
+
+    @Test
+    void outcomes_areMatchedByType() {
+        try (var test = new TestSpace()) {
+            Promise<String> first = Promise.of("lamp");
+            Promise<String> second = Promise.failed(new IllegalStateException("sold out"));
+            Promise.allSettled(List.of(first, second)).then(outcomes -> {
+                for (Outcome<String> outcome : outcomes) {
+                    log.add(
+                            switch (outcome) {
+                                case Outcome.Fulfilled<String>(var value) -> value;
+                                case Outcome.Rejected<String>(var error) -> error.getMessage();
+                            });
+                }
+            });
+
+            test.crank();
+            assertThat(log).containsExactly("lamp", "sold out");
+        }
+    }
+
+    @Test
+    void testSpace_movesTheClockByHand() {
+        try (var test = new TestSpace()) {
+            Heater heater = test.spawn(Heater.class, Heater::new);
+            test.advance(Duration.ofMinutes(2));
+            assertThat(test.get(heater.degrees())).isEqualTo(20);
+        } // close() fails the test if an error or a message was forgotten
+    }
+
+    static class Clerk extends Actor {
+        private final Shop shop;
+
+        Clerk(Shop shop) {
+            this.shop = shop;
+        }
+
+        public Promise<String> advise(String item) {
+            return shop.price(item).thenApply(price -> price > 10 ? "wait" : "buy");
+        }
+    }
+
+    @Test
+    void probe_standsInForAnActor() {
+        try (var test = new TestSpace()) {
+            Probe<Shop> shop = test.probe(Shop.class);
+            Clerk clerk = test.spawn(Clerk.class, () -> new Clerk(shop.actor()));
+            Promise<String> advice = clerk.advise("lamp");
+            shop.expectCall("price(lamp)");
+            shop.answer(20);
+            assertThat(test.get(advice)).isEqualTo("wait");
+        }
+    }
+
+    @Test
+    void callbackProbe_recordsResults() {
+        try (var test = new TestSpace()) {
+            Camera camera = test.spawn(Camera.class, FakeCamera::new);
+            CallbackProbe<Integer> colours = test.callback();
+            camera.watch(colours);
+            assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
+            colours.expectFinished();
+        }
+    }
+
+    @Test
+    void manualClock_isTheClockOfASpace() {
+        ManualClock clock = new ManualClock();
+        ActorSpace space = ActorSpace.create(
+                SpaceSettings.named("simulation").withClock(clock).withHandCrank());
+        Promise<String> late = new Deferred<String>(space).orTimeout(Duration.ofSeconds(2));
+        space.crank();
+        clock.advance(Duration.ofSeconds(2));
+        space.crank(); // serves the timers that are due
+
+        assertThat(late.error()).isInstanceOf(TimeoutException.class);
+        space.close();
+    }
+
+    static class Controller extends Actor {
+        private final List<String> log;
+        private @Nullable Timer cycle;
+
+        Controller(List<String> log) {
+            this.log = log;
+        }
+
+        @Override
+        protected void started() {
+            cycle = every(Duration.ofMillis(100), Schedule.SKIP_MISSED, () -> log.add("cycle"));
+        }
+
+        public void pause() {
+            if (cycle != null) {
+                cycle.cancel();
+            }
+        }
+    }
+
+    @Test
+    void schedule_andTimer_ofAControlLoop() {
+        try (var test = new TestSpace()) {
+            Controller controller = test.spawn(Controller.class, () -> new Controller(log));
+            test.advance(Duration.ofMillis(250));
+            controller.pause();
+            test.advance(Duration.ofMillis(250));
+            assertThat(log).containsExactly("cycle", "cycle");
+        }
+    }
+}
