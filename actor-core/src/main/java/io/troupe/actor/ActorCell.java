@@ -368,16 +368,12 @@ public final class ActorCell {
                 if (call instanceof Message message) {
                     message.invoke(target);
                 } else {
-                    ask((Request<?>) call, target);
+                    ((Request<?>) call).serveWith(target);
                 }
             } catch (Throwable thrown) {
                 space.fail(call, thrown); // the call's own failure, though another was its ticket
             }
         }
-    }
-
-    private static <T extends @Nullable Object> void ask(Request<T> request, Object target) throws Throwable {
-        request.answer(request.invoke(target));
     }
 
     /** The call that would be served with this ticket. */

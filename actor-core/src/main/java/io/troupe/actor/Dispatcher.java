@@ -7,6 +7,7 @@ import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -16,7 +17,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. Before each mail the inbox of
  * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
  * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
- * calls of one sender to one receiver keep their order. Callbacks come before mails, but after {@value #QUOTA} in a row one mail, the inbox and the
+ * calls of one sender to one receiver keep their order. A request whose answer has one listener hands that on: it is served next, as it would be from its
+ * ring. Callbacks come before mails, those of the inbox too, but after {@value #QUOTA} in a row one mail, the inbox and the
  * timers have their turn; a mail from the inbox only if no callback is left that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
  * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
@@ -86,7 +88,7 @@ final class Dispatcher {
         if ((++passes & RENEWAL) == 0) {
             renew();
         }
-        boolean worked = drainInbox();
+        boolean worked = drainInbox(true);
         worked |= drainRings();
         worked |= quota > 0 && timers.runDue(runTask) > 0;
         if (!worked && space.isCrankedByHand()) { // one with a thread does so before it sleeps
@@ -184,13 +186,36 @@ final class Dispatcher {
      * {@link #direct}, so that one that never ends was seen to begin.
      */
     void serve(Node node) {
+        Node next = serveOne(node);
+        if (next != null) {
+            serveNext(next);
+        }
+    }
+
+    private @Nullable Node serveOne(Node node) {
+        Node next = null;
         try {
-            SpaceHome.runNode(node);
+            next = SpaceHome.serveNode(node);
         } catch (Throwable thrown) {
             space.fail(node, thrown);
         }
         if (turnLeavesWork) {
             endTurn();
+        }
+        return next;
+    }
+
+    /** The one listener of the answer that was just given, which would have been the next callback in its ring; none follows it this way. */
+    private void serveNext(Node callback) {
+        if (quota == 0) { // the turn has halted this dispatcher
+            space.enqueueCallback(callback);
+        } else {
+            direct.step();
+            callbackQuota = quota - 1;
+            serveOne(callback);
+            if (callbacks.isEmpty() && !callbackInbox.isReady()) {
+                callbackQuota = quota; // a mail comes next
+            }
         }
     }
 
@@ -227,14 +252,24 @@ final class Dispatcher {
         }
     }
 
-    private boolean drainInbox() {
+    /** @param withCallbacks whether callbacks may be served between the mails; else the mails behind them join their ring */
+    private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();
         int untilLook = stride;
         try {
             for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
-                // what the mail's sender queued before it is among the callbacks
-                boolean behind = takeCallbacks() || !callbacks.isEmpty() || !mails.isEmpty();
+                takeCallbacks(); // among them is what the mail's sender queued before it
+                boolean callbacksFirst = withCallbacks && !callbacks.isEmpty();
+                while (withCallbacks && callbackQuota > 1 && !callbacks.isEmpty()) {
+                    callbackQuota--;
+                    serveOne(Objects.requireNonNull(callbacks.poll()));
+                    worked = true;
+                }
+                if (quota == 0) {
+                    break; // a callback has halted this dispatcher
+                }
+                boolean behind = !callbacks.isEmpty() || !mails.isEmpty();
                 if (behind) {
                     mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
                     precedence.note(mails.added(), callbacks.added(), mails.taken());
@@ -244,6 +279,9 @@ final class Dispatcher {
                 if (behind) {
                     mails.add(last);
                 } else {
+                    if (callbacksFirst) {
+                        callbackQuota = quota; // it is their mail that comes now
+                    }
                     direct.step();
                     serve(last);
                     if (--untilLook == 0) {
@@ -290,6 +328,9 @@ final class Dispatcher {
     private boolean drainRings() {
         boolean worked = false;
         int untilLook = stride;
+        if (callbacks.isEmpty() && !callbackInbox.isReady()) {
+            callbackQuota = quota;
+        }
         for (int count = 0; count < quota; count++) {
             if (callbackInbox.isReady()) {
                 takeCallbacks();
@@ -316,7 +357,7 @@ final class Dispatcher {
     private @Nullable Node mailAfterQuota() {
         callbackQuota = quota;
         if (mails.isEmpty()) {
-            drainInbox(); // for a mail that waits there
+            drainInbox(false); // for a mail that waits there
         }
         if (mails.isEmpty() || quota == 0) {
             return null;
@@ -337,7 +378,7 @@ final class Dispatcher {
                 callbackQuota = quota;
                 return false;
             }
-            serve(callback);
+            serveOne(callback);
         }
         return true;
     }

@@ -31,13 +31,19 @@ public abstract class Message extends Node {
         return cell;
     }
 
-    /** Generated classes have the same again, so that each has a call of its own that the compiler can bind. */
+    /** Repeated in each generated class, to keep its call of {@code invoke} monomorphic. */
     @Override
-    protected void run() throws Throwable {
+    protected @Nullable Node serve() throws Throwable {
         Object target = target();
         if (target != null) {
             invoke(target);
         }
+        return null;
+    }
+
+    @Override
+    protected final void run() throws Throwable {
+        serve();
     }
 
     /** Who is to handle it now; null if that has been done another way. */

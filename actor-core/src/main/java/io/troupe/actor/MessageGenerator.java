@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import static org.objectweb.asm.Opcodes.*;
 
+import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import org.objectweb.asm.ClassWriter;
@@ -38,7 +39,7 @@ final class MessageGenerator {
                     .visitEnd();
         }
         constructor(writer, parent);
-        run(writer, parent);
+        serve(writer, parent);
         invoke(writer);
         methodName(writer);
         argumentArray(writer);
@@ -69,9 +70,10 @@ final class MessageGenerator {
     }
 
     /** What the parent does, with an {@code invoke} that can only be this class's. */
-    private void run(ClassWriter writer, String parent) {
+    private void serve(ClassWriter writer, String parent) {
+        String node = Type.getDescriptor(Node.class);
         MethodVisitor code =
-                writer.visitMethod(ACC_PROTECTED, "run", "()V", null, new String[] {"java/lang/Throwable"});
+                writer.visitMethod(ACC_PROTECTED, "serve", "()" + node, null, new String[] {"java/lang/Throwable"});
         var nobody = new Label();
         code.visitCode();
         code.visitVarInsn(ALOAD, 0);
@@ -85,12 +87,16 @@ final class MessageGenerator {
         }
         code.visitVarInsn(ALOAD, 1);
         code.visitMethodInsn(INVOKEVIRTUAL, name, "invoke", "(Ljava/lang/Object;)" + result, false);
-        if (!oneWay) {
-            code.visitMethodInsn(INVOKEVIRTUAL, parent, "answer", "(" + result + ")V", false);
+        if (oneWay) {
+            code.visitInsn(ACONST_NULL);
+        } else {
+            code.visitMethodInsn(INVOKEVIRTUAL, parent, "answer", "(" + result + ")" + node, false);
         }
+        code.visitInsn(ARETURN);
         code.visitLabel(nobody);
         code.visitFrame(F_APPEND, 1, new Object[] {"java/lang/Object"}, 0, null);
-        code.visitInsn(RETURN);
+        code.visitInsn(ACONST_NULL);
+        code.visitInsn(ARETURN);
         finish(code);
     }
 

@@ -18,7 +18,7 @@ import org.objectweb.asm.Type;
  * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;
  *     Greeter$$greet$0(ActorCell cell, String a0) { super(cell); this.a0 = a0; }
- *     protected void run() { Object target = target(); if (target != null) { answer(invoke(target)); } }
+ *     protected Node serve() { Object target = target(); return target == null ? null : answer(invoke(target)); }
  *     protected Promise<String> invoke(Object implementation) { return ((Greeter) implementation).greet(a0); }
  * }
  * final class Greeter$$Proxy implements Greeter, ActorProxy {

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Home;
+import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
 import org.jspecify.annotations.Nullable;
 
@@ -29,12 +30,21 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     /** The arguments, for messages about this request. */
     protected abstract Object[] arguments();
 
-    /** Generated classes have the same again, so that each has a call of its own that the compiler can bind. */
+    /** Repeated in each generated class, to keep its call of {@code invoke} monomorphic. */
     @Override
-    protected void run() throws Throwable {
+    protected @Nullable Node serve() throws Throwable {
         Object target = target();
-        if (target != null) {
-            answer(invoke(target));
+        return target == null ? null : answer(invoke(target));
+    }
+
+    @Override
+    protected final void run() throws Throwable {
+        enqueue(serve());
+    }
+
+    private void enqueue(@Nullable Node callback) {
+        if (callback != null) {
+            cell.space().enqueueCallback(callback);
         }
     }
 
@@ -98,13 +108,22 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
                 : ", which has begun it";
     }
 
-    /** Passes the outcome of the method on. */
-    protected final void answer(@Nullable Promise<? extends T> answer) {
+    /**
+     * Passes the outcome of the method on.
+     *
+     * @return the listener that must be served next and is in no queue, or null
+     */
+    protected final @Nullable Node answer(@Nullable Promise<? extends T> answer) {
         if (answer == null) {
             reject(new ActorException(method() + " of " + cell + " answered null, expected a promise"));
-        } else {
-            followAtHome(answer);
+            return null;
         }
+        return followAtHome(answer);
+    }
+
+    /** As {@link #serve} of an implementation that has been looked up already. */
+    final void serveWith(Object target) throws Throwable {
+        enqueue(answer(invoke(target)));
     }
 
     /**

@@ -94,6 +94,12 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
+    /** @hidden */
+    @Override
+    protected final boolean isNextCallbackFirst() {
+        return callbacks.isEmpty() && !callbackInbox.isReady();
+    }
+
     final void enqueueMail(Node node) {
         if (isCurrent()) {
             mails.add(node);
@@ -312,8 +318,8 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     // ---- what only a home may ask of nodes and promises, for this room
 
-    static void runNode(Node node) throws Throwable {
-        run(node);
+    static @Nullable Node serveNode(Node node) throws Throwable {
+        return serve(node);
     }
 
     static boolean goesToMailbox(Node node) {

@@ -82,8 +82,7 @@ class FullDiskTest {
         command.addAll(List.of(arguments));
         var process = new ProcessBuilder(command).redirectOutput(FULL.toFile()).start();
         try (var err = process.errorReader()) {
-            assertThat(err.lines())
-                    .containsExactly("troupe: the output could not be written: No space left on device");
+            assertThat(err.lines()).containsExactly("troupe: the output could not be written: No space left on device");
         }
         return process.waitFor();
     }

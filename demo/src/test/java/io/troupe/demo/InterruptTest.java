@@ -32,8 +32,10 @@ class InterruptTest {
 
     /** All lines of a command with {@code --out} that is ended as soon as it has printed a line like that. */
     private List<String> interrupted(String marker, String... arguments) throws IOException, InterruptedException {
-        return endedAt(marker, Stream.concat(Stream.of(arguments), Stream.of("--out", out.toString()))
-                .toList());
+        return endedAt(
+                marker,
+                Stream.concat(Stream.of(arguments), Stream.of("--out", out.toString()))
+                        .toList());
     }
 
     private static List<String> endedAt(String marker, List<String> arguments)
@@ -128,16 +130,17 @@ class InterruptTest {
         try (var file = Files.newBufferedWriter(recording)) {
             var world = World.create(
                     ScenarioReader.read(Path.of("worlds/paper-arena.cfg")).world(), WorldSettings.DEFAULT);
-            try (var open = world.record(file)) {
-                for (int tick = 0; tick < ticks; tick++) {
-                    world.advance();
-                }
+            var open = world.record(file);
+            for (int tick = 0; tick < ticks; tick++) {
+                world.advance();
             }
+            open.close();
         }
         assertThat(endedAt(
                         "[1-9][0-9]* of " + ticks + " ticks",
                         List.of("replay", recording.toString(), "--world", "worlds/paper-arena.cfg")))
-                .anyMatch(line -> line.matches("interrupted: [1-9][0-9]* of " + ticks + " ticks of world .* were played"))
+                .anyMatch(
+                        line -> line.matches("interrupted: [1-9][0-9]* of " + ticks + " ticks of world .* were played"))
                 .anyMatch(line -> line.matches("robot1: [0-9.]+ m, [0-9]+ contacts?"));
     }
 

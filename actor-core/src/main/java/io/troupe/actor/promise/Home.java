@@ -179,12 +179,21 @@ public abstract class Home {
     // ---- what homes may do with nodes and promises
 
     /**
-     * Runs a node.
+     * Whether a callback that is queued now, on this home's thread, comes before everything else.
      *
      * @hidden
      */
-    protected static void run(Node node) throws Throwable {
-        node.run();
+    protected boolean isNextCallbackFirst() {
+        return false;
+    }
+
+    /**
+     * Serves a node; see {@link Node#serve}.
+     *
+     * @hidden
+     */
+    protected static @Nullable Node serve(Node node) throws Throwable {
+        return node.serve();
     }
 
     /**

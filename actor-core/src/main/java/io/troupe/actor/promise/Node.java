@@ -18,6 +18,17 @@ public abstract class Node {
     /** Does what this node is for, on its home's thread; whoever calls this passes what it throws to {@link #threw}. */
     protected abstract void run() throws Throwable;
 
+    /**
+     * Runs this as an entry of a queue. A request whose answer has exactly one listener, which comes next in any case, returns that listener: the queue of
+     * callbacks is then passed by.
+     *
+     * @return the callback that must be served next, before anything else, or null
+     */
+    protected @Nullable Node serve() throws Throwable {
+        run();
+        return null;
+    }
+
     /** Deals with what {@link #run} has thrown; throws it again if that is not this node's business. */
     protected void threw(Throwable thrown) {
         throw Errors.rethrow(thrown);

@@ -158,15 +158,23 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /**
      * Settles this promise as the other is, as {@link #follow}, on its home's thread.
      *
+     * @return the listener that must be served next and is in no queue, or null
      * @hidden
      */
-    protected final void followAtHome(Promise<? extends T> other) {
+    protected final @Nullable Node followAtHome(Promise<? extends T> other) {
         Object outcome = other.outcomeNow();
         if (outcome == null || other == this) {
             followPending(other);
-        } else {
-            settleAtHome(handedOn(outcome));
+            return null;
         }
+        Object mine = handedOn(outcome);
+        Node listeners = claimHere(mine);
+        Home here = home();
+        if (here != null && listeners instanceof Stage<?, ?> only && only.next == null) {
+            return only.handOn(here); // what nearly always happens, by the shortest way
+        }
+        finish(listeners, mine);
+        return null;
     }
 
     /**
@@ -190,21 +198,11 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     final boolean settleAtHome(Object outcome) {
-        if (isLocal() && state instanceof Stage<?, ?> only && only.next == null && !(outcome instanceof Rejection)) {
-            Home here = home();
-            if (here != null) {
-                STATE.setRelease(this, outcome);
-                only.dispatch(here); // what nearly always happens, by the shortest way
-                return true;
-            }
-        }
-        Node listeners = isLocal() ? claimAtHome(outcome) : claimShared(outcome);
-        if (listeners != null && listeners.next == null && listeners instanceof Stage<?, ?> only) {
-            Home here = home();
-            if (here != null) {
-                only.dispatch(here); // what nearly always happens, by the shortest way
-                return true;
-            }
+        Node listeners = claimHere(outcome);
+        Home here = home();
+        if (here != null && listeners instanceof Stage<?, ?> only && only.next == null) {
+            only.dispatch(here);
+            return true;
         }
         return finish(listeners, outcome);
     }
@@ -276,6 +274,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
         Home home = Objects.requireNonNull(home());
         return home.isCurrent() ? claimAtHome(outcome) : claimFromAfar(outcome, home);
+    }
+
+    /** As {@link #claim}, on the home's thread or if there is no home. */
+    private @Nullable Node claimHere(Object outcome) {
+        if (!isLocal()) {
+            return claimShared(outcome);
+        }
+        if (state instanceof Stage<?, ?> only && only.next == null && !(outcome instanceof Rejection)) {
+            STATE.setRelease(this, outcome);
+            return only;
+        }
+        return claimAtHome(outcome);
     }
 
     private @Nullable Node claimAtHome(Object outcome) {

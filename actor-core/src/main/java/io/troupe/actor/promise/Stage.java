@@ -54,6 +54,15 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
+    /** As {@link #dispatch(Home)}, but if it is to be served next there, it is returned instead, else null. */
+    final @Nullable Node handOn(Home here) {
+        if (owner != null && owner.home() == here && here.isNextCallbackFirst()) {
+            return this;
+        }
+        dispatch(here);
+        return null;
+    }
+
     /** Queues it behind listeners that another thread has queued there. */
     final void dispatchFromAfar() {
         if (owner == null) {
@@ -279,7 +288,10 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         private void followAnswer(@Nullable Promise<? extends T> answer) {
-            followAtHome(Objects.requireNonNull(answer, "the function answered null, not a promise"));
+            Node next = followAtHome(Objects.requireNonNull(answer, "the function answered null, not a promise"));
+            if (next instanceof Stage<?, ?> listener) { // a chain of such functions must leave others their turns
+                listener.dispatch();
+            }
         }
     }
 }

@@ -13,7 +13,8 @@ import java.util.concurrent.atomic.AtomicLong;
  * ManualClock clock = new ManualClock();
  * ActorSpace space = ActorSpace.create(
  *         SpaceSettings.named("simulation").withClock(clock).withHandCrank());
- * Promise<String> late = new Deferred<String>(space).orTimeout(Duration.ofSeconds(2));
+ * Promise<String> late =
+ *         new Deferred<String>(space).orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
  * space.crank();
  * clock.advance(Duration.ofSeconds(2));
  * space.crank(); // serves the timers that are due

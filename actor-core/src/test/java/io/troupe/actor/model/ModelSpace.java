@@ -134,18 +134,27 @@ final class ModelSpace {
     }
 
     private boolean pass() {
-        boolean worked = drainInbox();
+        boolean worked = drainInbox(true);
         worked |= drainQueues();
         return !stopping && timers.runDue(this::turn) || worked;
     }
 
-    private boolean drainInbox() {
+    private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
         for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
+            takeCallbacks();
+            while (withCallbacks && owed > 1 && !callbacks.isEmpty() && !stopping) {
+                owed--;
+                turn(callbacks.removeFirst().action());
+                worked = true;
+            }
+            if (stopping) {
+                break;
+            }
             ModelTask mail = inbox.removeFirst();
             worked = true;
-            takeCallbacks();
             if (callbacks.isEmpty() && mails.isEmpty()) {
+                owed = QUOTA;
                 turn(mail.action());
             } else {
                 mails.add(mail);
@@ -182,7 +191,7 @@ final class ModelSpace {
                 served++;
             }
             if (served == limit && mails.isEmpty()) {
-                drainInbox();
+                drainInbox(false);
             }
             if (!mails.isEmpty() && !stopping) {
                 int before = callbacksBefore(mails.getFirst());

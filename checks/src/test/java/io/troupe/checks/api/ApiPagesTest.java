@@ -53,23 +53,30 @@ class ApiPagesTest {
     @Test
     void everyTypeOfTheApi_hasAPage_andNoOther() throws IOException {
         var types = PublicTypes.in(Repository.root().resolve("actor-core/src/main/java"));
-        assertThat(types).filteredOn(ApiPagesTest::isShown).hasSizeGreaterThan(20).allSatisfy(type -> assertThat(TEXTS)
-                .containsKey(page(type)));
-        assertThat(types).filteredOn(type -> !isShown(type)).hasSizeGreaterThan(5).allSatisfy(type -> assertThat(TEXTS)
-                .doesNotContainKey(page(type)));
+        assertThat(types)
+                .filteredOn(ApiPagesTest::isShown)
+                .hasSizeGreaterThan(20)
+                .allSatisfy(type -> assertThat(TEXTS).containsKey(page(type)));
+        assertThat(types)
+                .filteredOn(type -> !isShown(type))
+                .hasSizeGreaterThan(5)
+                .allSatisfy(type -> assertThat(TEXTS).doesNotContainKey(page(type)));
     }
 
     @Test
     void pages_nameNoMachinery() {
-        var machinery = Pattern.compile("followAtHome|enqueueAtHome|ActorCell|NodeQueue|TimerWheel|troupe\\$cell|settleValue"
-                + "|/(Message|Request|Node|Owner|ActorProxy)\\.html");
-        assertThat(TEXTS).hasSizeGreaterThan(30).allSatisfy((page, text) -> assertThat(machinery
-                        .matcher(text)
-                        .results()
-                        .map(match -> match.group())
-                        .toList())
-                .as(page)
-                .isEmpty());
+        var machinery =
+                Pattern.compile("followAtHome|enqueueAtHome|ActorCell|NodeQueue|TimerWheel|troupe\\$cell|settleValue"
+                        + "|/(Message|Request|Node|Owner|ActorProxy)\\.html");
+        assertThat(TEXTS)
+                .hasSizeGreaterThan(30)
+                .allSatisfy((page, text) -> assertThat(machinery
+                                .matcher(text)
+                                .results()
+                                .map(match -> match.group())
+                                .toList())
+                        .as(page)
+                        .isEmpty());
     }
 
     private static boolean isShown(PublicType type) {

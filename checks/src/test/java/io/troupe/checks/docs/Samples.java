@@ -74,7 +74,9 @@ final class Samples {
 
     /** The text without what does not count. */
     static String essence(String java) {
-        String code = COMMENT.matcher(JAVADOC.matcher(java).replaceAll("")).replaceAll("").replace("@Override", "");
+        String code = COMMENT.matcher(JAVADOC.matcher(java).replaceAll(""))
+                .replaceAll("")
+                .replace("@Override", "");
         String spaced = SPACE.matcher(code).replaceAll(" ").strip();
         return SPACE_BESIDE_A_SIGN.matcher(spaced).replaceAll("");
     }

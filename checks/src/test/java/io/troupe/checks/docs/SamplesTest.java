@@ -71,7 +71,8 @@ class SamplesTest {
         var types = PublicTypes.in(folder);
         assertThat(types)
                 .filteredOn(type -> !type.isForTheLibraryOnly())
-                .filteredOn(type -> WITHOUT_A_SAMPLE.stream().noneMatch(name -> type.name().endsWith("." + name)))
+                .filteredOn(type ->
+                        WITHOUT_A_SAMPLE.stream().noneMatch(name -> type.name().endsWith("." + name)))
                 .hasSizeGreaterThan(20)
                 .allSatisfy(type -> assertThat(type.javadoc()).as(type.name()).contains("{@snippet"));
     }
@@ -98,7 +99,8 @@ class SamplesTest {
                 """;
         var samples = Samples.ofJavadoc("Lamp.java", source);
         assertThat(samples).hasSize(1);
-        assertThat(samples.getFirst().pieces()).containsExactly("void set(int x) {\n    this.x = x;\n}", "lamp.set(1);");
+        assertThat(samples.getFirst().pieces())
+                .containsExactly("void set(int x) {\n    this.x = x;\n}", "lamp.set(1);");
         assertThat(Samples.missing(samples.getFirst(), Map.of("Lamp.java", Samples.essence(source))))
                 .hasSize(2);
     }

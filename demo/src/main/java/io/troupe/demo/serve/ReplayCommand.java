@@ -96,8 +96,7 @@ public final class ReplayCommand implements Callable<Integer> {
         try (var reader = Files.newBufferedReader(recording)) {
             return Replay.read(reader);
         } catch (CharacterCodingException e) {
-            throw new ParameterException(
-                    spec.commandLine(), recording + " is not a recording: it is not text", e);
+            throw new ParameterException(spec.commandLine(), recording + " is not a recording: it is not text", e);
         } catch (RecordingException e) {
             throw new ParameterException(spec.commandLine(), recording + ": " + e.getMessage(), e);
         }

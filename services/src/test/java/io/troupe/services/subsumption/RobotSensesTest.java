@@ -137,7 +137,7 @@ class RobotSensesTest {
         robots.tick(100);
         robots.tick(100);
         assertThat(robots.laserSubscriptions(0)).isOne();
-        assertThat(readings).extracting(each -> each.laser().size()).containsExactly(3, 0, 0);
+        assertThat(readings).extracting(each -> each.laser().size()).containsExactly(3, 0, 0, 0);
     }
 
     @Test
