@@ -16,10 +16,12 @@ import java.util.TreeSet;
  * state waits there for it.
  *
  * {@snippet :
- * var player = Protocol.of("player")
- *         .in("idle", provides("getProxies").then("ready"))
- *         .in("ready", provides("setValues").then("loaded"), stops())
- *         .in("loaded", requests("middleware.transmit").then("ready"))
+ * var client = Protocol.of("client")
+ *         .in("idle", does("look").then("informed"))
+ *         .in("informed", requests("planner.plan").then("idle"), stops())
+ *         .build();
+ * var planner = Protocol.of("planner")
+ *         .in("ready", provides("plan").then("ready"))
  *         .build();
  * }
  *

@@ -16,9 +16,9 @@ import java.util.Set;
  * otherwise. Several components may call the same one; it serves them one at a time.
  *
  * {@snippet :
- * var wiring = Wiring.of("two robots")
- *         .components("robot", 2, robot)
- *         .component("player", player)
+ * var wiring = Wiring.of("two clients")
+ *         .components("client", 2, client)
+ *         .component("planner", planner)
  *         .build();
  * }
  *

@@ -22,8 +22,8 @@ import java.util.Optional;
  * {@snippet :
  * @Test
  * void components_neverDeadlock() {
- *     var wiring = Wiring.of("demo").component(robot()).component(player()).build();
- *     assertThat(WiringCheck.check(wiring)).isInstanceOf(WiringResult.Proved.class);
+ *     var wiring = Wiring.of("demo").component(client()).component(planner()).build();
+ *     assertThat(WiringCheck.check(wiring)).isInstanceOf(Proved.class);
  * }
  * }
  *

@@ -54,6 +54,23 @@ class WiringCheckTest {
         assertThat(WiringCheck.check(wiring)).isInstanceOf(Proved.class);
     }
 
+    /** The samples in the Javadoc of {@link Protocol} and {@link Wiring}. */
+    @Test
+    void samplesOfTheJavadoc_areProved() {
+        var client = Protocol.of("client")
+                .in("idle", does("look").then("informed"))
+                .in("informed", requests("planner.plan").then("idle"), stops())
+                .build();
+        var planner = Protocol.of("planner")
+                .in("ready", provides("plan").then("ready"))
+                .build();
+        var wiring = Wiring.of("two clients")
+                .components("client", 2, client)
+                .component("planner", planner)
+                .build();
+        assertThat(WiringCheck.check(wiring)).isInstanceOf(Proved.class);
+    }
+
     @Test
     void assertionThatFails_tellsTheStory() {
         assertThatThrownBy(() -> assertThat(WiringCheck.check(ring(3))).isInstanceOf(Proved.class))
