@@ -2,6 +2,8 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Pnml;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.ScenarioReader;
@@ -121,6 +123,36 @@ class InterruptTest {
         assertThat(Files.readAllLines(out.resolve("evaluation.csv"))).hasSizeGreaterThan(10);
         assertThat(out.resolve("evaluation-15.svg")).doesNotExist();
         assertThat(out.resolve("evaluation.log")).doesNotExist();
+    }
+
+    @Test
+    void verifyOfANet_hasPrintedWhatItKnows_andDrawsNothing() throws Exception {
+        Path file = out.resolve("growing.pnml");
+        Pnml.write(
+                PetriNet.builder("growing")
+                        .place("a", 2)
+                        .place("many")
+                        .transition("t")
+                        .arc("a", "t", 2)
+                        .arc("t", "a", 2) // a weight of 2, so that siphons decide nothing
+                        .arc("t", "many")
+                        .build(),
+                file);
+        assertThat(interrupted("markings, [0-9]+ visited", "verify", "--net", file.toString(), "--time", "3600"))
+                .anyMatch(line -> line.startsWith("interrupted: what was known until then stands above"));
+        assertThat(out.resolve("growing.svg")).doesNotExist();
+    }
+
+    @Test
+    void app_endsItsComponentsAndSaysHowFarItCame() throws Exception {
+        assertThat(endedAt("^ +[0-9.]+ s  ", List.of(
+                                "app",
+                                "applications/two-robots.app",
+                                "--world",
+                                "worlds/paper-arena.cfg",
+                                "--seconds",
+                                "100000")))
+                .anyMatch(line -> line.matches(".* on .*, [0-9.]+ s simulated"));
     }
 
     @Test

@@ -191,6 +191,24 @@ class MainTest {
         assertThat(RunSizes.of(2, 100, 300).areLarge()).isFalse();
     }
 
+    /** The run then fails at once, since the log cannot be a directory. */
+    @Test
+    void longRun_warnsBeforeItBegins() throws Exception {
+        Files.createDirectories(directory.resolve("run.jsonl"));
+        assertThat(troupe("run", "--world", WORLD, "--seconds", "100000", "--out", directory.toString()))
+                .isEqualTo(1);
+        assertThat(err.toString().lines())
+                .first()
+                .asString()
+                .isEqualTo("troupe: warning: --seconds is 100000.0: expect about "
+                        + "320 MB in run.jsonl and at most 24 MB in trajectory.svg");
+    }
+
+    @Test
+    void nameThatCanBeNoFile_isToldWithTheEncoding() {
+        assertComplaint(troupe("draw", "a\0b"), "'a\0b' can be no file here, where names are in ");
+    }
+
     @Test
     void missingWorld() {
         assertComplaint(

@@ -58,6 +58,9 @@ class PaperRunTest {
                     .as("one loop for each reading, and one more when a service takes over")
                     .isEqualTo(3_000 + result.states().size() - 1);
         });
+        assertThat(new TrajectorySvg(ScenarioReader.read(WORLD).world(), result).draw())
+                .as("the picture in README")
+                .isEqualTo(Files.readString(Path.of("..", "docs", "figures", "trajectory.svg")));
         List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
         assertThat(lines.getFirst())
                 .isEqualTo("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\""

@@ -42,6 +42,19 @@ class RunResultTest {
                 .contains("state 1 (blue): 1 time, 0.7 s", "state 2 (sun): 1 time, 0.3 s");
     }
 
+    @Test
+    void columns_standBelowEachOther_howeverLongTheNameOfAColourIs() {
+        SubsumptionTable table = SubsumptionTableReader.parse(
+                "robots 2\nstate blue : * = spaceWanderer\nstate #CAFF70 : spaceWanderer, wallFollower\n",
+                "a.table",
+                ServiceCatalogue.standard());
+        assertThat(List.of(
+                        new StateChange(0, table.states().get(0), null).describe(table),
+                        new StateChange(700_000, table.states().get(1), 0).describe(table)))
+                .extracting(line -> line.indexOf(" state "))
+                .containsOnly("    0.7 s  robot 1 sees #CAFF70".length());
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {2, Ledger.MANY_ROBOTS})
     void columns_standBelowEachOther_howeverLongTheNameOfAServiceIs(int robots) {

@@ -186,6 +186,7 @@ class DevicesTest implements PlayerConstants {
         sim.get2DPose("robot1");
         assertThat(sim.isPose2DReady()).isTrue();
         assertThat(sim.getPose2D().getName()).isEqualTo("robot1");
+        assertThat(sim.getSimulationPose2D()).isSameAs(sim.getPose2D());
         PlayerPose where = sim.getPose2D().getPose();
         assertThat(where.getPa()).isEqualTo(0.5);
         sim.set2DPose("robot1", new PlayerPose2d(3, 4, 0));

@@ -112,7 +112,7 @@ class ScannersTest implements PlayerConstants {
         var how = new LaserConfiguration(-1, 1, 0.5f, 8, 0.01f, true, 10);
         server.replier = request -> switch (request) {
             case DeviceRequest.Geometry geometry ->
-                new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0), new Size3d(0.1, 0.2, 0.3));
+                new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0.5), new Size3d(0.1, 0.2, 0.3));
             case DeviceRequest.GetConfiguration get -> new DeviceReply.OfLaser(how);
             case DeviceRequest.SetLaserConfiguration set -> new DeviceReply.OfLaser(set.configuration());
             default -> new DeviceReply.Ack();
@@ -120,6 +120,7 @@ class ScannersTest implements PlayerConstants {
         laser.queryGeometry();
         assertThat(laser.isReadyPlgeom()).isTrue();
         assertThat(laser.getPlayerLaserGeom().getPose().getPx()).isEqualTo(0.1);
+        assertThat(laser.getPlayerLaserGeom().getPose().getPa()).isEqualTo(0.5);
         assertThat(laser.getPlayerLaserGeom().getSize().getSh()).isEqualTo(0.3);
         laser.getScanProperties();
         assertThat(laser.isReadyPlconfig()).isTrue();

@@ -44,14 +44,36 @@ class HonestBuildsTest {
                 .contains("<artifactId>maven-jar-plugin</artifactId><version>3.3.0</version>");
     }
 
-    /** The start script builds when it finds no class path, and the main job ends in the phase compile. */
+    /** The start script needs a class path, and other users the copied libraries; the main job ends in the phase compile. */
     @Test
-    void classPathOfTheStartScript_isWrittenByTheMainJob() throws IOException {
+    void filesOfTheStartScript_areWrittenByTheMainJob() throws IOException {
         assertThat(file("README.md")).contains("compile exec:exec -pl demo -am");
         var plugin = file("demo/pom.xml")
                 .split("<artifactId>maven-dependency-plugin</artifactId>")[1]
                 .split("</plugin>")[0];
-        assertThat(plugin).contains("<phase>compile</phase>", "<goal>build-classpath</goal>");
+        assertThat(plugin.replaceAll("\\s+", ""))
+                .contains("<phase>compile</phase><goals><goal>build-classpath</goal></goals>")
+                .contains("<phase>compile</phase><goals><goal>copy-dependencies</goal></goals>");
+    }
+
+    /** JMH itself exits with 0 when its forks fail. */
+    @Test
+    void benchmarksThatFail_failTheirBuild() throws IOException {
+        assertThat(file("jmh/pom.xml")).contains("org.openjdk.jmh.Main ${args} -foe true");
+        assertThat(file("jmh/build.gradle.kts")).contains("listOf(\"-foe\", \"true\")");
+    }
+
+    /** What a real Gradle showed and no Maven build can: each of these lines was missing once. */
+    @Test
+    void gradleScripts_keepWhatARealGradleNeeds() throws IOException {
+        assertThat(file("stress/build.gradle.kts"))
+                .as("jcstress takes a missing folder on its class path for an error")
+                .contains("filter { it.exists() }");
+        assertThat(file("demo/build.gradle.kts"))
+                .as("standard input of the command line")
+                .contains("doFirst { (this as JavaExec).standardInput = System.`in` }")
+                .as("the worlds, beside the scripts that name their folder")
+                .contains("\"worlds\"", "troupe.home");
     }
 
     @Test

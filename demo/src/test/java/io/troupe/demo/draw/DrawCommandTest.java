@@ -9,6 +9,7 @@ import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -51,5 +52,14 @@ class DrawCommandTest {
         assertThat(new ScaleBar(root).pixelsPerMetre())
                 .as("as long as the map is wide: LONGEST_PX over the outer walls and 0.3 m on both sides")
                 .isCloseTo(1000 / (widthM + 0.6), within(0.05));
+    }
+
+    @Test
+    void pictureInTheGuide_isThatOfTheCommand() {
+        Path picture = directory.resolve("w.svg");
+        new CommandLine(new DrawCommand())
+                .setOut(new PrintWriter(new StringWriter()))
+                .execute("worlds/office.world", "--out", picture.toString());
+        assertThat(picture).hasSameTextualContentAs(Path.of("..", "docs", "figures", "world-office.svg"));
     }
 }

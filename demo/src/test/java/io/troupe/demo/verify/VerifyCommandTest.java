@@ -53,6 +53,11 @@ class VerifyCommandTest {
             assertThat(directory.resolve("graph-robot-player-" + reading + ".dot"))
                     .isNotEmptyFile();
         }
+        for (var name : List.of("corrected-A.svg", "graph-robot-player-A.svg")) {
+            assertThat(directory.resolve(name))
+                    .as("the picture in the guide")
+                    .hasSameTextualContentAs(Path.of("..", "docs", "figures", name));
+        }
         assertThat(Files.readString(directory.resolve("verify.md")))
                 .contains(
                         "| minimal siphons | 44 | 48 | 36 | 48 |",

@@ -74,7 +74,7 @@ final class SourceText {
     }
 
     /** The folders of {@code STAGEPATH} and those in which Stage installs its worlds. */
-    private static List<Path> stageFolders(@Nullable String path) {
+    static List<Path> stageFolders(@Nullable String path) {
         var folders = new ArrayList<Path>();
         for (String folder : (path == null ? "" : path).split(Pattern.quote(File.pathSeparator))) {
             try {

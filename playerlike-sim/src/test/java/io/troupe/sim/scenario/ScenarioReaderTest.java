@@ -92,6 +92,21 @@ class ScenarioReaderTest {
     }
 
     @Test
+    void configuration_besideAWorldWithoutItsModel_isNotUsedAndThatIsAWarning() {
+        String stage = "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"two.world\" )";
+        worlds.write(
+                "two.cfg", stage + "driver ( name \"stage\" provides [ \"position2d:0\" ] model \"renamed\" )");
+        Path world = worlds.write("two.world", TWO_ROBOTS);
+
+        assertThat(worlds.warningsOf(world))
+                .singleElement()
+                .asString()
+                .startsWith("two.cfg:1:1: this file beside two.world is not used")
+                .contains("renamed");
+        assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
+    }
+
+    @Test
     void error_inAWorldWithAConfiguration_isTheWorldsOwn() {
         worlds.write("two.cfg", Worlds.CONFIG);
         Path world = worlds.write("two.world", "model ( siez 1 )");

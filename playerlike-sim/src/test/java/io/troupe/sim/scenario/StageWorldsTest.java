@@ -3,6 +3,7 @@ package io.troupe.sim.scenario;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -224,6 +225,15 @@ class StageWorldsTest {
         assertThat(robot.rangers())
                 .singleElement()
                 .satisfies(laser -> assertThat(laser.mount().y()).isCloseTo(0.1, within(1e-12)));
+    }
+
+    @Test
+    void foldersOfStage_areThoseOfItsPath_thenWhereItInstallsItsWorlds() {
+        String path = dir.resolve("a") + File.pathSeparator + File.pathSeparator + dir.resolve("b");
+        var installed = List.of(Path.of("/usr/local/share/stage/worlds"), Path.of("/usr/share/stage/worlds"));
+        assertThat(SourceText.stageFolders(path))
+                .containsExactly(dir.resolve("a"), dir.resolve("b"), installed.get(0), installed.get(1));
+        assertThat(SourceText.stageFolders(null)).isEqualTo(installed);
     }
 
     @Test
