@@ -145,7 +145,9 @@ class InterruptTest {
 
     @Test
     void app_endsItsComponentsAndSaysHowFarItCame() throws Exception {
-        assertThat(endedAt("^ +[0-9.]+ s  ", List.of(
+        assertThat(endedAt(
+                        "^ +[0-9.]+ s  ",
+                        List.of(
                                 "app",
                                 "applications/two-robots.app",
                                 "--world",

@@ -94,8 +94,7 @@ class ScenarioReaderTest {
     @Test
     void configuration_besideAWorldWithoutItsModel_isNotUsedAndThatIsAWarning() {
         String stage = "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"two.world\" )";
-        worlds.write(
-                "two.cfg", stage + "driver ( name \"stage\" provides [ \"position2d:0\" ] model \"renamed\" )");
+        worlds.write("two.cfg", stage + "driver ( name \"stage\" provides [ \"position2d:0\" ] model \"renamed\" )");
         Path world = worlds.write("two.world", TWO_ROBOTS);
 
         assertThat(worlds.warningsOf(world))
