@@ -174,6 +174,10 @@ final class PnmlReader {
                             "final markings are left out: a marking where nothing may fire is dead, final or not");
                     skip();
                 }
+                case "stategroup" -> { // of PIPE: named sets of markings, for its queries
+                    warn("state group", "groups of states are left out: they change nothing");
+                    skip();
+                }
                 default -> {
                     var child = xml.getLocalName();
                     if (!readContent()) {
@@ -251,7 +255,7 @@ final class PnmlReader {
                 label = orElse(text(), id);
             } else if (element.equals("initialMarking") && kind == Kind.PLACE) {
                 value = number(plain(number(element)), 0, "the initial marking of place " + id);
-            } else if (kind == Kind.PLACE && element.equals("capacity")
+            } else if (kind == Kind.PLACE && (element.equals("capacity") || element.equals("tagged"))
                     || kind == Kind.TRANSITION && element.equals("infiniteServer")) {
                 requireNeutral(element, text(), what);
             } else if (kind == Kind.TRANSITION && PnmlDialect.isUniform(element)) {

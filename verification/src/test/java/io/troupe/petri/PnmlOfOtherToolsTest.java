@@ -130,18 +130,21 @@ class PnmlOfOtherToolsTest {
         var net = read(OPEN, "P/T net", """
             <token id="Default" enabled="true" red="0" green="0" blue="0"/>
             <place id="P0"><graphics/><name><value>P0</value></name><capacity><value>0</value></capacity>
-              <initialMarking><value>Default,3</value><graphics/></initialMarking></place>
+              <initialMarking><value>Default,3</value><graphics/></initialMarking>
+              <tagged><value>false</value></tagged></place>
             <transition id="T0"><orientation><value>0</value></orientation><rate><value>1.0</value></rate>
               <timed><value>false</value></timed><infiniteServer><value>false</value></infiniteServer>
               <priority><value>1</value></priority></transition>
             <arc id="P0 to T0" source="P0" target="T0"><inscription><value>Default,2</value></inscription>
               <tagged><value>false</value></tagged><arcpath id="000" x="1" y="1" curvePoint="false"/>
               <type value="normal"/></arc>
+            <stategroup name="G1" id="SG1"><statecondition condition="P0 &gt; 0"/></stategroup>
             """);
 
         assertThat(net.structure()).isEqualTo("place P0 3\ntransition T0 0 [P0*2] -> []");
         assertThatThrownBy(() -> read(OPEN, "P/T net", "<token id='Default'/>\n<token id='Red'/>"))
                 .hasMessage("other.pnml:3: tokens have a second colour, Red; expected one, Default");
+        assertRefused("<place id='p'><tagged><value>true</value></tagged></place>", 2, "tagged of place p is \"true\", expected false in a place/transition net");
     }
 
     @Test
