@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
  * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
  * calls of one sender to one receiver keep their order. A request whose answer has one listener hands that on: it is served next, as it would be from its
- * ring. Callbacks come before mails, those of the inbox too, but after {@value #QUOTA} in a row one mail, the inbox and the
+ * ring. Callbacks come before mails, those of the inbox too, but after {@value #QUOTA} in a row (and one that was handed on) one mail, the inbox and the
  * timers have their turn; a mail from the inbox only if no callback is left that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
  * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
@@ -46,7 +46,7 @@ final class Dispatcher {
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
-    private int callbackQuota = QUOTA; // less if a mail waits for that many callbacks only
+    private int callbackQuota = QUOTA; // less amid a row of callbacks, or if a mail waits for that many only
     private int stride = STRIDE;
     private long lastLookNanos;
 
@@ -181,10 +181,7 @@ final class Dispatcher {
         return inside > limit || inbox.isLongerThan(limit - inside);
     }
 
-    /**
-     * The one place where anything that is thrown ends: whatever an entry does, the thread goes on. The entry has been counted before, by its ring or by
-     * {@link #direct}, so that one that never ends was seen to begin.
-     */
+    /** Serves an entry and the listener that it hands on. */
     void serve(Node node) {
         Node next = serveOne(node);
         if (next != null) {
@@ -192,6 +189,12 @@ final class Dispatcher {
         }
     }
 
+    /**
+     * The one place where anything that is thrown ends: whatever an entry does, the thread goes on. The entry has been counted before, by its ring or by
+     * {@link #direct}, so that one that never ends was seen to begin; {@link Watchdog} looks for this method.
+     *
+     * @return the listener that it hands on
+     */
     private @Nullable Node serveOne(Node node) {
         Node next = null;
         try {
@@ -200,7 +203,14 @@ final class Dispatcher {
             space.fail(node, thrown);
         }
         if (turnLeavesWork) {
-            endTurn();
+            try {
+                endTurn();
+            } catch (Throwable noMemoryForTheReport) {
+                if (next != null) {
+                    space.enqueueCallback(next);
+                }
+                throw noMemoryForTheReport;
+            }
         }
         return next;
     }
@@ -260,7 +270,11 @@ final class Dispatcher {
         try {
             for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
                 takeCallbacks(); // among them is what the mail's sender queued before it
+                long callbacksBefore = callbacks.added();
                 boolean callbacksFirst = withCallbacks && !callbacks.isEmpty();
+                if (callbacksFirst) {
+                    inbox.endBatch(last); // a callback may look at what waits
+                }
                 while (withCallbacks && callbackQuota > 1 && !callbacks.isEmpty()) {
                     callbackQuota--;
                     serveOne(Objects.requireNonNull(callbacks.poll()));
@@ -272,7 +286,7 @@ final class Dispatcher {
                 boolean behind = !callbacks.isEmpty() || !mails.isEmpty();
                 if (behind) {
                     mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
-                    precedence.note(mails.added(), callbacks.added(), mails.taken());
+                    precedence.note(mails.added(), callbacksBefore, mails.taken());
                 }
                 last = inbox.takeAfter(last);
                 worked = true;

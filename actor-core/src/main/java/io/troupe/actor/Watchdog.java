@@ -147,7 +147,7 @@ final class Watchdog {
     private static boolean isATurn(StackTraceElement frame) {
         String type = frame.getClassName();
         return type.equals(Dispatcher.class.getName())
-                        && (frame.getMethodName().equals("serve")
+                        && (frame.getMethodName().equals("serveOne")
                                 || frame.getMethodName().equals("runTask"))
                 || type.equals(Sequence.class.getName())
                 || type.equals(Reports.class.getName());

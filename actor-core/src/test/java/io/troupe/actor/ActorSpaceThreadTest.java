@@ -192,6 +192,23 @@ class ActorSpaceThreadTest {
         assertThat(stall.toString()).contains("space slow has been busy", "offload", "holdTheThread");
     }
 
+    @Test
+    void listenerThatTakesTooLong_isReportedAsAMessageIs() throws Exception {
+        var stacks = new ArrayList<StackTraceElement>();
+        var reported = new CountDownLatch(1);
+        var settings = SpaceSettings.named("slow").withOnStall(Duration.ofMillis(20), stall -> {
+            stacks.addAll(stall.stack());
+            reported.countDown();
+        });
+        try (var space = ActorSpace.create(settings)) {
+            var deferred = new Deferred<String>(space);
+            var end = deferred.thenRun(() -> holdTheThread(reported));
+            deferred.resolve("now");
+            end.get(Duration.ofSeconds(30));
+        }
+        assertThat(stacks).anyMatch(frame -> frame.getMethodName().equals("holdTheThread"));
+    }
+
     private static void holdTheThread(CountDownLatch until) {
         try {
             until.await();

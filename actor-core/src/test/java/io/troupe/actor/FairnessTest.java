@@ -54,6 +54,25 @@ class FairnessTest {
     }
 
     @Test
+    void messageOfTheInbox_waitsForNoneOfTheCallbacksThatAnEarlierOneLeadsTo() {
+        Worker worker = test.spawn(Worker.class, () -> new Worker(this));
+        var many = new Deferred<String>(test.space());
+        var trigger = new Deferred<String>(test.space());
+        test.run(() -> {
+            for (int listener = 0; listener < 10_000; listener++) {
+                many.thenRun(() -> callbacks++);
+            }
+            trigger.thenRun(() -> many.resolve("all"));
+        });
+        trigger.resolve("now"); // a callback from outside
+        worker.poke(); // and a message behind it
+        test.crank();
+        assertThat(callbacks).isEqualTo(10_000);
+        int before = Integer.parseInt(log.getFirst().replaceAll("\\D", ""));
+        assertThat(before).isBetween(1, 256);
+    }
+
+    @Test
     void endlessCallbacks_letATimerIn_after256() {
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         worker.startTimer();

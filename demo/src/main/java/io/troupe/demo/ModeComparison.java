@@ -88,7 +88,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
         String others = results.keySet().stream()
                 .filter(mode -> mode != Mode.PROMISE)
                 .map(mode -> firstDifference(mode).isEmpty()
-                        ? mode + " not at all"
+                        ? mode + " does not differ"
                         : String.format(
                                 Locale.ROOT,
                                 "%s differs from %.1f s on",
@@ -97,7 +97,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
                                                 mode, firstDifference(mode).getAsInt())
                                         / 1e6))
                 .collect(Collectors.joining(", "));
-        return "Compared with promise mode: " + others;
+        return "States compared with promise mode: " + others;
     }
 
     /** The states side by side, of the modes that there are. */

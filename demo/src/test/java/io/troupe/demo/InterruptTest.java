@@ -160,7 +160,7 @@ class InterruptTest {
     @Test
     void replay_saysHowFarItCame() throws Exception {
         Path recording = out.resolve("long.txt");
-        int ticks = 100_000;
+        int ticks = 300_000;
         try (var file = Files.newBufferedWriter(recording)) {
             var world = World.create(
                     ScenarioReader.read(Path.of("worlds/paper-arena.cfg")).world(), WorldSettings.DEFAULT);

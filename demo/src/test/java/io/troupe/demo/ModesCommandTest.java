@@ -59,8 +59,8 @@ class ModesCommandTest {
         assertThat(picture.getDocumentElement().getAttribute("role")).isEqualTo("img");
         assertThat(picture.getDocumentElement().getAttribute("aria-label"))
                 .isEqualTo(picture.getElementsByTagName("title").item(0).getTextContent())
-                .matches("Compared with promise mode: sync differs from [0-9.]+ s on,"
-                        + " callback not at all \\(paper arena, seed 1\\)");
+                .matches("States compared with promise mode: sync differs from [0-9.]+ s on,"
+                        + " callback does not differ \\(paper arena, seed 1\\)");
         assertThat(directory.resolve("modes.svg")).content().doesNotContain("#00ff00");
     }
 

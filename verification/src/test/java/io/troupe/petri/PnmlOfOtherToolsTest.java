@@ -144,7 +144,10 @@ class PnmlOfOtherToolsTest {
         assertThat(net.structure()).isEqualTo("place P0 3\ntransition T0 0 [P0*2] -> []");
         assertThatThrownBy(() -> read(OPEN, "P/T net", "<token id='Default'/>\n<token id='Red'/>"))
                 .hasMessage("other.pnml:3: tokens have a second colour, Red; expected one, Default");
-        assertRefused("<place id='p'><tagged><value>true</value></tagged></place>", 2, "tagged of place p is \"true\", expected false in a place/transition net");
+        assertRefused(
+                "<place id='p'><tagged><value>true</value></tagged></place>",
+                2,
+                "tagged of place p is \"true\", expected false in a place/transition net");
     }
 
     @Test

@@ -143,6 +143,7 @@ final class ModelSpace {
         boolean worked = takeCallbacks();
         for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
             takeCallbacks();
+            ModelTask lastBefore = callbacks.isEmpty() ? null : callbacks.getLast();
             while (withCallbacks && owed > 1 && !callbacks.isEmpty() && !stopping) {
                 owed--;
                 turn(callbacks.removeFirst().action());
@@ -158,8 +159,8 @@ final class ModelSpace {
                 turn(mail.action());
             } else {
                 mails.add(mail);
-                if (!callbacks.isEmpty()) {
-                    lastCallbackBefore.put(mail, callbacks.getLast());
+                if (lastBefore != null) {
+                    lastCallbackBefore.put(mail, lastBefore);
                 }
             }
         }

@@ -48,7 +48,13 @@ class SamplesTest {
         int count = 0;
         for (Path source : Repository.javaSources()) {
             if (source.toString().contains("/src/main/")) {
-                for (var sample : Samples.ofJavadoc(source.getFileName().toString(), Files.readString(source))) {
+                String text = Files.readString(source);
+                var samples = Samples.ofJavadoc(source.getFileName().toString(), text);
+                int all = text.split("\\* \\{@snippet ", -1).length - 1;
+                int others = text.split("\\* \\{@snippet lang = \"text\":", -1).length - 1;
+                assertThat(samples).as("Java samples of " + source).hasSize(all - others);
+                for (var sample : samples) {
+                    assertThat(sample.text()).as(sample.toString()).isNotBlank();
                     count++;
                     var pieces = Samples.missing(sample, sources);
                     if (!pieces.isEmpty()) {
