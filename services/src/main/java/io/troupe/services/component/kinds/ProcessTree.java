@@ -197,14 +197,20 @@ final class ProcessTree {
     }
 
     /**
-     * Asks all to end, and kills those that have not ended within the limit. Blocks.
+     * Asks all to end, each once and those that were started meanwhile too, and kills those that have not ended within the limit. Blocks.
      *
      * @param killLimit how long those that were killed are waited for
      * @return those that are still alive; empty as a rule
      */
     List<ProcessHandle> end(Duration limit, Duration killLimit) {
-        alive().forEach(ProcessHandle::destroy);
-        var deaf = awaitEnd(limit, each -> {});
+        Set<ProcessHandle> asked = new HashSet<>();
+        Consumer<ProcessHandle> ask = each -> {
+            if (asked.add(each)) {
+                each.destroy();
+            }
+        };
+        alive().forEach(ask);
+        var deaf = awaitEnd(limit, ask);
         return deaf.isEmpty() ? deaf : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
     }
 

@@ -173,6 +173,17 @@ class ExternalProcessTest {
         done(face.stop());
     }
 
+    /** A shell may start a program just before it is terminated: that one was not there when all were asked to end. */
+    @Test
+    void programThatIsStartedAmidTheTermination_isTerminatedToo() throws Exception {
+        assumeSessions();
+        var ever = Duration.ofSeconds(Long.MAX_VALUE);
+        var face = shell(ever, ever, "trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait");
+        done(face.start());
+        done(face.stop());
+        assertThat(alive()).isEmpty();
+    }
+
     @Test
     void processThatIsDeafToTermination_isKilled() throws Exception {
         var face = shell(PATIENCE, SHORT, "trap '' TERM; echo $$; while :; do SLEEP; done");
