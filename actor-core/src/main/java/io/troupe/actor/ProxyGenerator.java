@@ -14,7 +14,7 @@ import org.objectweb.asm.Type;
  * whose methods make them.
  *
  * <p>For {@code interface Greeter { Promise<String> greet(String name); }} it writes what this would compile to:
- * {@snippet lang=java :
+ * {@snippet lang = "text":
  * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;
  *     Greeter$$greet$0(ActorCell cell, String a0) { super(cell); this.a0 = a0; }
