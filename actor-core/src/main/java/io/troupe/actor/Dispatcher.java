@@ -14,12 +14,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and {@link #served}.
  *
- * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails. Before each mail the inbox of
- * callbacks is looked at, and what is there joins the ring of callbacks: an answer of another space does not wait for mails, and no mail overtakes a
- * callback that its sender queued before it. A mail from the inbox runs at once only if both rings are empty, else it queues up behind them; so
- * calls of one sender to one receiver keep their order. A request whose answer has one listener hands that on: it is served next, as it would be from its
- * ring. Callbacks come before mails, those of the inbox too, but after {@value #QUOTA} in a row (and one that was handed on) one mail, the inbox and the
- * timers have their turn; a mail from the inbox only if no callback is left that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
+ * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails.
+ * Before each mail the inbox of callbacks is looked at, and what is there joins the ring of callbacks: an answer of
+ * another space does not wait for mails, and no mail overtakes a callback that its sender queued before it. A mail from
+ * the inbox runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one
+ * receiver keep their order. A request whose answer has one listener hands that on: it is served next, as it would be
+ * from its ring. Callbacks come before mails, those of the inbox too, but after {@value #QUOTA} in a row (and one that
+ * was handed on) one mail, the inbox and the timers have their turn; a mail from the inbox only if no callback is left
+ * that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
  * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
  * millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass is soon enough.
@@ -215,7 +217,10 @@ final class Dispatcher {
         return next;
     }
 
-    /** The one listener of the answer that was just given, which would have been the next callback in its ring; none follows it this way. */
+    /**
+     * The one listener of the answer that was just given, which would have been the next callback in its ring; none
+     * follows it this way.
+     */
     private void serveNext(Node callback) {
         if (quota == 0) { // the turn has halted this dispatcher
             space.enqueueCallback(callback);
@@ -262,7 +267,10 @@ final class Dispatcher {
         }
     }
 
-    /** @param withCallbacks whether callbacks may be served between the mails; else the mails behind them join their ring */
+    /**
+     * @param withCallbacks whether callbacks may be served between the mails; else the mails behind them join their
+     * ring
+     */
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();

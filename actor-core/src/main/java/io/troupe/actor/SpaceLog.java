@@ -1,7 +1,8 @@
 package io.troupe.actor;
 
 /**
- * Where a space reports by default. Methods, not lambdas: the name of the method is what a log line gives as its source.
+ * Where a space reports by default. Methods, not lambdas: the name of the method is what a log line gives as its
+ * source.
  */
 final class SpaceLog {
     private static final System.Logger LOG = System.getLogger(ActorSpace.class.getName());

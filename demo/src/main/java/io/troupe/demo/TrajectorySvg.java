@@ -16,8 +16,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
 /**
- * Draws the arena, all paths in the colours of the services, and where states changed. A few robots have direction and time
- * marks; the paths of a crowd fade with age instead, and its robots have no numbers.
+ * Draws the arena, all paths in the colours of the services, and where states changed. A few robots have direction and
+ * time marks; the paths of a crowd fade with age instead, and its robots have no numbers.
  */
 final class TrajectorySvg {
     private static final double SCALE = 70; // pixels per metre, at most

@@ -19,7 +19,9 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The start script in a built installation, with a {@code java} that prints its arguments and a {@code mvn} that fails. */
+/**
+ * The start script in a built installation, with a {@code java} that prints its arguments and a {@code mvn} that fails.
+ */
 @Timeout(60)
 @DisabledOnOs(OS.WINDOWS)
 class StartScriptTest {

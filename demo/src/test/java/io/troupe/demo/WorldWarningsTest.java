@@ -14,7 +14,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Every command that reads a world warns of what is not simulated; unknown names are errors without {@code --lenient}. */
+/**
+ * Every command that reads a world warns of what is not simulated; unknown names are errors without {@code --lenient}.
+ */
 class WorldWarningsTest {
     @TempDir
     private Path directory;

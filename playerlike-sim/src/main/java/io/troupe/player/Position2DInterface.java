@@ -104,8 +104,8 @@ public class Position2DInterface extends AbstractPositionDevice {
     }
 
     /**
-     * Drives with a velocity in the robot's frame. Simulated robots ignore {@code state}, as Stage does: 0 drives, too; to
-     * stop, send zero speed. A differential drive ignores the part to the side.
+     * Drives with a velocity in the robot's frame. Simulated robots ignore {@code state}, as Stage does: 0 drives, too;
+     * to stop, send zero speed. A differential drive ignores the part to the side.
      */
     public void setVelocity(PlayerPose2d velocity, int state) {
         drive(velocity.getPx(), velocity.getPy(), velocity.getPa(), state != 0);

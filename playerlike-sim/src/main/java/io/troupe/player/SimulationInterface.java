@@ -56,7 +56,9 @@ public class SimulationInterface extends PlayerDevice {
         return pc.findsReply(pose);
     }
 
-    /** Not offered: throws {@link PlayerException}, as the next five do. Poses in space and data are not served here. */
+    /**
+     * Not offered: throws {@link PlayerException}, as the next five do. Poses in space and data are not served here.
+     */
     public void get3DPose(String model) {
         throw notServed("the pose of model '" + model + "' in space");
     }

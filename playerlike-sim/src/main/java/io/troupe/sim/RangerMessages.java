@@ -41,8 +41,8 @@ final class RangerMessages {
     }
 
     /**
-     * Whether a client asks for what a laser does already. Its range resolution does not matter, and a frequency of 0 is
-     * none, as in messages of javaclient3, which have no such field.
+     * Whether a client asks for what a laser does already. Its range resolution does not matter, and a frequency of 0
+     * is none, as in messages of javaclient3, which have no such field.
      */
     static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
         return isNear(asked.minAngleRad(), real.minAngleRad())

@@ -55,8 +55,8 @@ public final class World implements AutoCloseable {
     private volatile Snapshot latest;
 
     /**
-     * A world at tick 0, its devices read once. A robot that overlaps something is held there, and stalls, until it is put
-     * elsewhere.
+     * A world at tick 0, its devices read once. A robot that overlaps something is held there, and stalls, until it is
+     * put elsewhere.
      *
      * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated,
      * {@link IllegalArgumentException} for settings that fit no world.

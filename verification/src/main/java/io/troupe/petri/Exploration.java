@@ -4,8 +4,8 @@ import java.util.BitSet;
 
 /*
  * Breadth first over the markings of a net. What it leaves in its fields is what ReachabilityGraph and DeadlockSearch
- * report. When the memory is used up it ends between two steps, so that what it has stays consistent: a list may then hold
- * a last value too many, which nothing reads.
+ * report. When the memory is used up it ends between two steps, so that what it has stays consistent: a list may then
+ * hold a last value too many, which nothing reads.
  */
 final class Exploration {
     final PetriNet net;

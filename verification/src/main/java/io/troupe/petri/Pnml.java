@@ -21,12 +21,12 @@ import javax.xml.stream.XMLStreamException;
  * ignore it.
  *
  * <p>Files of other tools (pm4py, WoPeD, PIPE, ProM, LoLA, Yasper and their like) that keep to the standard in part are
- * read too, with a warning, as long as their content is that of a P/T net: without its namespace, of another type of net,
- * places outside of pages, arcs without ids or with repeated ones. Final markings are left out, with a warning.
+ * read too, with a warning, as long as their content is that of a P/T net: without its namespace, of another type of
+ * net, places outside of pages, arcs without ids or with repeated ones. Final markings are left out, with a warning.
  *
  * <p><b>Errors.</b> What is not such a document throws {@link PnmlException} with the line and the reason; so do a
- * document type declaration (nothing outside the document is ever read) and every element and attribute that could change
- * what the net means, an inhibitor arc for one, in whichever way it is written.
+ * document type declaration (nothing outside the document is ever read) and every element and attribute that could
+ * change what the net means, an inhibitor arc for one, in whichever way it is written.
  * <p><b>Source.</b> ISO/IEC 15909-2, grammar of 2009.
  */
 public final class Pnml {

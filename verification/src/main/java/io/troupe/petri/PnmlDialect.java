@@ -7,8 +7,8 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
 /*
- * What the files of other tools hold beside the standard, as far as it leaves a place/transition net as it is. What is not
- * listed here may change the meaning of a net, and is refused.
+ * What the files of other tools hold beside the standard, as far as it leaves a place/transition net as it is. What is
+ * not listed here may change the meaning of a net, and is refused.
  */
 final class PnmlDialect {
     /** Namespaces before the standard, in which the same elements mean the same. */

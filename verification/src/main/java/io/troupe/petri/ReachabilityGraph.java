@@ -10,11 +10,12 @@ import java.util.stream.IntStream;
 /**
  * The markings that a net can reach, and how.
  *
- * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, or the search is cancelled or out of memory,
- * the graph is a part of the whole: {@link #isComplete} is false, {@link #summary} says in words what is then known, and every method says
- * what its answer is worth. In a part, too, every marking is really reachable and every trace is a shortest one;
- * every marking was tested for being dead, unless the search was cancelled or ran out of memory. {@link Liveness} reads more out of the
- * graph; {@link DeadlockSearch} finds the dead markings with less work.
+ * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, or the search is
+ * cancelled or out of memory, the graph is a part of the whole: {@link #isComplete} is false, {@link #summary} says in
+ * words what is then known, and every method says what its answer is worth. In a part, too, every marking is really
+ * reachable and every trace is a shortest one; every marking was tested for being dead, unless the search was cancelled
+ * or ran out of memory. {@link Liveness} reads more out of the graph; {@link DeadlockSearch} finds the dead markings
+ * with less work.
  * <p><b>Threads.</b> Immutable.
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
  * <p><b>Cost.</b> For each marking one bit for every place of a safe net (more bits as the tokens require) and about 20

@@ -47,7 +47,9 @@ class MemoryTest {
         return threads.getCurrentThreadAllocatedBytes() - before;
     }
 
-    /** With equal priorities nothing differs; with two, stubborn sets follow all, so that both see the same markings. */
+    /**
+     * With equal priorities nothing differs; with two, stubborn sets follow all, so that both see the same markings.
+     */
     @Test
     void deadlockSearch_keepsNoEdges() {
         var net = switches(14).toBuilder()

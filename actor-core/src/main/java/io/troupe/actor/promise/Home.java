@@ -93,7 +93,8 @@ public abstract class Home {
     protected abstract Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed);
 
     /**
-     * A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still so.
+     * A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still
+     * so.
      *
      * @hidden
      */

@@ -19,8 +19,8 @@ public abstract class Node {
     protected abstract void run() throws Throwable;
 
     /**
-     * Runs this as an entry of a queue. A request whose answer has exactly one listener, which comes next in any case, returns that listener: the queue of
-     * callbacks is then passed by.
+     * Runs this as an entry of a queue. A request whose answer has exactly one listener, which comes next in any case,
+     * returns that listener: the queue of callbacks is then passed by.
      *
      * @return the callback that must be served next, before anything else, or null
      */

@@ -245,7 +245,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     protected void cancelled() {}
 
     /**
-     * A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else waits.
+     * A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else
+     * waits.
      *
      * @hidden
      */

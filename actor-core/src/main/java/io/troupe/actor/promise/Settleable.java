@@ -187,7 +187,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has not settled}.
+     * As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has
+     * not settled}.
      *
      * @hidden
      */

@@ -35,7 +35,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The samples in the Javadoc of actor-core, each with what its comments say; {@code SamplesTest} compares the texts. */
+/**
+ * The samples in the Javadoc of actor-core, each with what its comments say; {@code SamplesTest} compares the texts.
+ */
 class JavadocSamplesTest {
     private final List<String> log = new ArrayList<>();
 

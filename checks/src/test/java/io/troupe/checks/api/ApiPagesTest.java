@@ -20,7 +20,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The Javadoc pages of actor-core, as its users get them, show the API and no machinery. What is public for technical reasons only has the tag {@code @hidden}.
+ * The Javadoc pages of actor-core, as its users get them, show the API and no machinery. What is public for technical
+ * reasons only has the tag {@code @hidden}.
  */
 class ApiPagesTest {
     /** Public for technical reasons, but the type of a constructor's parameter in the API. */

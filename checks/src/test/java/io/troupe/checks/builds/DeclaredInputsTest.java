@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What a test reads outside its class path is declared as an input of Gradle's test task: with the build cache on, a test
- * whose undeclared file was broken would not run, and be reported as passed.
+ * What a test reads outside its class path is declared as an input of Gradle's test task: with the build cache on, a
+ * test whose undeclared file was broken would not run, and be reported as passed.
  */
 class DeclaredInputsTest {
     private static final Pattern PATH = Pattern.compile("\\bPath\\.of\\(\\s*(\"[^\"]*\"(?:\\s*,\\s*\"[^\"]*\")*)");

@@ -44,7 +44,10 @@ class HonestBuildsTest {
                 .contains("<artifactId>maven-jar-plugin</artifactId><version>3.3.0</version>");
     }
 
-    /** The start script needs a class path, and other users the copied libraries; the main job ends in the phase compile. */
+    /**
+     * The start script needs a class path, and other users the copied libraries; the main job ends in the phase
+     * compile.
+     */
     @Test
     void filesOfTheStartScript_areWrittenByTheMainJob() throws IOException {
         assertThat(file("README.md")).contains("compile exec:exec -pl demo -am");

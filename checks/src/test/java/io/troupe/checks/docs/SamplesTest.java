@@ -67,7 +67,9 @@ class SamplesTest {
         assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
     }
 
-    /** What a page of the API says without a sample: exceptions, and types that users meet without writing their names. */
+    /**
+     * What a page of the API says without a sample: exceptions, and types that users meet without writing their names.
+     */
     private static final Set<String> WITHOUT_A_SAMPLE = Set.of(
             "ActorException", "ActorStoppedException", "ActorTypeException", "MailboxFullException", "Clock", "Home");
 

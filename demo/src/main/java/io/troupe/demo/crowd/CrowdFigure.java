@@ -12,8 +12,8 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 
 /**
- * The cost of a robot by how many there are, both axes logarithmic; a flat line is a crowd that costs in proportion to its
- * size. Below the dashed line the crowd is faster than real time.
+ * The cost of a robot by how many there are, both axes logarithmic; a flat line is a crowd that costs in proportion to
+ * its size. Below the dashed line the crowd is faster than real time.
  */
 final class CrowdFigure {
     private static final double MICROS_PER_TICK = 100_000; // at real time

@@ -11,8 +11,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * How every command reads a world: warnings with their places go to the error stream; unknown names are warnings only with
- * {@code --lenient}.
+ * How every command reads a world: warnings with their places go to the error stream; unknown names are warnings only
+ * with {@code --lenient}.
  */
 public final class WorldReading {
     @Spec(Spec.Target.MIXEE)

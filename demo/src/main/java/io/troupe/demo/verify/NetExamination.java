@@ -19,9 +19,9 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /*
- * A net of the user's, examined within limits of time and memory. The verdict comes first: by stubborn sets in half of the
- * time, and, if they do not get through, by siphons. Then what else is known, and the pictures last. Each part is reported
- * as soon as it is known, and none that fails takes back what was reported before.
+ * A net of the user's, examined within limits of time and memory. The verdict comes first: by stubborn sets in half of
+ * the time, and, if they do not get through, by siphons. Then what else is known, and the pictures last. Each part is
+ * reported as soon as it is known, and none that fails takes back what was reported before.
  */
 final class NetExamination {
     /** The exit status for each verdict. */

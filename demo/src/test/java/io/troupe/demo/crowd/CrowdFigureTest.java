@@ -149,7 +149,10 @@ class CrowdFigureTest {
         assertThat(DOCUMENTED).hasContent(svg);
     }
 
-    /** Of three rounds the quartiles lie in the middle between the median and the extremes; the table has those of the speed. */
+    /**
+     * Of three rounds the quartiles lie in the middle between the median and the extremes; the table has those of the
+     * speed.
+     */
     private static Row documented(java.util.regex.Matcher row) {
         double[] numbers = new double[8];
         for (int i = 1; i <= 7; i++) {

@@ -5,7 +5,9 @@ public sealed interface DeviceCommand {
     /** position2d CMD 1: metres and radians per second in the robot's frame; Stage ignores {@code enabled}. */
     record Velocity(double vx, double vy, double va, boolean enabled) implements DeviceCommand {}
 
-    /** position2d CMD 2: a goal in the odometry frame; Stage ignores the speeds to go there with and {@code enabled}. */
+    /**
+     * position2d CMD 2: a goal in the odometry frame; Stage ignores the speeds to go there with and {@code enabled}.
+     */
     record GoTo(double px, double py, double pa, double vx, double vy, double va, boolean enabled)
             implements DeviceCommand {}
 

@@ -33,8 +33,8 @@ final class Colours {
     }
 
     /**
-     * The colour of an entity, red unless it says otherwise; {@code "random"} is one that depends on where the entity stands;
-     * of a name and a mixture the one given last counts.
+     * The colour of an entity, red unless it says otherwise; {@code "random"} is one that depends on where the entity
+     * stands; of a name and a mixture the one given last counts.
      */
     static int of(Entity entity) {
         int colour = 0xff0000;

@@ -87,7 +87,8 @@ final class RobotDevices {
     /**
      * The newest readings.
      *
-     * @param withLaser whether the service asks for the scan; another service of the robot may have subscribed to the laser
+     * @param withLaser whether the service asks for the scan; another service of the robot may have subscribed to the
+     * laser
      */
     Senses senses(boolean withLaser) {
         var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());

@@ -29,9 +29,9 @@ import org.junit.jupiter.api.Test;
 /**
  * The three units of a component interface, with a scripted component on a hand-cranked space.
  *
- * <p>Long because one component goes through all of them: first a life without faults and the bus messages that control it, then the buffer between component and
- * bus, then each way in which a life can fail (invocation, data, conversion, hanging, termination), then lives that overlap (start, stop and restart during one
- * another), at last closing.
+ * <p>Long because one component goes through all of them: first a life without faults and the bus messages that control
+ * it, then the buffer between component and bus, then each way in which a life can fail (invocation, data, conversion,
+ * hanging, termination), then lives that overlap (start, stop and restart during one another), at last closing.
  */
 class ComponentInterfaceTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);

@@ -8,8 +8,8 @@ import org.openjdk.jcstress.Main;
 /**
  * Runs jcstress with the arguments given, and fails unless every law passed.
  *
- * <p><b>Errors.</b> jcstress fails by itself on a forbidden outcome only. Its exit status is 0 as well when laws ended in an
- * error, on a JVM that cannot load them for example, and when no law ran at all: then this one's is 1.
+ * <p><b>Errors.</b> jcstress fails by itself on a forbidden outcome only. Its exit status is 0 as well when laws ended
+ * in an error, on a JVM that cannot load them for example, and when no law ran at all: then this one's is 1.
  */
 public final class LawsMain {
     /** Something that runs laws and prints to {@link System#out}, as jcstress does. */

@@ -28,7 +28,9 @@ final class Layout {
     private static final int SEED = 1;
     private static final double ASPECT_RATIO = 1.6;
 
-    /** Among many long arcs the best placement takes a minute for 250 nodes; a good one, Brandes and Köpf's, does not. */
+    /**
+     * Among many long arcs the best placement takes a minute for 250 nodes; a good one, Brandes and Köpf's, does not.
+     */
     private static final int MOST_EXACT_NODES = 90;
 
     /** What a label says does not matter here, but ELK passes over empty ones. */

@@ -75,8 +75,9 @@ public final class NetDrawing {
     }
 
     /**
-     * The same picture with the places of each component in a tint of their own, and a legend with the components' names.
-     * A transition has a tint if all places around it belong to one component; those of several components stay grey.
+     * The same picture with the places of each component in a tint of their own, and a legend with the components'
+     * names. A transition has a tint if all places around it belong to one component; those of several components stay
+     * grey.
      *
      * @param places by the name of the component, in the order of the legend; only {@link #svg} shows them
      */
@@ -99,8 +100,8 @@ public final class NetDrawing {
     /**
      * A complete SVG file, laid out from left to right.
      *
-     * @throws IllegalArgumentException if the net has more than {@link #MOST_SVG_NODES} places and transitions or {@link
-     * #MOST_SVG_ARCS} arcs
+     * @throws IllegalArgumentException if the net has more than {@link #MOST_SVG_NODES} places and transitions or
+     * {@link #MOST_SVG_ARCS} arcs
      */
     public String svg() {
         requireAtMost(net.places().size() + net.transitions().size(), MOST_SVG_NODES, "places and transitions");

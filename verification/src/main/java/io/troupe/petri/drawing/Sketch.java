@@ -18,7 +18,8 @@ final class Sketch {
      *
      * @param downwards from top to bottom, not from left to right
      * @param wrapped goes on in a new row where one row would be too long; ELK cannot do that with labels of edges
-     * @param order which edges go forward: {@code MODEL_ORDER} those to a node added later, {@code DEPTH_FIRST} as long a
+     * @param order which edges go forward: {@code MODEL_ORDER} those to a node added later, {@code DEPTH_FIRST} as long
+     * a
      *     chain as there is, {@code BFS_NODE_ORDER} a node stands as near to the first ones as edges lead to it, which
      *     keeps a large net with many loops compact
      */

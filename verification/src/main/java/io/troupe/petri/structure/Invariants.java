@@ -35,7 +35,8 @@ public final class Invariants {
      * Invariants, largest support last.
      *
      * @param invariants each is minimal, also when the search stopped early; its weights above 0
-     * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may be more
+     * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may
+     * be more
      */
     public record Found<T>(List<Map<T, Long>> invariants, boolean isComplete) {
         public Found {
@@ -53,7 +54,9 @@ public final class Invariants {
         return ofPlaces(net, maxRows, () -> false);
     }
 
-    /** P-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true. */
+    /**
+     * P-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true.
+     */
     public static Found<Place> ofPlaces(PetriNet net, int maxRows, BooleanSupplier cancelled) {
         var matrix = new Effects(net).onPlaces();
         var search = new SemiPositive(matrix, net.transitions().size(), cancelled);
@@ -70,7 +73,9 @@ public final class Invariants {
         return ofTransitions(net, maxRows, () -> false);
     }
 
-    /** T-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true. */
+    /**
+     * T-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true.
+     */
     public static Found<Transition> ofTransitions(PetriNet net, int maxRows, BooleanSupplier cancelled) {
         var matrix = new Effects(net).ofTransitions();
         var search = new SemiPositive(matrix, net.places().size(), cancelled);

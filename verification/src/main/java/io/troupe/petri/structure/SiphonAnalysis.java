@@ -39,8 +39,8 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
     /**
      * Judges the minimal siphons found in up to {@code maxSteps} (1 or more) steps, as long as there is time.
      *
-     * @param left how much time is left, asked often and on the calling thread; once it is zero or less, the search ends,
-     * and a siphon that is not judged yet may be emptied, for all that is known
+     * @param left how much time is left, asked often and on the calling thread; once it is zero or less, the search
+     * ends, and a siphon that is not judged yet may be emptied, for all that is known
      */
     public static SiphonAnalysis of(PetriNet net, long maxSteps, Supplier<Duration> left) {
         BooleanSupplier cancelled = () -> !left.get().isPositive();

@@ -39,8 +39,8 @@ public final class Siphons {
     }
 
     /**
-     * Searches all minimal siphons in up to {@code maxSteps} (1 or more) steps, or until {@code cancelled} is true. It is
-     * asked many times in each step, on the calling thread; a limit of time is one that compares a clock.
+     * Searches all minimal siphons in up to {@code maxSteps} (1 or more) steps, or until {@code cancelled} is true. It
+     * is asked many times in each step, on the calling thread; a limit of time is one that compares a clock.
      */
     public static MinimalSets minimalSiphons(PetriNet net, long maxSteps, BooleanSupplier cancelled) {
         return minimal(net, () -> Needs.ofSiphons(net, cancelled), maxSteps);
@@ -56,7 +56,9 @@ public final class Siphons {
         return minimalTraps(net, maxSteps, () -> false);
     }
 
-    /** Searches all minimal traps, within the same limits as {@link #minimalSiphons(PetriNet, long, BooleanSupplier)}. */
+    /**
+     * Searches all minimal traps, within the same limits as {@link #minimalSiphons(PetriNet, long, BooleanSupplier)}.
+     */
     public static MinimalSets minimalTraps(PetriNet net, long maxSteps, BooleanSupplier cancelled) {
         return minimal(net, () -> Needs.ofTraps(net, cancelled), maxSteps);
     }

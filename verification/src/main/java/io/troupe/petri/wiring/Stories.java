@@ -79,8 +79,8 @@ final class Stories {
     }
 
     /**
-     * Those that can get to the call without another answer of the component, as who took a fork can get to putting it down;
-     * all that make the call if there are none. The others wait for the component, so it does not wait for them.
+     * Those that can get to the call without another answer of the component, as who took a fork can get to putting it
+     * down; all that make the call if there are none. The others wait for the component, so it does not wait for them.
      */
     private List<String> callers(
             String component, String call, Map<String, String> at, Map<String, Step.Requests> asking) {

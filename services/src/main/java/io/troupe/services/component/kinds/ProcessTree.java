@@ -197,7 +197,8 @@ final class ProcessTree {
     }
 
     /**
-     * Asks all to end, each once and those that were started meanwhile too, and kills those that have not ended within the limit. Blocks.
+     * Asks all to end, each once and those that were started meanwhile too, and kills those that have not ended within
+     * the limit. Blocks.
      *
      * @param killLimit how long those that were killed are waited for
      * @return those that are still alive; empty as a rule
