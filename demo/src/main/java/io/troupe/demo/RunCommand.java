@@ -10,6 +10,7 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -88,7 +89,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private void warnOfSizes(WorldSpec world) {
-        var sizes = RunSizes.of(world.robots().size(), world.intervalMillis(), seconds);
+        var sizes = Sizes.of(world.robots().size(), world.intervalMillis(), seconds);
         if (sizes.areLarge()) {
             PrintWriter err = spec.commandLine().getErr();
             err.println("troupe: warning: --seconds is " + seconds + ": expect about " + sizes.describe());
@@ -125,5 +126,32 @@ final class RunCommand implements Callable<Integer> {
         }
         terminal.println("wrote " + picture + " and " + file);
         terminal.flush();
+    }
+
+    /** How large the files of a run become, about; a warning before a long run names them. */
+    record Sizes(double logBytes, double pictureBytes) {
+        private static final double LARGE_BYTES = 50e6;
+        /** Measured in the paper's arena. */
+        private static final double BYTES_PER_POSE = 160;
+
+        private static final double BYTES_PER_POINT = 12;
+
+        static Sizes of(int robots, long intervalMillis, double seconds) {
+            double poses = robots * seconds * 1000 / intervalMillis;
+            double logged = robots < Ledger.MANY_ROBOTS ? poses : robots * seconds;
+            return new Sizes(logged * BYTES_PER_POSE, poses * BYTES_PER_POINT);
+        }
+
+        boolean areLarge() {
+            return logBytes > LARGE_BYTES || pictureBytes > LARGE_BYTES;
+        }
+
+        String describe() {
+            return String.format(
+                    Locale.ROOT,
+                    "%.0f MB in run.jsonl and at most %.0f MB in trajectory.svg",
+                    logBytes / 1e6,
+                    pictureBytes / 1e6);
+        }
     }
 }

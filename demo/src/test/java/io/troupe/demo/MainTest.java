@@ -184,11 +184,11 @@ class MainTest {
 
     @Test
     void longRun_saysFirstHowLargeItsFilesGet() {
-        assertThat(RunSizes.of(2, 100, 100_000))
+        assertThat(RunCommand.Sizes.of(2, 100, 100_000))
                 .satisfies(sizes -> assertThat(sizes.areLarge()).isTrue())
-                .extracting(RunSizes::describe)
+                .extracting(RunCommand.Sizes::describe)
                 .isEqualTo("320 MB in run.jsonl and at most 24 MB in trajectory.svg");
-        assertThat(RunSizes.of(2, 100, 300).areLarge()).isFalse();
+        assertThat(RunCommand.Sizes.of(2, 100, 300).areLarge()).isFalse();
     }
 
     /** The run then fails at once, since the log cannot be a directory. */
