@@ -61,7 +61,7 @@ public class PlayerClient extends ServerInquiries {
                 server = new RemoteServer(serverName, portNumber);
             }
             connection = server.connect(incoming, space);
-            deviceList.put(listOf(connection.devices())); // connecting has asked for them
+            devices.put(new Devices(connection.devices())); // connecting has asked for them
         } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
             throw new PlayerException(
                     "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()

@@ -16,7 +16,7 @@ abstract class ServerInquiries extends OfferedInterfaces {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final long REPLY_LIMIT_MILLIS = 10_000;
 
-    final Latest<PlayerDeviceDevlist> deviceList = new Latest<>();
+    final Latest<Devices> devices = new Latest<>();
     private final Latest<PlayerDeviceDriverInfo> driverInfo = new Latest<>();
     private final int port;
     private volatile long readTimeoutMillis = REPLY_LIMIT_MILLIS;
@@ -28,24 +28,18 @@ abstract class ServerInquiries extends OfferedInterfaces {
 
     /** Asks which devices the server has; the answer is there when this returns. */
     public void requestDeviceList() {
-        deviceList.put(listOf(calling(connection()::devices)));
-    }
-
-    static PlayerDeviceDevlist listOf(List<DeviceAddress> devices) {
-        var answer = new PlayerDeviceDevlist();
-        answer.setDevList(devices.stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
-        answer.setDeviceCount(answer.getDevList().length);
-        return answer;
+        devices.put(new Devices(calling(connection()::devices)));
     }
 
     /** True once for each answer to {@link #requestDeviceList}, and once for the list that a new client has. */
     public boolean isReadyPDDList() {
-        return deviceList.takeNew();
+        return devices.takeNew();
     }
 
     /** The server's devices: as a new client has found them, or the newest answer to {@link #requestDeviceList}. */
     public @Nullable PlayerDeviceDevlist getPDDList() {
-        return deviceList.get();
+        Devices newest = devices.get();
+        return newest == null ? null : newest.list();
     }
 
     /** Asks which driver is behind a device; the answer is there when this returns. */
@@ -130,5 +124,29 @@ abstract class ServerInquiries extends OfferedInterfaces {
     /** Where a client's warnings go. */
     public Logger getLogger() {
         return Logger.getLogger(PlayerClient.class.getName());
+    }
+
+    /**
+     * The devices of a server, converted when they are first read: a thousand clients of a world of three thousand
+     * devices share one list of addresses.
+     */
+    static final class Devices {
+        private final List<DeviceAddress> addresses;
+        private @Nullable PlayerDeviceDevlist converted;
+
+        Devices(List<DeviceAddress> addresses) {
+            this.addresses = addresses;
+        }
+
+        synchronized PlayerDeviceDevlist list() {
+            PlayerDeviceDevlist list = converted;
+            if (list == null) {
+                list = new PlayerDeviceDevlist();
+                list.setDevList(addresses.stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
+                list.setDeviceCount(list.getDevList().length);
+                converted = list;
+            }
+            return list;
+        }
     }
 }

@@ -8,8 +8,10 @@ import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderColorConfig;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderImagerConfig;
+import io.troupe.player.structures.player.PlayerDeviceDevlist;
 import io.troupe.player.structures.position2d.PlayerPosition2dCmdPos;
 import io.troupe.player.structures.position2d.PlayerPosition2dCmdVel;
+import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceCommand.Car;
 import io.troupe.player.wire.DeviceCommand.GoTo;
@@ -20,6 +22,7 @@ import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.ReplaceRule;
 import java.text.MessageFormat;
 import java.time.Duration;
+import java.util.AbstractList;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Locale;
@@ -251,6 +254,33 @@ class DevicesTest implements PlayerConstants {
         assertThat(client.getPDDList().getDevList()[1].getInterf()).isEqualTo(PLAYER_SONAR_CODE);
         assertThat(client.isReadyPDDList()).isTrue();
         assertThat(client.isReadyPDDList()).as("once for each list").isFalse();
+    }
+
+    /** A thousand clients of a world of three thousand devices shall not keep three million addresses. */
+    @Test
+    void deviceList_isConvertedWhenItIsFirstRead_andOnce() {
+        var addresses = new AbstractList<DeviceAddress>() {
+            private int reads;
+
+            @Override
+            public DeviceAddress get(int index) {
+                reads++;
+                return new DeviceAddress(0, ScriptedServer.PORT, PLAYER_SONAR_CODE, index);
+            }
+
+            @Override
+            public int size() {
+                return 3_000;
+            }
+        };
+        var devices = new ServerInquiries.Devices(addresses);
+        assertThat(addresses.reads).isZero();
+        PlayerDeviceDevlist list = devices.list();
+        assertThat(list.getDeviceCount()).isEqualTo(3_000);
+        assertThat(list.getDevList()).hasSize(3_000);
+        int reads = addresses.reads;
+        assertThat(devices.list()).isSameAs(list);
+        assertThat(addresses.reads).isEqualTo(reads);
     }
 
     @Test
