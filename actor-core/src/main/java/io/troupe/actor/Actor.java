@@ -9,7 +9,8 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Base class of an actor that wants to know its space, or is itself the type others call ({@code class Demo3 extends Actor}).
+ * Base class of an actor that wants to know its space, or is itself the type others call ({@code class Demo3 extends
+ * Actor}).
  *
  * <p><b>Role.</b> Optional: any object can be the implementation of an actor interface. Made by the factory given to
  * {@link ActorSpace#spawn}; its public methods that return {@code void} or {@link Promise} are its messages.
@@ -37,6 +38,7 @@ import org.jspecify.annotations.Nullable;
  * }
  *
  * <p><b>Threads.</b> The space's thread; calling these methods from another one throws {@link IllegalStateException}.
+ *
  * <p><b>Source.</b> Paper, Figures 17 and 20.
  */
 public abstract class Actor {
@@ -55,10 +57,11 @@ public abstract class Actor {
     }
 
     /**
-     * The proxy of this actor: what to hand to others, and to call when the call shall be a message, with a turn of its own.
-     * ({@code this} calls at once.)
+     * The proxy of this actor: what to hand to others, and to call when the call shall be a message, with a turn of its
+     * own. ({@code this} calls at once.)
      *
-     * <p><b>Order.</b> Behind what this actor has sent itself before. What others have sent meanwhile may come before or after it.
+     * <p><b>Order.</b> Behind what this actor has sent itself before. What others have sent meanwhile may come before
+     * or after it.
      */
     @SuppressWarnings("unchecked") // the caller names the type it spawned this actor as
     protected final <A> A self() {
@@ -73,12 +76,14 @@ public abstract class Actor {
     /** Called before the first message. */
     protected void started() {}
 
-    /** Called after the last message; not if the constructor threw. Requests that are still open after it are rejected. */
+    /**
+     * Called after the last message; not if the constructor threw. Requests that are still open after it are rejected.
+     */
     protected void stopped() {}
 
     /**
-     * Stops this actor after the current message; the messages behind it become dead letters, the requests are rejected, and so are the requests that
-     * have begun and are not answered.
+     * Stops this actor after the current message; the messages behind it become dead letters, the requests are
+     * rejected, and so are the requests that have begun and are not answered.
      */
     protected final void stop() {
         var mine = cell("stop()");
@@ -94,7 +99,10 @@ public abstract class Actor {
         return cell("after(..)").space().timer(cell, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
-    /** Runs a task again and again, the first time after one period, until this actor has stopped; with the schedule {@link Schedule#FIXED_RATE}. */
+    /**
+     * Runs a task again and again, the first time after one period, until this actor has stopped; with the schedule
+     * {@link Schedule#FIXED_RATE}.
+     */
     protected final Timer every(Duration period, Runnable task) {
         return every(period, Schedule.FIXED_RATE, task);
     }
@@ -110,8 +118,8 @@ public abstract class Actor {
     }
 
     /**
-     * Runs a task once, later, in place of the timer with that key: the one before, if it has not run yet, does not run any more, even if it is
-     * due already. The timer is gone when it has run, and when this actor stops or restarts.
+     * Runs a task once, later, in place of the timer with that key: the one before, if it has not run yet, does not run
+     * any more, even if it is due already. The timer is gone when it has run, and when this actor stops or restarts.
      *
      * @param key any object, compared by {@code equals}; belongs to this actor alone
      */
@@ -119,12 +127,18 @@ public abstract class Actor {
         return keyed.set(cell("after(..)"), key, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
-    /** As {@link #every(Duration, Runnable)}, in place of the timer with that key; see {@link #after(Object, Duration, Runnable)}. */
+    /**
+     * As {@link #every(Duration, Runnable)}, in place of the timer with that key; see {@link #after(Object, Duration,
+     * Runnable)}.
+     */
     protected final Timer every(Object key, Duration period, Runnable task) {
         return every(key, period, Schedule.FIXED_RATE, task);
     }
 
-    /** As {@link #every(Duration, Schedule, Runnable)}, in place of the timer with that key; see {@link #after(Object, Duration, Runnable)}. */
+    /**
+     * As {@link #every(Duration, Schedule, Runnable)}, in place of the timer with that key; see {@link #after(Object,
+     * Duration, Runnable)}.
+     */
     protected final Timer every(Object key, Duration period, Schedule schedule, Runnable task) {
         checkPeriod(period);
         return keyed.set(cell("every(..)"), key, period, period, schedule, task);
@@ -136,7 +150,10 @@ public abstract class Actor {
         return keyed.cancel(key);
     }
 
-    /** The paper's {@code while}, one turn of the space for each round: see {@link ActorSpace#repeatWhile(BooleanSupplier, Runnable)}. */
+    /**
+     * The paper's {@code while}, one turn of the space for each round: see
+     * {@link ActorSpace#repeatWhile(BooleanSupplier, Runnable)}.
+     */
     protected final Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
         return space().repeatWhile(condition, body);
     }

@@ -163,7 +163,10 @@ public final class ActorCell {
         return ended;
     }
 
-    /** The entry that spawning has queued: starts the actor, unless a call that came another way has done so, or it was stopped before. */
+    /**
+     * The entry that spawning has queued: starts the actor, unless a call that came another way has done so, or it was
+     * stopped before.
+     */
     void start() {
         if (!begun && !stopped && !space.isStopping()) {
             startInstance();
@@ -256,7 +259,10 @@ public final class ActorCell {
         return space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
     }
 
-    /** At once, but after a second failed start in a row only after a pause, so that an actor that cannot start leaves time for the others. */
+    /**
+     * At once, but after a second failed start in a row only after a pause, so that an actor that cannot start leaves
+     * time for the others.
+     */
     private void restart() {
         if (stopped) {
             return;
@@ -286,7 +292,10 @@ public final class ActorCell {
         }
     }
 
-    /** The calls that were held back come before those that wait in the space, one for each entry, so that others have their turns. */
+    /**
+     * The calls that were held back come before those that wait in the space, one for each entry, so that others have
+     * their turns.
+     */
     private void releaseSoon() {
         if (!releasing) {
             releasing = true;
@@ -321,7 +330,9 @@ public final class ActorCell {
         space.reports().turnAway(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
-    /** Begins the turn of a one-way call: the implementation that is to handle it, or null if nobody is, or has done so. */
+    /**
+     * Begins the turn of a one-way call: the implementation that is to handle it, or null if nobody is, or has done so.
+     */
     @Nullable
     Object target(Message message) {
         Object target = implementation;
@@ -381,7 +392,10 @@ public final class ActorCell {
         return mailbox == null ? ticket : mailbox.peek(ticket);
     }
 
-    /** How many calls wait before this one in a mailbox that keeps them itself, or among those held back; -1 if it is not among the first so many. */
+    /**
+     * How many calls wait before this one in a mailbox that keeps them itself, or among those held back; -1 if it is
+     * not among the first so many.
+     */
     int placeInMailbox(Node call, int limit) {
         int place = mailbox == null ? -1 : mailbox.placeOf(call, limit);
         return place < 0 && held != null ? placeAmongHeld(call, limit) : place;

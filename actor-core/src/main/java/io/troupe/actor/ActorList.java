@@ -4,7 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** The actors of a space that have started and not stopped, in the order of their start; linked through the cells, so that an actor costs no entry. */
+/**
+ * The actors of a space that have started and not stopped, in the order of their start; linked through the cells, so
+ * that an actor costs no entry.
+ */
 final class ActorList {
     private @Nullable ActorCell first;
     private @Nullable ActorCell last;

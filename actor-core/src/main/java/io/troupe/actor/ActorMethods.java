@@ -14,9 +14,10 @@ import java.util.stream.Stream;
 /**
  * Which methods of an actor type are messages.
  *
- * <p>An interface's are its abstract ones, and the default ones that return what a message can return, since the implementation may override them; its other
- * default methods run where they are called. A class actor's are all its public ones, inherited default methods too, because nothing but a message may run
- * on its proxy, whose fields are unset.
+ * <p>An interface's are its abstract ones, and the default ones that return what a message can return, since the
+ * implementation may override them; its other default methods run where they are called. A class actor's are all its
+ * public ones, inherited default methods too, because nothing but a message may run on its proxy, whose fields are
+ * unset.
  *
  * @param messages those a proxy sends, one per name and parameter types
  * @param bridges what else a proxy has to answer to, because a supertype calls a message by another descriptor
@@ -26,7 +27,9 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
     /** A call by the descriptor of {@code from} is one of {@code to}. */
     record Bridge(Method from, Method to) {}
 
-    /** A method that calls find, and the one the user wrote: they differ where the compiler put a bridge between them. */
+    /**
+     * A method that calls find, and the one the user wrote: they differ where the compiler put a bridge between them.
+     */
     private record Found(Method called, Method written) {}
 
     static ActorMethods of(Class<?> type) {

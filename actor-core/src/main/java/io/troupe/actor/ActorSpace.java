@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The one thread on which its actors live.
  *
- * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} makes further ones, for tests or one per core. Ends with
- * {@link #close}.
+ * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} makes further ones, for tests or one per
+ * core. Ends with {@link #close}.
  *
  * {@snippet :
  * interface Greeter {
@@ -30,16 +30,21 @@ import org.jspecify.annotations.Nullable;
  * } // close() serves what was queued
  * }
  *
- * <p><b>Threads.</b> Every method from any thread unless it says otherwise. An actor's code only ever runs on its space's thread, so it
- * needs no locks. Actors share the thread: one that interrupts it interrupts whatever comes next there, until the space sleeps (clearing the flag
- * at each message would cost as much as a fifth of a message).
- * <p><b>Order.</b> Calls from one sender to one actor are handled in the order in which they were made. Answers and other callbacks, from this and from other
- * spaces, are handled before messages, but never more than 256 of them in a row. A timer that is due waits for 16 messages at most, and for the
- * answers that come before these.
- * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error is fatal to a space: whatever an actor, a listener or a handler throws, an
- * {@link OutOfMemoryError} and an {@link InternalError} too, is reported, and the others are served. If memory is too short even for the report, the error
- * is counted. A caller whose stack ends within a call gets its {@link StackOverflowError} or has its call queued, which is then served within a second.
- * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single thread.
+ * <p><b>Threads.</b> Every method from any thread unless it says otherwise. An actor's code only ever runs on its
+ * space's thread, so it needs no locks. Actors share the thread: one that interrupts it interrupts whatever comes next
+ * there, until the space sleeps (clearing the flag at each message would cost as much as a fifth of a message).
+ *
+ * <p><b>Order.</b> Calls from one sender to one actor are handled in the order in which they were made. Answers and
+ * other callbacks, from this and from other spaces, are handled before messages, but never more than 256 of them in a
+ * row. A timer that is due waits for 16 messages at most, and for the answers that come before these.
+ *
+ * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error is fatal to a space: whatever an actor, a
+ * listener or a handler throws, an {@link OutOfMemoryError} and an {@link InternalError} too, is reported, and the
+ * others are served. If memory is too short even for the report, the error is counted. A caller whose stack ends within
+ * a call gets its {@link StackOverflowError} or has its call queued, which is then served within a second.
+ *
+ * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single
+ * thread.
  */
 public final class ActorSpace extends SpaceHome implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
@@ -83,7 +88,8 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     /**
      * Makes an actor.
      *
-     * @param type an interface, or a class that extends {@link Actor} and whose fields are private; its public methods return {@code void} or {@link Promise}
+     * @param type an interface, or a class that extends {@link Actor} and whose fields are private; its public methods
+     *     return {@code void} or {@link Promise}
      * @param factory makes the implementation, on the space's thread, before the first message
      * @return a proxy, for any thread: calling it sends a message and returns at once
      * @throws ActorTypeException if the type has a method that cannot be a message, or cannot be reached
@@ -108,8 +114,9 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Stops the actor behind a proxy of this space after the messages already in its mailbox. One that waits for its restart is stopped without another start, and those
-     * messages are turned away, as at each end of an actor: messages become dead letters, requests are rejected.
+     * Stops the actor behind a proxy of this space after the messages already in its mailbox. One that waits for its
+     * restart is stopped without another start, and those messages are turned away, as at each end of an actor:
+     * messages become dead letters, requests are rejected.
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
@@ -130,7 +137,8 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     /**
      * Watches this space.
      *
-     * @return fulfilled when it is closed, on its thread, after its actors have stopped; at once if it is closed. Each watcher may cancel its own
+     * @return fulfilled when it is closed, on its thread, after its actors have stopped; at once if it is closed. Each
+     *     watcher may cancel its own
      */
     public Promise<@Nullable Void> whenClosed() {
         var own = new Deferred<@Nullable Void>((Home) null);
@@ -163,8 +171,9 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     /**
      * Runs blocking work on a virtual thread, so many at a time as {@link SpaceSettings#offloadLimit} says.
      *
-     * <p>For work that waits, for a file, a socket or a lock; not for computing. All virtual threads share a few carriers, one for each processor, and one that
-     * computes keeps its carrier until it is done, so that the blocking work of every space waits. Give computing to a pool of platform threads of your own:
+     * <p>For work that waits, for a file, a socket or a lock; not for computing. All virtual threads share a few
+     * carriers, one for each processor, and one that computes keeps its carrier until it is done, so that the blocking
+     * work of every space waits. Give computing to a pool of platform threads of your own:
      * {@code Promise.from(CompletableFuture.supplyAsync(work, pool))}; its listeners run on this space all the same.
      *
      * @return settled with what the work answers or throws
@@ -174,15 +183,18 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Runs a body that may wait with {@link Promise#await()}, on a platform thread that counts as this space's while the body runs: it sees and
-     * changes what an actor's code may. While it waits the space serves others, the same actor included, so what it has read before may have changed after.
+     * Runs a body that may wait with {@link Promise#await()}, on a platform thread that counts as this space's while
+     * the body runs: it sees and changes what an actor's code may. While it waits the space serves others, the same
+     * actor included, so what it has read before may have changed after.
      *
-     * <p>A body has its thread, with the memory of its stack, until it ends: thousands may wait at a time, but not millions. The threads are daemons that later
-     * bodies use again, of other spaces too; so a body must not rely on thread-locals, and removes those it has set.
+     * <p>A body has its thread, with the memory of its stack, until it ends: thousands may wait at a time, but not
+     * millions. The threads are daemons that later bodies use again, of other spaces too; so a body must not rely on
+     * thread-locals, and removes those it has set.
      *
-     * <p><b>Order.</b> The body begins in its turn among the messages, on behalf of the calling actor; what it waited for is a callback. <b>Cost.</b> Two switches
-     * between threads for the beginning and for each {@code await()} that really waits. <b>Errors.</b> If the machine has no further thread, the promise is
-     * rejected with the {@link OutOfMemoryError} that says so.
+     * <p><b>Order.</b> The body begins in its turn among the messages, on behalf of the calling actor; what it waited
+     * for is a callback. <b>Cost.</b> Two switches between threads for the beginning and for each {@code await()} that
+     * really waits. <b>Errors.</b> If the machine has no further thread, the promise is rejected with the
+     * {@link OutOfMemoryError} that says so.
      *
      * @return settled with what the body answers or throws
      */
@@ -192,14 +204,17 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         return sequences().start(body, isCurrent() ? owner() : itself());
     }
 
-    /** Fulfilled after a while, by this space's clock; rejected with {@link CancellationException} if the space is closed before. */
+    /**
+     * Fulfilled after a while, by this space's clock; rejected with {@link CancellationException} if the space is
+     * closed before.
+     */
     public Promise<@Nullable Void> delay(Duration duration) {
         return Delay.start(this, Objects.requireNonNull(duration, "duration"));
     }
 
     /**
-     * Tries until a promise is fulfilled, or the promise that this answers is cancelled. The first try is made at once, on the calling thread, the others on this
-     * space's.
+     * Tries until a promise is fulfilled, or the promise that this answers is cancelled. The first try is made at once,
+     * on the calling thread, the others on this space's.
      *
      * <p><b>Cost.</b> Keeps nothing of the tries that have failed, so it may go on for ever.
      *
@@ -241,7 +256,8 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Serves what waits, and what comes of it, until nothing waits; only for a space that is cranked by hand. The calling thread is the space's meanwhile.
+     * Serves what waits, and what comes of it, until nothing waits; only for a space that is cranked by hand. The
+     * calling thread is the space's meanwhile.
      *
      * @throws IllegalStateException if the space has a thread of its own, or is being cranked already
      */
@@ -254,14 +270,17 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         return settings.clock();
     }
 
-    /** Whether nothing waits here: no entry in any queue, no timer due. Exact between cranks, and between two turns on the space's thread. */
+    /**
+     * Whether nothing waits here: no entry in any queue, no timer due. Exact between cranks, and between two turns on
+     * the space's thread.
+     */
     public boolean isQuiet() {
         return dispatcher.isQuiet();
     }
 
     /**
-     * A moment of this space's clock until which no timer is due; {@link Long#MAX_VALUE} if there is none. For whoever moves the clock of a space that is cranked
-     * by hand; exact as {@link #isQuiet} is.
+     * A moment of this space's clock until which no timer is due; {@link Long#MAX_VALUE} if there is none. For whoever
+     * moves the clock of a space that is cranked by hand; exact as {@link #isQuiet} is.
      */
     public long nextTimerNanos() {
         return dispatcher.timers.nextDeadline();
@@ -273,9 +292,10 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Serves what was queued before, stops every actor, turns what is left into dead letters, and ends the thread; waits for that, up to ten seconds, unless
-     * it is called on the thread of a space, this one or another: such a thread never waits, since two spaces that close each other would wait for ever;
-     * {@link #whenClosed()} tells it of the end. Later calls to its actors become dead letters and rejections.
+     * Serves what was queued before, stops every actor, turns what is left into dead letters, and ends the thread;
+     * waits for that, up to ten seconds, unless it is called on the thread of a space, this one or another: such a
+     * thread never waits, since two spaces that close each other would wait for ever; {@link #whenClosed()} tells it of
+     * the end. Later calls to its actors become dead letters and rejections.
      *
      * @throws IllegalStateException if this is the {@link #global()} space
      * @throws ActorException if the thread is busy with something else all the time; it ends when it has done that
@@ -292,7 +312,8 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * Closes the space as {@link #close()} does, and says what it had not done.
      *
      * @param patience how long to wait for the entry that is being served, and for what was queued before
-     * @throws IllegalStateException if this is the {@link #global()} space, or on the thread of a space, this one or another
+     * @throws IllegalStateException if this is the {@link #global()} space, or on the thread of a space, this one or
+     *     another
      * @throws ActorException if that takes longer; the text says what the thread is doing
      */
     public Leftovers close(Duration patience) {

@@ -21,7 +21,9 @@ abstract class ActorType {
         return TYPES.get(type).get(type);
     }
 
-    /** Classes can be defined once only: the first thread generates, the others wait, and a failure stays what it was. */
+    /**
+     * Classes can be defined once only: the first thread generates, the others wait, and a failure stays what it was.
+     */
     private static final class Once {
         private @Nullable ActorType made;
         private @Nullable ActorTypeException failure;
@@ -74,7 +76,10 @@ abstract class ActorType {
         }
     }
 
-    /** The proxy of a class actor is a subclass, made without running the constructors of the class, which are for the real actor. */
+    /**
+     * The proxy of a class actor is a subclass, made without running the constructors of the class, which are for the
+     * real actor.
+     */
     private static final class OfClass extends ActorType {
         private final ObjectInstantiator<?> instantiator;
         private final VarHandle cellField;

@@ -12,8 +12,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> {@link #admit} from any thread, {@link #next} from the space's.
  *
- * <p>With {@code DROP_OLDEST} the calls wait here, and those in the space's queues are no more than tickets: a call that takes the place of the oldest one
- * is not queued itself, it will be served with the ticket of another. So there are never more tickets than places, however many calls are dropped.
+ * <p>With {@code DROP_OLDEST} the calls wait here, and those in the space's queues are no more than tickets: a call
+ * that takes the place of the oldest one is not queued itself, it will be served with the ticket of another. So there
+ * are never more tickets than places, however many calls are dropped.
  */
 final class BoundedMailbox {
     enum Admission {

@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * An argument through which an actor sends many results back.
  *
- * <p><b>Role.</b> A parameter type of actor methods. The caller passes a lambda, as in the paper: {@code robot.wander((colour, error) -> ..)}; the actor
- * calls {@link #next}, and at the end {@link #finish} or {@link #fail}. Who wants to stop listening, or to hear of the end, passes a {@link Stream}.
+ * <p><b>Role.</b> A parameter type of actor methods. The caller passes a lambda, as in the paper:
+ * {@code robot.wander((colour, error) -> ..)}; the actor calls {@link #next}, and at the end {@link #finish} or
+ * {@link #fail}. Who wants to stop listening, or to hear of the end, passes a {@link Stream}.
  *
  * {@snippet :
  * camera.watch((colour, error) -> log.add("saw " + colour));
@@ -19,11 +20,17 @@ import org.jspecify.annotations.Nullable;
  * camera.watch(stream); // stream.cancel() ends it
  * }
  *
- * <p><b>Threads.</b> The actor may call it from any thread. The caller's side runs on the caller's space, as entries of its callback queue, on behalf of
- * the calling actor; if the caller is no actor space, on the space of the actor, and no more once that is closed, but for the failure of a call that is turned away.
- * <p><b>End.</b> An actor need not end a callback, so its own end does not: one that stops or restarts without {@link #finish} or {@link #fail} leaves the callback
- * open, and nothing more arrives. Who must know watches the actor with {@link ActorSpace#whenStopped}; an actor that keeps callbacks fails them in {@code stopped()}.
- * <p><b>Order.</b> Results arrive in the order in which they were sent; after the end, or after a cancellation, nothing arrives any more.
+ * <p><b>Threads.</b> The actor may call it from any thread. The caller's side runs on the caller's space, as entries of
+ * its callback queue, on behalf of the calling actor; if the caller is no actor space, on the space of the actor, and
+ * no more once that is closed, but for the failure of a call that is turned away.
+ *
+ * <p><b>End.</b> An actor need not end a callback, so its own end does not: one that stops or restarts without
+ * {@link #finish} or {@link #fail} leaves the callback open, and nothing more arrives. Who must know watches the actor
+ * with {@link ActorSpace#whenStopped}; an actor that keeps callbacks fails them in {@code stopped()}.
+ *
+ * <p><b>Order.</b> Results arrive in the order in which they were sent; after the end, or after a cancellation, nothing
+ * arrives any more.
+ *
  * <p><b>Source.</b> Paper, section 3.5, Figure 17.
  */
 @FunctionalInterface

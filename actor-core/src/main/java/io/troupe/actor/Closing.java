@@ -15,8 +15,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The end of a space: asked for by {@link #begin}, carried out by {@link #shut}, waited for with {@link #await}; after that, whoever still queues something
- * turns it away himself.
+ * The end of a space: asked for by {@link #begin}, carried out by {@link #shut}, waited for with {@link #await}; after
+ * that, whoever still queues something turns it away himself.
  *
  * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any.
  */
@@ -178,8 +178,8 @@ final class Closing {
     }
 
     /**
-     * After the end: a caller that finds entries in the queues turns them away; one at a time, and meanwhile it acts for the space. One whose stack is too short
-     * throws before it begins, and leaves them to the next.
+     * After the end: a caller that finds entries in the queues turns them away; one at a time, and meanwhile it acts
+     * for the space. One whose stack is too short throws before it begins, and leaves them to the next.
      */
     void refuseLeftovers() {
         Home before = Home.current();

@@ -12,7 +12,8 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and {@link #served}.
+ * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and
+ * {@link #served}.
  *
  * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails.
  * Before each mail the inbox of callbacks is looked at, and what is there joins the ring of callbacks: an answer of
@@ -23,8 +24,9 @@ import org.jspecify.annotations.Nullable;
  * was handed on) one mail, the inbox and the timers have their turn; a mail from the inbox only if no callback is left
  * that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
  *
- * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails take longer than a
- * millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass is soon enough.
+ * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails
+ * take longer than a millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass
+ * is soon enough.
  */
 final class Dispatcher {
     private static final int QUOTA = 256;
@@ -192,8 +194,9 @@ final class Dispatcher {
     }
 
     /**
-     * The one place where anything that is thrown ends: whatever an entry does, the thread goes on. The entry has been counted before, by its ring or by
-     * {@link #direct}, so that one that never ends was seen to begin; {@link Watchdog} looks for this method.
+     * The one place where anything that is thrown ends: whatever an entry does, the thread goes on. The entry has been
+     * counted before, by its ring or by {@link #direct}, so that one that never ends was seen to begin;
+     * {@link Watchdog} looks for this method.
      *
      * @return the listener that it hands on
      */
@@ -269,7 +272,7 @@ final class Dispatcher {
 
     /**
      * @param withCallbacks whether callbacks may be served between the mails; else the mails behind them join their
-     * ring
+     *     ring
      */
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();

@@ -1,8 +1,8 @@
 package io.troupe.actor;
 
 /**
- * Is told what went wrong where nobody else could be told: a one-way message, a timer or a listener threw, or a promise was rejected
- * and nobody listened.
+ * Is told what went wrong where nobody else could be told: a one-way message, a timer or a listener threw, or a promise
+ * was rejected and nobody listened.
  *
  * {@snippet :
  * ErrorHandler handler = (where, error) -> log.add(where + " failed: " + error.getMessage());

@@ -6,8 +6,9 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Platform threads for what must run however busy the carriers of virtual threads are: bodies of {@code sequential}, and listeners of stalls. Shared by all
- * spaces, made when needed, as many as run at a time. They are daemons, and end when they have had nothing to do for {@value #IDLE_SECONDS} seconds.
+ * Platform threads for what must run however busy the carriers of virtual threads are: bodies of {@code sequential},
+ * and listeners of stalls. Shared by all spaces, made when needed, as many as run at a time. They are daemons, and end
+ * when they have had nothing to do for {@value #IDLE_SECONDS} seconds.
  *
  * <p><b>Threads.</b> Any thread.
  */

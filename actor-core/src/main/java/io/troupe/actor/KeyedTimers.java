@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The timers of one actor that are known by a key: one for each key at the most. On the space's thread.
  *
- * <p><b>Cost.</b> Constant time, averaged over many calls: timers that were cancelled by their handle are swept out whenever the map has doubled.
+ * <p><b>Cost.</b> Constant time, averaged over many calls: timers that were cancelled by their handle are swept out
+ * whenever the map has doubled.
  */
 final class KeyedTimers {
     private static final int SMALL = 16;

@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the space's thread, but for {@link #isOver}. */
+/**
+ * One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the
+ * space's thread, but for {@link #isOver}.
+ */
 final class Life extends Owner {
     private static final int FEW = 8;
 

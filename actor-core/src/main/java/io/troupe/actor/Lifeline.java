@@ -25,20 +25,24 @@ abstract class LifelinePhase extends LifelinePadding {
 @SuppressWarnings("unused")
 final class Lifeline extends LifelinePhase {
     /*
-     * No wake-up is lost: the sleeper first says that it sleeps and then looks at its queues again; the waker first queues and then looks
-     * whether the other sleeps. Both are sequentially consistent, so at least one of them sees the other. The waker resets the flag itself,
-     * so that one sleep costs one unpark, however many messages arrive before the thread really runs.
+     * No wake-up is lost: the sleeper first says that it sleeps and then looks at its queues again; the waker first
+     * queues and then looks whether the other sleeps. Both are sequentially consistent, so at least one of them sees
+     * the other. The waker resets the flag itself, so that one sleep costs one unpark, however many messages arrive
+     * before the thread really runs.
      */
     private static final int AWAKE = 0;
     private static final int ASLEEP = 1;
     static final int CLOSED = 2;
-    /** Its waker could not unpark it; unlike {@link #ASLEEP} it does not say that the space does nothing, for it may have gone on by itself. */
+    /**
+     * Its waker could not unpark it; unlike {@link #ASLEEP} it does not say that the space does nothing, for it may
+     * have gone on by itself.
+     */
     private static final int NOT_WOKEN = 3;
     /** A waker whose stack ends within the unpark wakes nobody: the sleeper does not depend on it. */
     static final long LONGEST_SLEEP_NANOS = 1_000_000_000;
     /*
-     * Before it parks it looks a few times, but not without a break: a receiver that is right behind its senders takes each cache line from under their
-     * hands, and both are slower than one that lets a few messages gather.
+     * Before it parks it looks a few times, but not without a break: a receiver that is right behind its senders takes
+     * each cache line from under their hands, and both are slower than one that lets a few messages gather.
      */
     private static final int LOOKS = 12;
     private static final int SPINS_PER_LOOK = 8;
@@ -75,7 +79,9 @@ final class Lifeline extends LifelinePhase {
         PHASE.compareAndSet(this, AWAKE, NOT_WOKEN);
     }
 
-    /** Sleeps until it is woken or a timer is due, {@value #LONGEST_SLEEP_NANOS} ns at most; returns early without harm. */
+    /**
+     * Sleeps until it is woken or a timer is due, {@value #LONGEST_SLEEP_NANOS} ns at most; returns early without harm.
+     */
     void sleep(Dispatcher dispatcher, Clock clock) {
         for (int look = 0; look < LOOKS; look++) {
             for (int spin = 0; spin < SPINS_PER_LOOK; spin++) {
@@ -99,7 +105,9 @@ final class Lifeline extends LifelinePhase {
         Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping
     }
 
-    /** Says that the space sleeps, and only then looks again; true if there is still nothing to do, so that it may park. */
+    /**
+     * Says that the space sleeps, and only then looks again; true if there is still nothing to do, so that it may park.
+     */
     boolean fallAsleep(Dispatcher dispatcher) {
         sleeper = Thread.currentThread();
         phase = ASLEEP;

@@ -6,8 +6,8 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A one-way call on its way. For generated code: each {@code void} method of an actor type has its subclass, whose fields are the
- * arguments.
+ * A one-way call on its way. For generated code: each {@code void} method of an actor type has its subclass, whose
+ * fields are the arguments.
  *
  * @hidden
  */

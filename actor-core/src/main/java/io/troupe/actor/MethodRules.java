@@ -70,7 +70,10 @@ final class MethodRules {
                 : ", or make it less visible than public";
     }
 
-    /** A callback that is hidden in another type would call the caller's code on the actor's side, or the other way round. */
+    /**
+     * A callback that is hidden in another type would call the caller's code on the actor's side, or the other way
+     * round.
+     */
     void checkArguments(Method method) {
         Type[] types = method.getGenericParameterTypes();
         for (int index = 0; index < types.length; index++) {

@@ -84,8 +84,8 @@ final class NodeRing {
     }
 
     /**
-     * Takes a fresh array, if few nodes are inside. To be called now and then: storing a young node into an array that has grown old costs a fence under G1
-     * (until JEP 522, JDK 26), which is more than all the rest of queueing.
+     * Takes a fresh array, if few nodes are inside. To be called now and then: storing a young node into an array that
+     * has grown old costs a fence under G1 (until JEP 522, JDK 26), which is more than all the rest of queueing.
      */
     void renew() {
         if (size() < SMALL) {

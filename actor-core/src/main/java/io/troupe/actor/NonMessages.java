@@ -6,7 +6,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** The methods of a class actor that are no messages. None may run on a proxy, whose fields are unset: it throws, so it must be able to override. */
+/**
+ * The methods of a class actor that are no messages. None may run on a proxy, whose fields are unset: it throws, so it
+ * must be able to override.
+ */
 final class NonMessages {
     private NonMessages() {}
 

@@ -9,11 +9,13 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Delays that other threads than a space's own have asked of it, so that they end in time even if the space does not serve. They run on one daemon thread for each
- * space, which is started when there are some and ends {@value #IDLE_SECONDS} seconds after the last one, or with the space.
+ * Delays that other threads than a space's own have asked of it, so that they end in time even if the space does not
+ * serve. They run on one daemon thread for each space, which is started when there are some and ends
+ * {@value #IDLE_SECONDS} seconds after the last one, or with the space.
  *
- * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the thread of the timers: one that blocks delays the others of its space.
- * <b>Cost.</b> Setting and taking back take time in the logarithm of the number of delays.
+ * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the thread of the timers: one
+ * that blocks delays the others of its space. <b>Cost.</b> Setting and taking back take time in the logarithm of the
+ * number of delays.
  */
 final class OutsideTimers {
     private static final long IDLE_SECONDS = 10;

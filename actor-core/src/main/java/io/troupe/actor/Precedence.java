@@ -3,8 +3,8 @@ package io.troupe.actor;
 import java.util.Arrays;
 
 /**
- * How many callbacks of a space come before its mails, for those mails that came from the inbox while other entries waited. Mails and callbacks are counted since
- * the space was made. On the space's thread.
+ * How many callbacks of a space come before its mails, for those mails that came from the inbox while other entries
+ * waited. Mails and callbacks are counted since the space was made. On the space's thread.
  */
 final class Precedence {
     private static final int FEW = 16;

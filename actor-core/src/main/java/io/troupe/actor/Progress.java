@@ -14,7 +14,10 @@ abstract class ProgressCount extends ProgressPadding {
     long served;
 }
 
-/** How many entries a space has served: written by its thread at every one, read by others now and then, on a cache line that nobody else needs. */
+/**
+ * How many entries a space has served: written by its thread at every one, read by others now and then, on a cache line
+ * that nobody else needs.
+ */
 @SuppressWarnings("unused")
 final class Progress extends ProgressCount {
     private static final VarHandle SERVED;

@@ -10,10 +10,11 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Type;
 
 /**
- * Writes the classes of one actor type, into its own package: for each message a class whose typed fields are the arguments, and the proxy,
- * whose methods make them.
+ * Writes the classes of one actor type, into its own package: for each message a class whose typed fields are the
+ * arguments, and the proxy, whose methods make them.
  *
  * <p>For {@code interface Greeter { Promise<String> greet(String name); }} it writes what this would compile to:
+ *
  * {@snippet lang = "text":
  * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;

@@ -5,7 +5,9 @@ import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space. */
+/**
+ * Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space.
+ */
 final class Refusal {
     private final SpaceHome space;
     private final Dispatcher dispatcher;

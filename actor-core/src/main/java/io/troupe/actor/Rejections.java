@@ -7,7 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Promises that were rejected while nobody listened, until it is fair to say that nobody does. On the space's thread. */
+/**
+ * Promises that were rejected while nobody listened, until it is fair to say that nobody does. On the space's thread.
+ */
 final class Rejections {
     private record Lost(Promise<?> promise, Throwable error) {}
 

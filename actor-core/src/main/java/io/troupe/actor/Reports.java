@@ -28,8 +28,9 @@ final class Reports {
     }
 
     /**
-     * To the actor's handler if it has one, else to the space's. Throws nothing, whatever the error is and whatever handlers throw: the thread
-     * of the space depends on it. If there is no memory even for the log, the count is all that is left.
+     * To the actor's handler if it has one, else to the space's. Throws nothing, whatever the error is and whatever
+     * handlers throw: the thread of the space depends on it. If there is no memory even for the log, the count is all
+     * that is left.
      *
      * @param what went wrong, in words that end before the name of {@code whose}
      */
@@ -74,7 +75,10 @@ final class Reports {
         }
     }
 
-    /** Turns away a call that no actor will handle: its sender, and whoever listens to a callback among its arguments, hear of it. */
+    /**
+     * Turns away a call that no actor will handle: its sender, and whoever listens to a callback among its arguments,
+     * hear of it.
+     */
     void turnAway(Node call, ActorCell cell, String reason, ActorException error) {
         if (call instanceof Request<?> request) {
             try {

@@ -6,8 +6,8 @@ import io.troupe.actor.promise.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A call that answers, on its way, and at once the promise of the answer. For generated code: each method of an actor type that returns a
- * promise has its subclass, whose fields are the arguments.
+ * A call that answers, on its way, and at once the promise of the answer. For generated code: each method of an actor
+ * type that returns a promise has its subclass, whose fields are the arguments.
  *
  * @hidden
  */
@@ -127,8 +127,8 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     /**
-     * An answer that comes later is rejected with the instance that began the request. The request of another call is not: that one's actor settles
-     * it, or the end of that actor does.
+     * An answer that comes later is rejected with the instance that began the request. The request of another call is
+     * not: that one's actor settles it, or the end of that actor does.
      */
     @Override
     protected final void followPending(Promise<? extends T> answer) {

@@ -69,7 +69,10 @@ final class Retrial<T extends @Nullable Object> {
         return null;
     }
 
-    /** The next step of a loop. The listener is not called if the actor on whose behalf it is registered stops meanwhile; then the loop's promise is rejected. */
+    /**
+     * The next step of a loop. The listener is not called if the actor on whose behalf it is registered stops
+     * meanwhile; then the loop's promise is rejected.
+     */
     static void next(
             ActorSpace space,
             Promise<?> step,

@@ -25,7 +25,10 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         return callback == null ? null : to(callback, callee);
     }
 
-    /** To a reader on the space that is calling, on behalf of the actor that is; from outside every space, on another one. */
+    /**
+     * To a reader on the space that is calling, on behalf of the actor that is; from outside every space, on another
+     * one.
+     */
     static <T extends @Nullable Object> ReturningCallback<T> to(Callback<T> reader, ActorSpace ifOutside) {
         if (reader instanceof ReturningCallback<T> before) {
             return before;
@@ -144,8 +147,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     /**
-     * The turn of whichever result comes first. What the space's own thread sends would overtake what another thread has put into the inbox before; so as
-     * soon as another thread sends, results wait in a line of their own, and only tickets are queued.
+     * The turn of whichever result comes first. What the space's own thread sends would overtake what another thread
+     * has put into the inbox before; so as soon as another thread sends, results wait in a line of their own, and only
+     * tickets are queued.
      */
     private static final class Ticket extends Node {
         private final Queue<? extends ReturningCallback<?>.Delivery> waiting;
@@ -164,7 +168,10 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         private final Runnable delivery;
         private final boolean evenIfClosed;
 
-        /** @param evenIfClosed whether the reader hears of it though its space is closed, on the thread that turns away what is left */
+        /**
+         * @param evenIfClosed whether the reader hears of it though its space is closed, on the thread that turns away
+         *     what is left
+         */
         Delivery(Runnable delivery, boolean evenIfClosed) {
             this.delivery = delivery;
             this.evenIfClosed = evenIfClosed;

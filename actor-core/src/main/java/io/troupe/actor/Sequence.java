@@ -8,9 +8,11 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One body that may wait, and its thread; see {@link Sequences}. The baton is one volatile flag, which passes on all that was written before.
+ * One body that may wait, and its thread; see {@link Sequences}. The baton is one volatile flag, which passes on all
+ * that was written before.
  *
- * <p>{@link #go} and {@link #live} are called near the beginning of a stack, but {@link #giveBack} anywhere in a body, also where the stack ends.
+ * <p>{@link #go} and {@link #live} are called near the beginning of a stack, but {@link #giveBack} anywhere in a body,
+ * also where the stack ends.
  */
 final class Sequence<T extends @Nullable Object> {
     private final SpaceHome space;

@@ -11,9 +11,9 @@ import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bodies of a space that are written as if they could wait. Each has one of the {@link HelperThreads} to itself, but runs only while it holds the
- * space's baton: the space's thread hands it over and does nothing until it comes back, so that never more than one of them runs. On the thread that
- * holds the baton.
+ * The bodies of a space that are written as if they could wait. Each has one of the {@link HelperThreads} to itself,
+ * but runs only while it holds the space's baton: the space's thread hands it over and does nothing until it comes
+ * back, so that never more than one of them runs. On the thread that holds the baton.
  */
 final class Sequences {
     private final SpaceHome space;

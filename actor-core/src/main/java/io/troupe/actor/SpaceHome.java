@@ -14,8 +14,8 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A space as the rest of this library sees it: the home of promises, the way into the queues of its thread, and on whose behalf that thread runs. Users see it as an
- * {@link ActorSpace}. What it is made of is put together here.
+ * A space as the rest of this library sees it: the home of promises, the way into the queues of its thread, and on
+ * whose behalf that thread runs. Users see it as an {@link ActorSpace}. What it is made of is put together here.
  *
  * <p><b>Threads.</b> Queueing, and asking for its state, from any thread; turns on the space's.
  */

@@ -4,7 +4,10 @@ import io.troupe.actor.promise.Home;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** What the thread of a space does from the beginning to the end: pass after pass through the queues, or as many as there is work for when it is cranked. */
+/**
+ * What the thread of a space does from the beginning to the end: pass after pass through the queues, or as many as
+ * there is work for when it is cranked.
+ */
 final class SpaceLoop {
     private static final long SHORTEST_PAUSE_NANOS = 1_000_000;
     private static final long LONGEST_PAUSE_NANOS = 1_000_000_000;
@@ -63,8 +66,8 @@ final class SpaceLoop {
     }
 
     /**
-     * Entries, handlers and listeners cannot throw as far as here. What can is the space's own bookkeeping when memory is short; it has lost nothing
-     * by then, so it goes on, but not at full speed: memory may stay short for a while.
+     * Entries, handlers and listeners cannot throw as far as here. What can is the space's own bookkeeping when memory
+     * is short; it has lost nothing by then, so it goes on, but not at full speed: memory may stay short for a while.
      */
     private void passAndSleep() {
         try {

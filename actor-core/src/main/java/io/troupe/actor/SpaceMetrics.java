@@ -10,9 +10,10 @@ import java.time.Duration;
  * String line = metrics.actors() + " actors, " + metrics.waiting() + " waiting, behind by " + metrics.latency();
  * }
  *
- * <p><b>Threads.</b> Any thread. <b>Cost.</b> Constant, and nothing while nobody asks: how far the space is behind is found out by a probe that waits its
- * turn in the queue like a message. Each look at {@link #waiting} or {@link #latency} sends one unless one is on its way, and answers what the last one
- * found; so look regularly, as a monitor does. In a space cranked by hand no probe is sent: the queues themselves are counted, exactly between cranks.
+ * <p><b>Threads.</b> Any thread. <b>Cost.</b> Constant, and nothing while nobody asks: how far the space is behind is
+ * found out by a probe that waits its turn in the queue like a message. Each look at {@link #waiting} or
+ * {@link #latency} sends one unless one is on its way, and answers what the last one found; so look regularly, as a
+ * monitor does. In a space cranked by hand no probe is sent: the queues themselves are counted, exactly between cranks.
  */
 public interface SpaceMetrics {
     /** Messages, requests, callbacks, timers and tasks served since the space was made. */

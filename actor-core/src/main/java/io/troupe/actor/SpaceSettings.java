@@ -20,7 +20,8 @@ import java.util.function.Consumer;
  * @param clock by which timers run
  * @param onError is told what nobody else could be told
  * @param onDeadLetter is told of messages that reached nobody, on whichever thread found out
- * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = none is, nor in a space cranked by hand
+ * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = none is, nor in a space
+ *     cranked by hand
  * @param onStall is told of such a message, on a helper thread that it may keep as long as it likes
  * @param offloadLimit how many pieces of blocking work {@link ActorSpace#offload} does at a time
  * @param handCranked true for a space without a thread of its own, which only {@link ActorSpace#crank} moves
@@ -50,7 +51,9 @@ public record SpaceSettings(
         }
     }
 
-    /** A daemon thread on the machine's clock that logs what goes wrong, and messages that take longer than a second. */
+    /**
+     * A daemon thread on the machine's clock that logs what goes wrong, and messages that take longer than a second.
+     */
     public static SpaceSettings named(String name) {
         return new SpaceSettings(
                 name,

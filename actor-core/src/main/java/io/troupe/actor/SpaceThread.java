@@ -3,8 +3,9 @@ package io.troupe.actor;
 /**
  * The thread of a space that is not cranked by hand. It knows the rings of its space.
  *
- * <p>That is for speed: the processor can begin to serve one message while it is still at work on the one before, but not if where the next one is to be stored
- * depends on a long way through the objects of this one. From the thread the way is short, and the same for all messages.
+ * <p>That is for speed: the processor can begin to serve one message while it is still at work on the one before, but
+ * not if where the next one is to be stored depends on a long way through the objects of this one. From the thread the
+ * way is short, and the same for all messages.
  */
 final class SpaceThread extends Thread {
     private final SpaceHome space;

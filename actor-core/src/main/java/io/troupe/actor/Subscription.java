@@ -6,6 +6,7 @@ import org.jspecify.annotations.Nullable;
  * One reader of a topic.
  *
  * <p><b>Threads.</b> The topic's lock guards all methods; entries run on the reader's space.
+ *
  * <p><b>Order.</b> As sent, whichever threads they were sent from.
  */
 final class Subscription<T> {
@@ -30,7 +31,10 @@ final class Subscription<T> {
         reader.endOnce(error);
     }
 
-    /** Whether nobody listens any more. A callback of somebody's own making may throw when asked: its fault, and its end. */
+    /**
+     * Whether nobody listens any more. A callback of somebody's own making may throw when asked: its fault, and its
+     * end.
+     */
     boolean isGone() {
         try {
             return reader.isOver();

@@ -3,8 +3,9 @@ package io.troupe.actor;
 import java.time.Duration;
 
 /**
- * What becomes of an actor when a one-way message, a timer, a reader of its callbacks, or {@link Actor#started()} throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise
- * that {@code then} answered.) The error is reported in any case.
+ * What becomes of an actor when a one-way message, a timer, a reader of its callbacks, or {@link Actor#started()}
+ * throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise that
+ * {@code then} answered.) The error is reported in any case.
  *
  * {@snippet :
  * ActorSettings settings =
@@ -16,7 +17,8 @@ import java.time.Duration;
  * }
  *
  * @param directive what to do
- * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor, and so does one more failed start in a row, within the window or not
+ * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor, and so
+ *     does one more failed start in a row, within the window or not
  * @param window by the space's clock
  */
 public record Supervision(Directive directive, int limit, Duration window) {
@@ -25,9 +27,10 @@ public record Supervision(Directive directive, int limit, Duration window) {
         /** Go on with the next message: the actor keeps its state. */
         RESUME,
         /**
-         * Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox is kept. A factory that throws stops the
-         * actor. If {@link Actor#started()} throws, the first try after that follows at once, further ones after pauses of 10 ms, 20 ms, 40 ms and so on, at
-         * most 10 s, by the space's clock, until one succeeds or the limit is reached; the actor's calls wait meanwhile.
+         * Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox
+         * is kept. A factory that throws stops the actor. If {@link Actor#started()} throws, the first try after that
+         * follows at once, further ones after pauses of 10 ms, 20 ms, 40 ms and so on, at most 10 s, by the space's
+         * clock, until one succeeds or the limit is reached; the actor's calls wait meanwhile.
          */
         RESTART,
         /** End it. */

@@ -10,8 +10,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A subject on which anybody publishes and to which anybody subscribes, inside one process.
  *
- * <p><b>Role.</b> For senders and receivers that need not know each other: one sensor, many readers. Made by {@link #of}, or by {@link #latest} when whoever
- * subscribes late shall hear the last value. Ends with {@link #finish} or {@link #fail}; whoever subscribes then hears of the end only.
+ * <p><b>Role.</b> For senders and receivers that need not know each other: one sensor, many readers. Made by
+ * {@link #of}, or by {@link #latest} when whoever subscribes late shall hear the last value. Ends with {@link #finish}
+ * or {@link #fail}; whoever subscribes then hears of the end only.
  *
  * {@snippet :
  * Topic<Integer> colours = Topic.latest(space, "colours");
@@ -20,15 +21,21 @@ import org.jspecify.annotations.Nullable;
  * colours.publish(0x00FF00); // returns 1: the number of subscribers
  * }
  *
- * <p><b>Threads.</b> Every method from any thread. What a subscriber hears runs on the space that subscribed, as entries of its callback queue, on behalf
- * of the actor that subscribed; if that was no actor space, on the space of the topic. A callback that an actor was handed keeps its first reader.
- * Publishing runs none of a subscriber's code but {@link Callback#isCancelled}, so a slow or broken one holds up nobody else.
- * <p><b>Order.</b> Values reach each subscriber in the order in which they were published; values of several publishers reach all subscribers in the same
- * order. After the end, after a cancellation, and after the subscribing actor has stopped or restarted, nothing arrives any more.
- * <p><b>Cost.</b> Publishing takes a lock for as long as it takes to queue one entry for each subscriber. Nothing bounds these entries: a subscriber that is
- * slower than its publishers for long gathers them. A subscriber that is gone is forgotten with the next call of any method.
- * <p><b>Errors.</b> A value that nobody has subscribed to, or that comes after the end, reaches nobody: {@link #publish} answers 0. What a subscriber throws
- * is its own failure.
+ * <p><b>Threads.</b> Every method from any thread. What a subscriber hears runs on the space that subscribed, as
+ * entries of its callback queue, on behalf of the actor that subscribed; if that was no actor space, on the space of
+ * the topic. A callback that an actor was handed keeps its first reader. Publishing runs none of a subscriber's code
+ * but {@link Callback#isCancelled}, so a slow or broken one holds up nobody else.
+ *
+ * <p><b>Order.</b> Values reach each subscriber in the order in which they were published; values of several publishers
+ * reach all subscribers in the same order. After the end, after a cancellation, and after the subscribing actor has
+ * stopped or restarted, nothing arrives any more.
+ *
+ * <p><b>Cost.</b> Publishing takes a lock for as long as it takes to queue one entry for each subscriber. Nothing
+ * bounds these entries: a subscriber that is slower than its publishers for long gathers them. A subscriber that is
+ * gone is forgotten with the next call of any method.
+ *
+ * <p><b>Errors.</b> A value that nobody has subscribed to, or that comes after the end, reaches nobody:
+ * {@link #publish} answers 0. What a subscriber throws is its own failure.
  */
 public final class Topic<T> {
     private final ActorSpace space;
@@ -81,7 +88,8 @@ public final class Topic<T> {
     }
 
     /**
-     * Subscribes to the values. The failure of the topic is then a failure of the subscriber, so that it does not get lost.
+     * Subscribes to the values. The failure of the topic is then a failure of the subscriber, so that it does not get
+     * lost.
      *
      * @return the subscription, to be cancelled from any thread
      */
@@ -92,9 +100,11 @@ public final class Topic<T> {
     }
 
     /**
-     * Subscribes to the values and to the end. To cancel, pass a {@link Callback.Stream}; one that is subscribed twice gets every value twice.
+     * Subscribes to the values and to the end. To cancel, pass a {@link Callback.Stream}; one that is subscribed twice
+     * gets every value twice.
      *
-     * @param more of them; there is a variable number so that {@code subscribe(list::add)}, which would fit both methods, means the one for values
+     * @param more of them; there is a variable number so that {@code subscribe(list::add)}, which would fit both
+     *     methods, means the one for values
      */
     @SafeVarargs
     public final void subscribe(Callback<? super T> callback, Callback<? super T>... more) {

@@ -14,7 +14,10 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** What the type variables of a type's supertypes stand for: {@code put(T)} of a {@code Box<String>} is {@code put(String)}. */
+/**
+ * What the type variables of a type's supertypes stand for: {@code put(T)} of a {@code Box<String>} is
+ * {@code put(String)}.
+ */
 final class TypeArguments {
     private final Map<TypeVariable<?>, Type> arguments = new HashMap<>();
 

@@ -4,7 +4,10 @@ import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 
-/** What a type must be like to be an actor type, apart from its methods; whoever breaks a rule is told what to do instead. */
+/**
+ * What a type must be like to be an actor type, apart from its methods; whoever breaks a rule is told what to do
+ * instead.
+ */
 final class TypeRules {
     private TypeRules() {}
 
@@ -42,7 +45,10 @@ final class TypeRules {
         }
     }
 
-    /** The proxy has the same fields, which are never set: whoever reads one there gets nothing, and what is written there the actor does not see. */
+    /**
+     * The proxy has the same fields, which are never set: whoever reads one there gets nothing, and what is written
+     * there the actor does not see.
+     */
     private static void checkFields(Class<?> type) {
         for (Class<?> each = type; each != null && each != Actor.class; each = each.getSuperclass()) {
             for (Field field : each.getDeclaredFields()) {
@@ -57,7 +63,10 @@ final class TypeRules {
         }
     }
 
-    /** The proxy is linked by the type's loader and module, which might not know this library, or know another copy of it. */
+    /**
+     * The proxy is linked by the type's loader and module, which might not know this library, or know another copy of
+     * it.
+     */
     private static void checkSeesActors(Class<?> type) {
         Module home = Message.class.getModule();
         String problem = null;

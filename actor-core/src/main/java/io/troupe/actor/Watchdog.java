@@ -11,8 +11,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Looks from aside whether a space gets on. The space pays one plain store for each entry it serves.
  *
- * <p><b>Threads.</b> One platform thread looks at all spaces that are watched; it begins with the first and ends soon after the last. What a look leads to
- * that takes time, the listener and the flight recorder, runs on one of the {@link HelperThreads}.
+ * <p><b>Threads.</b> One platform thread looks at all spaces that are watched; it begins with the first and ends soon
+ * after the last. What a look leads to that takes time, the listener and the flight recorder, runs on one of the
+ * {@link HelperThreads}.
  */
 final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
@@ -139,7 +140,10 @@ final class Watchdog {
         }
     }
 
-    /** Whether what the thread does is the work of an entry or of a handler, and not the loop of the space itself, or sleep. */
+    /**
+     * Whether what the thread does is the work of an entry or of a handler, and not the loop of the space itself, or
+     * sleep.
+     */
     static boolean isInATurn(List<StackTraceElement> stack) {
         return stack.stream().anyMatch(Watchdog::isATurn);
     }

@@ -12,7 +12,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A space lives though what only watches it cannot be loaded, as when memory or file handles are short at that moment. */
+/**
+ * A space lives though what only watches it cannot be loaded, as when memory or file handles are short at that moment.
+ */
 @Tag("threads")
 @Timeout(60)
 class MissingClassTest {

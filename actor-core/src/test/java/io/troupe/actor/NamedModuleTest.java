@@ -25,7 +25,10 @@ import org.objenesis.Objenesis;
 
 /** Actor types in named modules, with this library as the module that its jar is. */
 class NamedModuleTest {
-    /** Modules that nobody requires, because an automatic module requires none by name: on a command line they are --add-modules. */
+    /**
+     * Modules that nobody requires, because an automatic module requires none by name: on a command line they are
+     * --add-modules.
+     */
     private static final Set<String> LIBRARIES = Set.of("org.objectweb.asm", "org.objenesis");
 
     private static final String HOME = """

@@ -333,7 +333,9 @@ class SupervisionTest {
         assertThat(test.takeProblems()).hasSize(1 + 5);
     }
 
-    /** Spawned on another thread within a turn, so that the caller's call comes before the entry that starts the actor. */
+    /**
+     * Spawned on another thread within a turn, so that the caller's call comes before the entry that starts the actor.
+     */
     private void callBeforeTheSpawnEntry(Supervision supervision) {
         refuses = true;
         var settings = ActorSettings.DEFAULT.withSupervision(supervision);

@@ -134,7 +134,10 @@ class TopicTest {
         assertThat(topic.subscribers()).isOne();
     }
 
-    /** A space serves what its own thread has queued before what others have queued a moment earlier: a topic keeps its order nevertheless. */
+    /**
+     * A space serves what its own thread has queued before what others have queued a moment earlier: a topic keeps its
+     * order nevertheless.
+     */
     @Test
     void valuesAndEnd_fromTheSubscribersOwnThread_doNotOvertakeThoseFromAnother() {
         topic.subscribe((value, error) -> log.add(error == null ? "heard " + value : error.getMessage()));

@@ -22,11 +22,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * Writes down what happens in a run.
  *
- * <p><b>Threads.</b> The services tell it on the actor space's thread, the world on its own; in lock step they never do so at the same time, and each
- * tick makes visible to one what the other wrote.
+ * <p><b>Threads.</b> The services tell it on the actor space's thread, the world on its own; in lock step they never do
+ * so at the same time, and each tick makes visible to one what the other wrote.
  */
 final class Ledger implements ServiceObserver, Arbitrator.StateListener {
-    /** So many robots are a crowd: they are told of in sums and extremes, and the log has their poses once a second instead of at every tick. */
+    /**
+     * So many robots are a crowd: they are told of in sums and extremes, and the log has their poses once a second
+     * instead of at every tick.
+     */
     static final int MANY_ROBOTS = 11;
 
     private static final long CROWD_POSE_MICROS = 1_000_000;

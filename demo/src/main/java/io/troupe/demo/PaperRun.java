@@ -24,7 +24,9 @@ import java.util.stream.Collectors;
 /**
  * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
  *
- * <p><b>Threads.</b> The calling thread moves the world, another one drives the robots; at any moment one of them waits for the other.
+ * <p><b>Threads.</b> The calling thread moves the world, another one drives the robots; at any moment one of them waits
+ * for the other.
+ *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
 final class PaperRun {

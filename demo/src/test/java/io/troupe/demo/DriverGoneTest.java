@@ -57,8 +57,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * A robot stands half a second of the world's time after its driver has gone, whichever way it goes. The world has no watchdog, and another client has all robots open, so that no robot stops because its
- * last client has left. Until the driver goes the world is in lock step: nothing is on its way then.
+ * A robot stands half a second of the world's time after its driver has gone, whichever way it goes. The world has no
+ * watchdog, and another client has all robots open, so that no robot stops because its last client has left. Until the
+ * driver goes the world is in lock step: nothing is on its way then.
  */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
 class DriverGoneTest {

@@ -21,7 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tables and crowds made by chance: the modes agree in them as they do in the paper's arena, with several colour finders in a state, holds and priorities.
+ * Tables and crowds made by chance: the modes agree in them as they do in the paper's arena, with several colour
+ * finders in a state, holds and priorities.
  */
 @Timeout(300)
 class RandomTablesTest {

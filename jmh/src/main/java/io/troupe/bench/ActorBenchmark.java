@@ -27,8 +27,8 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Typed calls against the plainest thing that does the same: a single-thread executor with {@code CompletableFuture}. One operation is one message
- * or one answer.
+ * Typed calls against the plainest thing that does the same: a single-thread executor with {@code CompletableFuture}.
+ * One operation is one message or one answer.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)

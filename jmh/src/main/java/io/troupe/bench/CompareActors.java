@@ -14,8 +14,10 @@ import java.util.Random;
 /**
  * Troupe against its peers, and all of them against the limit.
  *
- * <p><b>Role.</b> Every contender has a JVM of its own, so that nobody's classes spoil another's compiled code; they take turns of about 30 ms in
- * random order while the others wait, so that all see the same machine. What counts is the ratio to the limit in the same round.
+ * <p><b>Role.</b> Every contender has a JVM of its own, so that nobody's classes spoil another's compiled code; they
+ * take turns of about 30 ms in random order while the others wait, so that all see the same machine. What counts is the
+ * ratio to the limit in the same round.
+ *
  * <p><b>Errors.</b> A contender that fails or hangs is named and left out.
  */
 public final class CompareActors {

@@ -35,7 +35,9 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
         return new CompareDrawing(bars);
     }
 
-    /** A panel of bars for each workload, on a logarithmic scale; the thin line is from the lower to the upper quartile. */
+    /**
+     * A panel of bars for each workload, on a logarithmic scale; the thin line is from the lower to the upper quartile.
+     */
     String svg() {
         var panels = new StringBuilder();
         List<Workload> workloads = rankedFirst();

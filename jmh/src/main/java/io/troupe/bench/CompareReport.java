@@ -3,7 +3,10 @@ package io.troupe.bench;
 import java.util.List;
 import java.util.Locale;
 
-/** The results as Markdown: a table of the workloads that compare, and one of those that show how soon a sleeping thread runs. */
+/**
+ * The results as Markdown: a table of the workloads that compare, and one of those that show how soon a sleeping thread
+ * runs.
+ */
 record CompareReport(CompareOptions options, Results results) {
     static final String NOT_RANKED = "wake-up of a thread, not ranked";
     private static final String HEAD = """

@@ -3,9 +3,11 @@ package io.troupe.bench;
 /**
  * One way to run actors, under the workloads of {@link Workload}. The actor is a counter.
  *
- * <p><b>Role.</b> Each loop is inside the contender, written as its users would, so the harness adds no call per message. A method returns
- * when the last of its messages has been handled.
+ * <p><b>Role.</b> Each loop is inside the contender, written as its users would, so the harness adds no call per
+ * message. A method returns when the last of its messages has been handled.
+ *
  * <p><b>Threads.</b> Called by one thread outside the actors.
+ *
  * <p><b>Errors.</b> Whatever the contender throws; it ends the process of this contender.
  */
 interface Contender extends AutoCloseable {

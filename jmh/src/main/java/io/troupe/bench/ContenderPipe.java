@@ -12,7 +12,9 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** The coordinator's end of a {@link ContenderProcess}. Between two questions that process waits, and uses no processor. */
+/**
+ * The coordinator's end of a {@link ContenderProcess}. Between two questions that process waits, and uses no processor.
+ */
 final class ContenderPipe implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 60;
 

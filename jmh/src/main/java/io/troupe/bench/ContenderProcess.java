@@ -6,9 +6,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The main class of a contender's own JVM. It waits at its standard input for {@code warm <workload> <millis>}, answered by a turn's number of
- * operations, {@code turn <workload> <operations>}, answered by a {@link Turn}, and {@code retained}, answered by bytes per actor; the end of the input
- * is the end of the process.
+ * The main class of a contender's own JVM. It waits at its standard input for {@code warm <workload> <millis>},
+ * answered by a turn's number of operations, {@code turn <workload> <operations>}, answered by a {@link Turn}, and
+ * {@code retained}, answered by bytes per actor; the end of the input is the end of the process.
  */
 final class ContenderProcess {
     private static final long TURN_NANOS = 30_000_000;

@@ -7,7 +7,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
-/** Four threads that begin together and send a quarter each. They are kept from turn to turn, and parked between two. */
+/**
+ * Four threads that begin together and send a quarter each. They are kept from turn to turn, and parked between two.
+ */
 final class FourSenders implements Senders, AutoCloseable {
     private static final int COUNT = 4;
 

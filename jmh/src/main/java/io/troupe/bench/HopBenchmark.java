@@ -18,8 +18,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Where the time of a message between two actors of one thread goes: the floor is a ring of message objects and one virtual call for each, with no actors, no
- * owners, no failures and no other threads. Nobody who has message objects of more than one kind can do with less.
+ * Where the time of a message between two actors of one thread goes: the floor is a ring of message objects and one
+ * virtual call for each, with no actors, no owners, no failures and no other threads. Nobody who has message objects of
+ * more than one kind can do with less.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)

@@ -9,8 +9,9 @@ import java.util.function.Consumer;
 import org.jctools.queues.varhandle.MpscVarHandleArrayQueue;
 
 /**
- * What every other time is compared with: the least anybody does who hands messages to one thread. A thread that spins on a bounded ring of
- * JCTools, a plain {@code ArrayDeque} inside, no types, no errors, no parking, one object sent again and again by {@code tell}.
+ * What every other time is compared with: the least anybody does who hands messages to one thread. A thread that spins
+ * on a bounded ring of JCTools, a plain {@code ArrayDeque} inside, no types, no errors, no parking, one object sent
+ * again and again by {@code tell}.
  */
 final class Limit implements Contender {
     private static final int SLOTS = 1 << 16;

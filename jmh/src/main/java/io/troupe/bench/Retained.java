@@ -12,7 +12,10 @@ final class Retained {
 
     private Retained() {}
 
-    /** Bytes per actor, the median of some trials. Minor things that the contender allocates meanwhile are divided by 2,000 actors. */
+    /**
+     * Bytes per actor, the median of some trials. Minor things that the contender allocates meanwhile are divided by
+     * 2,000 actors.
+     */
     static double bytesPerActor(Contender contender) throws Exception {
         return bytesPerActor(() -> contender.create(ACTORS), contender::clear);
     }

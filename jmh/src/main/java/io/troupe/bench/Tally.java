@@ -3,8 +3,8 @@ package io.troupe.bench;
 /**
  * What the actor of a {@link Family} counts.
  *
- * <p><b>Threads.</b> {@link #expect} and {@link #sum} are for the sender before the first and after the last message, {@link #add} is for the actor; the
- * messages themselves order the two.
+ * <p><b>Threads.</b> {@link #expect} and {@link #sum} are for the sender before the first and after the last message,
+ * {@link #add} is for the actor; the messages themselves order the two.
  */
 public final class Tally {
     private final Runnable last;

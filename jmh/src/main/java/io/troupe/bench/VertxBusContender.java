@@ -11,7 +11,10 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Vert.x, one event loop: verticles with local consumers at the event bus, an address for each kind of message, {@code send} and {@code request}. */
+/**
+ * Vert.x, one event loop: verticles with local consumers at the event bus, an address for each kind of message,
+ * {@code send} and {@code request}.
+ */
 final class VertxBusContender implements Contender {
     private final Finish finish = new Finish();
     private final Vertx vertx = Vertx.vertx(new VertxOptions().setEventLoopPoolSize(1));
@@ -79,7 +82,10 @@ final class VertxBusContender implements Contender {
         }
     }
 
-    /** What {@code create} makes: a counter that hears of nothing but its beginning, so that each has one address, as each has one mailbox elsewhere. */
+    /**
+     * What {@code create} makes: a counter that hears of nothing but its beginning, so that each has one address, as
+     * each has one mailbox elsewhere.
+     */
     private final class Beginner extends VerticleBase {
         private final String address;
 

@@ -1,8 +1,8 @@
 package io.troupe.bench;
 
 /**
- * What is measured: one operation is one message, one hop, one answer or one actor. The last one is last because the compiled code of all others would
- * suffer from what it has met there.
+ * What is measured: one operation is one message, one hop, one answer or one actor. The last one is last because the
+ * compiled code of all others would suffer from what it has met there.
  */
 enum Workload {
     TELL("tell", 100_000, Subject::tell),
@@ -56,7 +56,9 @@ enum Workload {
         return Math.ceilDiv(operations, grain) * grain;
     }
 
-    /** Runs so many operations, in batches that bound what is queued, and measures them without pauses and clearing up. */
+    /**
+     * Runs so many operations, in batches that bound what is queued, and measures them without pauses and clearing up.
+     */
     Turn run(Subject subject, int operations) throws Exception {
         long nanos = 0;
         long bytes = 0;

@@ -15,6 +15,9 @@ public abstract class AbstractPositionDevice extends PlayerDevice {
     /** Radians, left positive. */
     public abstract double getYaw();
 
-    /** Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told otherwise. */
+    /**
+     * Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told
+     * otherwise.
+     */
     public abstract void setSpeed(double speed, double turnrate);
 }

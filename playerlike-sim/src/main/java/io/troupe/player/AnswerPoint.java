@@ -8,10 +8,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * Tells which {@code isDataReady()} that finds nothing is the one by which a program waits.
  *
- * <p>A false alone does not say that: {@code if (pos.isDataReady()) ..; if (son.isDataReady()) ..} asks for the position in vain and goes on to sonar
- * readings it has not seen. So the program waits where everything was seen before, or where it asks the same device in vain again. That place stays the
- * same until the next frame, and the frame becomes visible there and nowhere else: where in its loop a program meets new data does not depend on how
- * fast anybody is. When a program asks elsewhere, in vain and twice, and not at that place any more, the place moves.
+ * <p>A false alone does not say that: {@code if (pos.isDataReady()) ..; if (son.isDataReady()) ..} asks for the
+ * position in vain and goes on to sonar readings it has not seen. So the program waits where everything was seen
+ * before, or where it asks the same device in vain again. That place stays the same until the next frame, and the frame
+ * becomes visible there and nowhere else: where in its loop a program meets new data does not depend on how fast
+ * anybody is. When a program asks elsewhere, in vain and twice, and not at that place any more, the place moves.
  *
  * <p><b>Threads.</b> None of its own; guarded by the lock of {@link Incoming}.
  */

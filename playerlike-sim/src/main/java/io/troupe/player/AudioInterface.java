@@ -12,6 +12,7 @@ import io.troupe.player.structures.audio.PlayerAudioWav;
  * Sound, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface audio.
  */
 public class AudioInterface extends UnofferedDevice {

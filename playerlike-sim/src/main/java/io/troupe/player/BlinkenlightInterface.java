@@ -7,6 +7,7 @@ import io.troupe.player.structures.blinkenlight.PlayerBlinkenlightData;
  * A lamp, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface blinkenlight.
  */
 public class BlinkenlightInterface extends UnofferedDevice {

@@ -12,6 +12,7 @@ import org.jspecify.annotations.Nullable;
  * A camera that reports patches of colour.
  *
  * <p><b>Units and shapes.</b> Pixels, x to the right and y down; colours {@code 0x00RRGGBB}; ranges in metres.
+ *
  * <p><b>Source.</b> Player interface blobfinder.
  */
 public class BlobfinderInterface extends PlayerDevice {

@@ -8,6 +8,7 @@ import io.troupe.player.structures.graphics2d.PlayerGraphics2dCmdPolyline;
  * Drawings in a plane, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface graphics2d.
  */
 public class Graphics2DInterface extends UnofferedDevice {

@@ -7,6 +7,7 @@ import io.troupe.player.structures.gripper.PlayerGripperGeom;
  * A gripper, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface gripper.
  */
 public class GripperInterface extends UnofferedDevice {

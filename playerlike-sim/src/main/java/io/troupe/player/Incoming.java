@@ -19,14 +19,18 @@ import org.jspecify.annotations.Nullable;
 /**
  * What the server has sent and the client's program has not seen yet, and by which call the program answers.
  *
- * <p><b>Threads.</b> Any thread; one lock. The server hands a frame in under it, the program sees it under it: what the world did before a tick happens
- * before what the program does about it. The tick a program answers is read under the lock by which it found nothing new, and told to the server after
- * that: an answer never covers data the program has not been offered, and all that the program did before happens before the world goes on. No wake-up is
- * lost, since every wait looks at its condition under the lock, and whoever changes one notifies under it.
+ * <p><b>Threads.</b> Any thread; one lock. The server hands a frame in under it, the program sees it under it: what the
+ * world did before a tick happens before what the program does about it. The tick a program answers is read under the
+ * lock by which it found nothing new, and told to the server after that: an answer never covers data the program has
+ * not been offered, and all that the program did before happens before the world goes on. No wake-up is lost, since
+ * every wait looks at its condition under the lock, and whoever changes one notifies under it.
+ *
  * <p><b>Order.</b> Data are dispatched under the lock as well, so frames never mix.
  */
 final class Incoming implements DataSink {
-    /** How many frames wait for a program that does not read what a server sends on and on; in lock step there is one. */
+    /**
+     * How many frames wait for a program that does not read what a server sends on and on; in lock step there is one.
+     */
     private static final int MOST_FRAMES = 1024;
 
     private final Object lock = new Object();
@@ -164,7 +168,10 @@ final class Incoming implements DataSink {
         }
     }
 
-    /** Looks whether a reply has come; while one is on its way, that may take a moment, as busy loops wait for replies too. */
+    /**
+     * Looks whether a reply has come; while one is on its way, that may take a moment, as busy loops wait for replies
+     * too.
+     */
     boolean takeReply(Latest<?> asked, long patienceMillis) {
         synchronized (lock) {
             if (!asked.isNew() && openRequests > 0 && lost == null) {
@@ -179,8 +186,9 @@ final class Incoming implements DataSink {
     }
 
     /**
-     * Dispatches the oldest message, or with {@code wholeFrame} whatever is there; without any it answers and waits. A reply that nobody has waited for is
-     * a message too, if it is the only one there, so that a program which reads until its reply has come does not wait for data.
+     * Dispatches the oldest message, or with {@code wholeFrame} whatever is there; without any it answers and waits. A
+     * reply that nobody has waited for is a message too, if it is the only one there, so that a program which reads
+     * until its reply has come does not wait for data.
      *
      * @return the type of the message
      */
@@ -249,8 +257,8 @@ final class Incoming implements DataSink {
     // ---- from the reader thread
 
     /**
-     * Shows frames to a program that does not meet them by asking: because it has not asked yet, waits for a promise, or does not ask any more while the
-     * server sends on.
+     * Shows frames to a program that does not meet them by asking: because it has not asked yet, waits for a promise,
+     * or does not ask any more while the server sends on.
      *
      * @throws PlayerException when the server has gone
      */

@@ -14,8 +14,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A scanning laser.
  *
- * <p><b>Units and shapes.</b> Metres and radians; a scan runs from the least angle (right) to the greatest (left). Every message has arrays of its own,
- * which may be changed.
+ * <p><b>Units and shapes.</b> Metres and radians; a scan runs from the least angle (right) to the greatest (left).
+ * Every message has arrays of its own, which may be changed.
+ *
  * <p><b>Source.</b> Player interface laser.
  */
 public class LaserInterface extends PlayerDevice {

@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The newest of something, and whether it has been looked for since it came.
  *
- * <p><b>Threads.</b> Any thread; whoever is told that it is new sees it, because the value is written before the flag and
- * read after it.
+ * <p><b>Threads.</b> Any thread; whoever is told that it is new sees it, because the value is written before the flag
+ * and read after it.
  */
 final class Latest<T> {
     private final AtomicBoolean isNew = new AtomicBoolean();

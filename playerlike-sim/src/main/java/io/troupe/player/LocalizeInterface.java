@@ -8,6 +8,7 @@ import io.troupe.player.structures.localize.PlayerLocalizeSetPose;
  * A localization, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface localize.
  */
 public class LocalizeInterface extends UnofferedDevice {

@@ -6,6 +6,7 @@ import io.troupe.player.structures.log.PlayerLogGetState;
  * A recorder, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface log.
  */
 public class LogInterface extends UnofferedDevice {

@@ -20,11 +20,14 @@ import org.jspecify.annotations.Nullable;
  * A device that a client has subscribed to.
  *
  * <p><b>Role.</b> Made by the {@code requestInterface..} methods of {@link PlayerClient}.
+ *
  * <p><b>Threads.</b> Any thread.
- * <p><b>Order.</b> Commands and requests are sent at once. Requests do not wait for their replies: what a reply tells is there when the {@code is..Ready()}
- * method that belongs to it is true, in this JVM at once.
- * <p><b>Errors.</b> {@link PlayerException} when the server has gone. A request that the server refuses leaves a warning in the log, as the program has gone
- * on.
+ *
+ * <p><b>Order.</b> Commands and requests are sent at once. Requests do not wait for their replies: what a reply tells
+ * is there when the {@code is..Ready()} method that belongs to it is true, in this JVM at once.
+ *
+ * <p><b>Errors.</b> {@link PlayerException} when the server has gone. A request that the server refuses leaves a
+ * warning in the log, as the program has gone on.
  */
 public abstract class PlayerDevice implements PlayerConstants {
     private static final System.Logger LOG = System.getLogger(PlayerDevice.class.getName());
@@ -89,7 +92,8 @@ public abstract class PlayerDevice implements PlayerConstants {
     }
 
     /**
-     * Takes a data message that has arrived. Called by the client; a subclass that overrides it is told of each message, and calls {@code super}.
+     * Takes a data message that has arrived. Called by the client; a subclass that overrides it is told of each
+     * message, and calls {@code super}.
      *
      * @throws PlayerException when called otherwise, as no message is there then
      */

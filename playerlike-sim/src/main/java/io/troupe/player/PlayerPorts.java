@@ -9,7 +9,9 @@ import java.util.concurrent.ConcurrentSkipListMap;
 /**
  * The Player servers that run in this JVM, by port; a client of {@code localhost} finds them here without a socket.
  *
- * <p><b>Role.</b> The one place in this project that is the same for everybody in the JVM, as real ports are. Whoever opens a port closes it.
+ * <p><b>Role.</b> The one place in this project that is the same for everybody in the JVM, as real ports are. Whoever
+ * opens a port closes it.
+ *
  * <p><b>Threads.</b> Any thread.
  */
 public final class PlayerPorts {

@@ -9,6 +9,7 @@ import io.troupe.player.structures.position1d.PlayerPosition1dGeom;
  * A linear actuator, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface position1d.
  */
 public class Position1DInterface extends UnofferedDevice {

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * A robot's wheels and odometry.
  *
  * <p><b>Units and shapes.</b> Metres, radians, seconds; x forward, y left, turning left is positive.
+ *
  * <p><b>Source.</b> Player interface position2d.
  */
 public class Position2DInterface extends AbstractPositionDevice {
@@ -68,19 +69,24 @@ public class Position2DInterface extends AbstractPositionDevice {
         return Objects.requireNonNull(data.get(), "no data of position2d yet: wait for isDataReady()");
     }
 
-    /** Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told otherwise. */
+    /**
+     * Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told
+     * otherwise.
+     */
     @Override
     public void setSpeed(double speed, double turnrate) {
         drive(speed, 0, turnrate, true);
     }
 
     /**
-     * Asks the server to stop the robot when this client has sent no speed for so long; our addition to the Player client. Without it the last speed holds
-     * until another command or the end of the connection, even if this program hangs or is cut off.
+     * Asks the server to stop the robot when this client has sent no speed for so long; our addition to the Player
+     * client. Without it the last speed holds until another command or the end of the connection, even if this program
+     * hangs or is cut off.
      *
-     * <p>It counts for the speeds that this client sends to this device from now on, on the server's clock (simulated time), and not for {@link #setPosition}. Another
-     * client's newer command is not touched. When a speed has expired, the next one drives again. A server of another make refuses this and decides by
-     * itself when to stop; the log says so once (INFO).
+     * <p>It counts for the speeds that this client sends to this device from now on, on the server's clock (simulated
+     * time), and not for {@link #setPosition}. Another client's newer command is not touched. When a speed has expired,
+     * the next one drives again. A server of another make refuses this and decides by itself when to stop; the log says
+     * so once (INFO).
      *
      * @param limit whole milliseconds, longer than the program ever needs between two speeds; zero for no limit
      */

@@ -11,6 +11,7 @@ import io.troupe.player.wire.DeviceData;
  * A robot that moves in space, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface position3d.
  */
 public class Position3DInterface extends AbstractPositionDevice {

@@ -6,6 +6,7 @@ import io.troupe.player.structures.power.PlayerPowerData;
  * A battery, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface power.
  */
 public class PowerInterface extends UnofferedDevice {

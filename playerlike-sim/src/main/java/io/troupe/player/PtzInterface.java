@@ -8,6 +8,7 @@ import io.troupe.player.structures.ptz.PlayerPtzGeom;
  * A camera that pans, tilts and zooms, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface ptz.
  */
 public class PtzInterface extends UnofferedDevice {

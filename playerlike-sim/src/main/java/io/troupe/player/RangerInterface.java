@@ -16,8 +16,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A sensor of ranges with one element (a scanning laser) or several (a ring of sonars).
  *
- * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements, one after the other, within one from right to left. Every message has an
- * array of its own, which may be changed.
+ * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements, one after the other, within one from
+ * right to left. Every message has an array of its own, which may be changed.
+ *
  * <p><b>Source.</b> Player interface ranger.
  */
 public class RangerInterface extends PlayerDevice {

@@ -65,7 +65,8 @@ abstract class ServerInquiries extends OfferedInterfaces {
      *
      * @param interf code of an interface; -1 in this and the next three matches everything
      * @param type of message, for example {@code PLAYER_MSGTYPE_DATA}
-     * @param replace 0: they queue up; 1: a new message takes the place of the newest one of its kind; 2: they are dropped
+     * @param replace 0: they queue up; 1: a new message takes the place of the newest one of its kind; 2: they are
+     *     dropped
      */
     public void requestAddReplaceRule(int interf, int index, int type, int subtype, int replace) {
         if (replace < ReplaceRule.ACCEPT || replace > ReplaceRule.IGNORE) {
@@ -108,7 +109,10 @@ abstract class ServerInquiries extends OfferedInterfaces {
         LOG.log(Level.WARNING, "{0}: Player 3 servers have no {1}", getName(), what);
     }
 
-    /** How long a call takes at most, for sending and for waiting for the server's reply together, in milliseconds; 10,000 unless set. Data are waited for as long as it takes. */
+    /**
+     * How long a call takes at most, for sending and for waiting for the server's reply together, in milliseconds;
+     * 10,000 unless set. Data are waited for as long as it takes.
+     */
     public long getReadTimeout() {
         return readTimeoutMillis;
     }

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * The world itself: where its models are, and its time.
  *
  * <p><b>Units and shapes.</b> Metres and radians, in the world's frame. It publishes nothing.
+ *
  * <p><b>Source.</b> Player interface simulation.
  */
 public class SimulationInterface extends PlayerDevice {
@@ -89,7 +90,10 @@ public class SimulationInterface extends PlayerDevice {
                 + " save");
     }
 
-    /** Stops the world's time, or lets it go on. A world of ours goes on, too, when the client that has stopped it leaves. */
+    /**
+     * Stops the world's time, or lets it go on. A world of ours goes on, too, when the client that has stopped it
+     * leaves.
+     */
     public void pause() {
         send(new DeviceCommand.Pause());
     }

@@ -11,7 +11,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A ring of sonars.
  *
- * <p><b>Units and shapes.</b> Metres; one range per sonar, in the order of the geometry. Every message has an array of its own, which may be changed.
+ * <p><b>Units and shapes.</b> Metres; one range per sonar, in the order of the geometry. Every message has an array of
+ * its own, which may be changed.
+ *
  * <p><b>Source.</b> Player interface sonar.
  */
 public class SonarInterface extends PlayerDevice {
@@ -47,7 +49,10 @@ public class SonarInterface extends PlayerDevice {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Switches the sonars on (1) or off (0). Simulated ones cannot be switched off, as in Stage: that leaves a warning in the log. */
+    /**
+     * Switches the sonars on (1) or off (0). Simulated ones cannot be switched off, as in Stage: that leaves a warning
+     * in the log.
+     */
     public void setSonarPower(int state) {
         ask(new DeviceRequest.Power(state != 0));
     }

@@ -3,10 +3,11 @@ package io.troupe.player;
 import io.troupe.player.structures.PlayerConstants;
 
 /**
- * The interfaces of the Player Java client that are not offered here, so that a program that asks for one is told at run time what there is.
+ * The interfaces of the Player Java client that are not offered here, so that a program that asks for one is told at
+ * run time what there is.
  *
- * <p><b>Errors.</b> Each of these throws {@link PlayerException}, which names the device asked for, the interfaces this client offers and the devices the
- * server has.
+ * <p><b>Errors.</b> Each of these throws {@link PlayerException}, which names the device asked for, the interfaces this
+ * client offers and the devices the server has.
  */
 abstract class UnofferedInterfaces extends Thread implements PlayerConstants {
     UnofferedInterfaces(String threadName) {

@@ -7,6 +7,7 @@ import io.troupe.player.structures.wsn.PlayerWsnData;
  * A network of sensor nodes, which this client does not offer: a name for programs that mention it.
  *
  * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ *
  * <p><b>Source.</b> Player interface wsn.
  */
 public class WSNInterface extends UnofferedDevice {

@@ -31,9 +31,11 @@ final class Bodies {
     }
 
     /**
-     * How long the steps are in which jbox2d moves the bodies: the settings' step, or a whole fraction of it in which no point of a robot travels farther than
-     * half the width of a robot's widest convex piece, which no wall lets through then. In longer ones fast robots would pass thin walls, and push one another through
-     * thick ones. A piece that is narrower than the widest of its robot, such as a thin arm, may still pass a thin post that only this piece meets.
+     * How long the steps are in which jbox2d moves the bodies: the settings' step, or a whole fraction of it in which
+     * no point of a robot travels farther than half the width of a robot's widest convex piece, which no wall lets
+     * through then. In longer ones fast robots would pass thin walls, and push one another through thick ones. A piece
+     * that is narrower than the widest of its robot, such as a thin arm, may still pass a thin post that only this
+     * piece meets.
      */
     static int stepMicros(WorldSpec spec, WorldSettings settings) {
         int longest = settings.physicsStepMicros();

@@ -24,8 +24,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * One client of a simulated world.
  *
- * <p><b>Threads.</b> Any thread. Everything that changes is guarded by the simulation's lock: what a client says before its answer is with the simulation
- * when that sees the answer.
+ * <p><b>Threads.</b> Any thread. Everything that changes is guarded by the simulation's lock: what a client says before
+ * its answer is with the simulation when that sees the answer.
  */
 final class ClientLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(ClientLine.class.getName());
@@ -125,7 +125,9 @@ final class ClientLine implements PlayerConnection {
         return messages;
     }
 
-    /** The answer of a client on a space, which may have closed itself in the same turn. Under the simulation's lock. */
+    /**
+     * The answer of a client on a space, which may have closed itself in the same turn. Under the simulation's lock.
+     */
     void spaceIsIdle(long tick) {
         answeredTick = Math.max(answeredTick, tick);
         asks = false;

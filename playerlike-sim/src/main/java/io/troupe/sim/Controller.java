@@ -4,6 +4,7 @@ package io.troupe.sim;
  * Drives robots from within {@link World#advance(long, Controller)}.
  *
  * <p><b>Threads.</b> Called by the thread that advances the world.
+ *
  * <p><b>Errors.</b> What it throws ends the advance, before the interval it was called for.
  */
 @FunctionalInterface

@@ -16,10 +16,11 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Understands what a client tells and asks the simulated devices. What changes the world waits for the end of the tick; {@code Pause} does not, since a world
- * that stands still has no ticks.
+ * Understands what a client tells and asks the simulated devices. What changes the world waits for the end of the tick;
+ * {@code Pause} does not, since a world that stands still has no ticks.
  *
  * <p><b>Threads.</b> None of its own; guarded by the simulation's lock.
+ *
  * <p><b>Source.</b> What Stage acknowledges, what it refuses and what it ignores.
  */
 final class DeviceDesk {
@@ -161,7 +162,9 @@ final class DeviceDesk {
         };
     }
 
-    /** For the commands that follow; it belongs to the client and not to the world, so a reset of the world leaves it. */
+    /**
+     * For the commands that follow; it belongs to the client and not to the world, so a reset of the world leaves it.
+     */
     private DeviceReply commandLimit(Offer offer, DeviceRequest.SetIntegerProperty set) {
         if (!set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
             return new DeviceReply.Nack(
@@ -184,7 +187,8 @@ final class DeviceDesk {
     }
 
     /**
-     * Stage refuses to switch a sensor off too. In lock step a client without data has nothing to answer, and one that others rely on would leave them without theirs.
+     * Stage refuses to switch a sensor off too. In lock step a client without data has nothing to answer, and one that
+     * others rely on would leave them without theirs.
      */
     private static DeviceReply sensorPower(Offer offer, boolean on) {
         return on ? ACK : new DeviceReply.Nack(offer + " of a simulated robot cannot be switched off");

@@ -18,7 +18,8 @@ sealed interface Drive {
     }
 
     /**
-     * At a speed, steering to a heading in the odometry frame: it turns at the heading's error per second, at most 1 rad/s.
+     * At a speed, steering to a heading in the odometry frame: it turns at the heading's error per second, at most 1
+     * rad/s.
      *
      * <p>Stage does nothing about this command; the way to steer is that of {@link GoTo}.
      */
@@ -32,10 +33,12 @@ sealed interface Drive {
     /**
      * To a pose in the odometry frame, and then standing there.
      *
-     * <p>Farther than 2 cm away along x or y it turns towards the goal, at the heading's error per second, and drives only while that error is below
-     * 11.25 degrees, at the distance per second, at most 0.4 m/s. Nearer, it turns to the final heading in the same way.
+     * <p>Farther than 2 cm away along x or y it turns towards the goal, at the heading's error per second, and drives
+     * only while that error is below 11.25 degrees, at the distance per second, at most 0.4 m/s. Nearer, it turns to
+     * the final heading in the same way.
      *
-     * <p><b>Source.</b> Stage's position control; its limit of 1 rad/s holds to the right only, by a slip, here on both sides.
+     * <p><b>Source.</b> Stage's position control; its limit of 1 rad/s holds to the right only, by a slip, here on both
+     * sides.
      */
     record GoTo(Pose goal) implements Drive {
         private static final double NEAR_M = 0.02;

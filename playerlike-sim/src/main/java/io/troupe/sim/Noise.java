@@ -6,7 +6,9 @@ import io.troupe.sim.scenario.RobotSpec;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** What is random about a robot's devices; each draws from a stream of its own, known by the names of robot and device. */
+/**
+ * What is random about a robot's devices; each draws from a stream of its own, known by the names of robot and device.
+ */
 final class Noise {
     private Noise() {}
 

@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * All that a world has been told and takes in when its next interval begins, and the recording of it.
  *
- * <p><b>Threads.</b> Any thread may tell; {@link #takeReset} and {@link #latch} belong to the one that advances the world.
+ * <p><b>Threads.</b> Any thread may tell; {@link #takeReset} and {@link #latch} belong to the one that advances the
+ * world.
  */
 final class Orders {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
@@ -173,7 +174,10 @@ final class Orders {
         return true;
     }
 
-    /** Takes in teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless somebody on another thread has said something. */
+    /**
+     * Takes in teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless somebody on
+     * another thread has said something.
+     */
     void latch(long tick, long nowMicros, Physics physics, List<RobotDevices> devices) {
         Recording log = recording.get();
         Room.Occupancy occupancy = null;

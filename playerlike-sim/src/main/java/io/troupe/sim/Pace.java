@@ -1,7 +1,8 @@
 package io.troupe.sim;
 
 /**
- * How fast a {@link SimulationRunner} lets simulated time pass. Whatever the pace, a tick waits for the clients that answer.
+ * How fast a {@link SimulationRunner} lets simulated time pass. Whatever the pace, a tick waits for the clients that
+ * answer.
  */
 public sealed interface Pace {
     /** As fast as the clients answer; in real time while there is one that never answers, who would else be overrun. */

@@ -8,8 +8,8 @@ import java.util.function.LongConsumer;
 /**
  * Keeps simulated time in step with a clock.
  *
- * <p>Deadlines are counted from one moment, so that waiting a little too long once does no harm. Who is late catches up, at most a quarter of a simulated
- * second; the rest is dropped, and the log says so.
+ * <p>Deadlines are counted from one moment, so that waiting a little too long once does no harm. Who is late catches
+ * up, at most a quarter of a simulated second; the rest is dropped, and the log says so.
  *
  * <p><b>Threads.</b> The one that ticks; {@link #droppedMicros} from any.
  */

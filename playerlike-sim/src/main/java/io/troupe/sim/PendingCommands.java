@@ -9,9 +9,11 @@ import java.util.Map;
 /**
  * What a client has told its devices and the world does not know yet.
  *
- * <p><b>Order.</b> What it says before its answer to a tick counts at the end of that tick; what it says after it counts at the end of the next, however
- * long the other clients take. Commands are taken in the order in which they came. The newest command of a kind to a device replaces an older one, and comes
- * last, so a client that never stops talking needs no more room.
+ * <p><b>Order.</b> What it says before its answer to a tick counts at the end of that tick; what it says after it
+ * counts at the end of the next, however long the other clients take. Commands are taken in the order in which they
+ * came. The newest command of a kind to a device replaces an older one, and comes last, so a client that never stops
+ * talking needs no more room.
+ *
  * <p><b>Threads.</b> None of its own; guarded by the simulation's lock.
  */
 final class PendingCommands {
@@ -29,14 +31,15 @@ final class PendingCommands {
     private final Map<Subject, Runnable> now = new LinkedHashMap<>();
     private final Map<Subject, Runnable> later = new LinkedHashMap<>();
 
-    /**
-     * @param late whether the client has answered the tick that is being played
-     */
+    /** @param late whether the client has answered the tick that is being played */
     void add(Offer device, Kind kind, Runnable command, boolean late) {
         putLast(late ? later : now, new Subject(device, kind), command);
     }
 
-    /** A map keeps the old place of a key that is put again: without the removal a second reset would come before what was said after the first. */
+    /**
+     * A map keeps the old place of a key that is put again: without the removal a second reset would come before what
+     * was said after the first.
+     */
     private static void putLast(Map<Subject, Runnable> commands, Subject subject, Runnable command) {
         commands.remove(subject);
         commands.put(subject, command);

@@ -9,7 +9,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * What one robot has been told: what waits for the next interval, and what holds.
  *
- * <p><b>Threads.</b> Any thread may tell, unless a method says otherwise; the rest belongs to the one that advances the world.
+ * <p><b>Threads.</b> Any thread may tell, unless a method says otherwise; the rest belongs to the one that advances the
+ * world.
+ *
  * <p><b>Cost.</b> What the advancing thread tells by {@link #driveNow} allocates nothing.
  */
 final class Pilot {
@@ -96,7 +98,10 @@ final class Pilot {
         return newest.get() == null ? null : newest.getAndSet(null);
     }
 
-    /** What holds from now on: the newest command, unless its own time is over, the motors are off, which forgets what they were told, or the watchdog has barked. */
+    /**
+     * What holds from now on: the newest command, unless its own time is over, the motors are off, which forgets what
+     * they were told, or the watchdog has barked.
+     */
     void latch(long nowMicros, @Nullable Recording recording) {
         Boolean power = take(newestPower);
         if (power != null && power != powered) {

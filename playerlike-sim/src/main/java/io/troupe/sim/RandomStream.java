@@ -1,7 +1,8 @@
 package io.troupe.sim;
 
 /**
- * Reproducible random numbers, a stream for each (seed, robot, device): another robot or device draws from another stream.
+ * Reproducible random numbers, a stream for each (seed, robot, device): another robot or device draws from another
+ * stream.
  *
  * <p><b>Source.</b> SplitMix64 (Steele, Lea, Flood, 2014), started from an FNV-1a hash of the names.
  */

@@ -16,9 +16,9 @@ import java.util.List;
 /**
  * Lasers and rangers in the words of Player.
  *
- * <p>The resolution is the angle between two rays, so that the first angle and the number of ranges lead to the last angle; Stage divides the field of view by
- * the number of rays, one too many. Readings have no steps of their own: the range resolution
- * is 1 for a laser, as Stage says, and 0 for a ranger. There are no intensities.
+ * <p>The resolution is the angle between two rays, so that the first angle and the number of ranges lead to the last
+ * angle; Stage divides the field of view by the number of rays, one too many. Readings have no steps of their own: the
+ * range resolution is 1 for a laser, as Stage says, and 0 for a ranger. There are no intensities.
  */
 final class RangerMessages {
     private static final float LASER_RANGE_RESOLUTION = 1;

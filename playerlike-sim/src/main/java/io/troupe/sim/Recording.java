@@ -9,11 +9,15 @@ import java.util.Objects;
 /**
  * Writes down everything that enters a world, with the tick at which it took effect.
  *
- * <p><b>Role.</b> {@link World#record} makes one; {@link Replay} reads what it has written and does the same again. {@link #close} writes the last line, without
- * which a recording counts as cut off, and closes the output.
+ * <p><b>Role.</b> {@link World#record} makes one; {@link Replay} reads what it has written and does the same again.
+ * {@link #close} writes the last line, without which a recording counts as cut off, and closes the output.
+ *
  * <p><b>Threads.</b> Any thread.
- * <p><b>Units and shapes.</b> Lines of text; each begins with the tick of the snapshot that was the newest when it took effect. Numbers are written so that
- * reading them gives the same bits; a checksum over all snapshots so far stands at every hundredth tick and at the end.
+ *
+ * <p><b>Units and shapes.</b> Lines of text; each begins with the tick of the snapshot that was the newest when it took
+ * effect. Numbers are written so that reading them gives the same bits; a checksum over all snapshots so far stands at
+ * every hundredth tick and at the end.
+ *
  * <p><b>Errors.</b> {@link UncheckedIOException} from {@link World#advance} and {@link #close} when the output fails.
  */
 public final class Recording implements AutoCloseable {

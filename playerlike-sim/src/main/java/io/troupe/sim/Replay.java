@@ -14,6 +14,7 @@ import java.util.function.Consumer;
  * A recording that has been read, and can be played in the same world as often as one likes.
  *
  * <p><b>Threads.</b> Any thread; immutable.
+ *
  * <p><b>Errors.</b> {@link RecordingException}, with the line.
  */
 public final class Replay {

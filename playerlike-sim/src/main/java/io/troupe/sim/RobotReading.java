@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  * @param sonarM one range per sonar, in metres; null if it has no sonar
  * @param blobs null if it has no blobfinder
  * @param rangersM for each of its lasers and rangers the ranges of all its rays, in metres
- * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is
- *     none
+ * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite
+ *     if there is none
  */
 public record RobotReading(
         Pose pose,

@@ -117,7 +117,8 @@ final class Room {
     }
 
     /**
-     * Which robots are where, in square cells that are so wide that robots can only touch if their centres are in neighbouring ones.
+     * Which robots are where, in square cells that are so wide that robots can only touch if their centres are in
+     * neighbouring ones.
      *
      * <p><b>Threads.</b> Any thread may ask; {@link #moved} belongs to the thread that made it, before others ask.
      */

@@ -7,16 +7,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * Splits robots among threads: each has a fixed range of them, the caller's own the first.
  *
- * <p><b>Threads.</b> Daemon threads, started at once, ended by {@link #close}, which may come from any thread and lets a run that is under way finish; all others belong to one thread.
+ * <p><b>Threads.</b> Daemon threads, started at once, ended by {@link #close}, which may come from any thread and lets
+ * a run that is under way finish; all others belong to one thread.
+ *
  * <p><b>Errors.</b> What a range throws is thrown by {@link #run}; of several, that of the lowest range.
  */
 final class Sensing implements AutoCloseable {
     /** Does something for the robots from one index to before another. */
     @FunctionalInterface
     interface Ranges {
-        /**
-         * @param range number of the range, from 0
-         */
+        /** @param range number of the range, from 0 */
         void run(int range, int fromRobot, int toRobot);
     }
 

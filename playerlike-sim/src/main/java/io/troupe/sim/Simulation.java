@@ -22,13 +22,21 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A world whose robots are offered on Player ports of this JVM, in lock step with the programs that drive them, as far as they answer.
+ * A world whose robots are offered on Player ports of this JVM, in lock step with the programs that drive them, as far
+ * as they answer.
  *
- * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its clients.
+ * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its
+ * clients.
+ *
  * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and command from any thread.
- * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their answers takes effect, client by client in the order in which
- * they connected, so that of two clients that drive one robot the one that came later counts, and the world advances by one interval. Clients of one actor space get their frames in one turn of it and have answered when the space is idle, also one that closes itself in that turn; so a client
- * that the turn connects anew takes part from the next tick on (ADR 0003). A thread that changes its client connects the new one before it closes the old: between the two the world would run on.
+ *
+ * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their
+ * answers takes effect, client by client in the order in which they connected, so that of two clients that drive one
+ * robot the one that came later counts, and the world advances by one interval. Clients of one actor space get their
+ * frames in one turn of it and have answered when the space is idle, also one that closes itself in that turn; so a
+ * client that the turn connects anew takes part from the next tick on (ADR 0003). A thread that changes its client
+ * connects the new one before it closes the old: between the two the world would run on.
+ *
  * <p><b>Errors.</b> {@link UnansweredTickException} if a client does not answer in time.
  */
 public final class Simulation implements AutoCloseable {
@@ -94,12 +102,18 @@ public final class Simulation implements AutoCloseable {
         return world.timeMicros();
     }
 
-    /** Something to do again and again while {@link #tick} waits for answers, for example to crank a space that has no thread. */
+    /**
+     * Something to do again and again while {@link #tick} waits for answers, for example to crank a space that has no
+     * thread.
+     */
     public void whileWaiting(Runnable action) {
         whileWaiting = Objects.requireNonNull(action, "action");
     }
 
-    /** How long a tick may wait for its answers, by the machine's clock; 10 seconds unless set. While time is paused it does not count, except for a tick that {@link #step} has let pass. */
+    /**
+     * How long a tick may wait for its answers, by the machine's clock; 10 seconds unless set. While time is paused it
+     * does not count, except for a tick that {@link #step} has let pass.
+     */
     public void answerLimit(Duration limit) {
         if (limit.isNegative() || limit.isZero()) {
             throw new IllegalArgumentException("answer limit is " + limit + ", expected more than nothing");
@@ -113,8 +127,9 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Whether ticks wait for the clients' answers, as they do unless this says otherwise. If not, the world goes on like Stage's: at the pace of time, whoever
-     * is slow misses something, and a run cannot be repeated but from a recording.
+     * Whether ticks wait for the clients' answers, as they do unless this says otherwise. If not, the world goes on
+     * like Stage's: at the pace of time, whoever is slow misses something, and a run cannot be repeated but from a
+     * recording.
      */
     public void lockStep(boolean waits) {
         under(() -> lockStep = waits);
@@ -125,7 +140,10 @@ public final class Simulation implements AutoCloseable {
         return lockStep && !closed;
     }
 
-    /** Whether a client that does not answer in time is disconnected, with a warning in the log, instead of ending the tick; for worlds that strangers connect to. */
+    /**
+     * Whether a client that does not answer in time is disconnected, with a warning in the log, instead of ending the
+     * tick; for worlds that strangers connect to.
+     */
     public void disconnectSilentClients(boolean disconnects) {
         under(() -> disconnectsSilent = disconnects);
     }
@@ -138,7 +156,8 @@ public final class Simulation implements AutoCloseable {
     /**
      * Waits while time is paused; then publishes, waits for the answers, and advances the world by one interval.
      *
-     * @throws UnansweredTickException if a client does not answer in time and is not to be disconnected; the world stands where it stood
+     * @throws UnansweredTickException if a client does not answer in time and is not to be disconnected; the world
+     *     stands where it stood
      * @throws IllegalStateException if this simulation is closed, or the caller is interrupted while it waits
      */
     public Snapshot tick() {
@@ -180,8 +199,9 @@ public final class Simulation implements AutoCloseable {
     // ---- time and place
 
     /**
-     * Stops simulated time after the tick that is being played; {@link #tick} then waits. Requests are still answered; what they change takes effect when
-     * time goes on. A pause that a client has asked for ends when that client leaves, this one only by {@link #resume} or a client's asking again.
+     * Stops simulated time after the tick that is being played; {@link #tick} then waits. Requests are still answered;
+     * what they change takes effect when time goes on. A pause that a client has asked for ends when that client
+     * leaves, this one only by {@link #resume} or a client's asking again.
      */
     public void pause() {
         setPaused(true);

@@ -11,13 +11,19 @@ import org.jspecify.annotations.Nullable;
 /**
  * Ticks a simulation as long as it has clients, on a thread of its own.
  *
- * <p><b>Role.</b> For programs that know of nothing but their Player client. Started for a simulation, which it leaves open when it is closed.
+ * <p><b>Role.</b> For programs that know of nothing but their Player client. Started for a simulation, which it leaves
+ * open when it is closed.
+ *
  * <p><b>Threads.</b> A daemon thread; nobody else may tick the simulation before or meanwhile.
- * <p><b>Order.</b> Time stands still until the given number of clients have subscribed and wait for their first data (by {@code runThreaded},
- * {@code readAll}, {@code isDataReady} or {@code nextData}): so all of them start at the same moment in every run. It stands still again while there is no
- * client. The pace is that of the answers; while a client never answers it is that of real time, unless another {@link Pace} is asked for.
- * <p><b>Errors.</b> Whatever a tick or the observer throws, an {@link Error} too, ends the run, disconnects the clients with the same message, closes the simulation, fails {@link #ended},
- * and is thrown by {@link #close}; so does an interrupt of the runner's thread.
+ *
+ * <p><b>Order.</b> Time stands still until the given number of clients have subscribed and wait for their first data
+ * (by {@code runThreaded}, {@code readAll}, {@code isDataReady} or {@code nextData}): so all of them start at the same
+ * moment in every run. It stands still again while there is no client. The pace is that of the answers; while a client
+ * never answers it is that of real time, unless another {@link Pace} is asked for.
+ *
+ * <p><b>Errors.</b> Whatever a tick or the observer throws, an {@link Error} too, ends the run, disconnects the clients
+ * with the same message, closes the simulation, fails {@link #ended}, and is thrown by {@link #close}; so does an
+ * interrupt of the runner's thread.
  */
 public final class SimulationRunner implements AutoCloseable {
     private final Simulation simulation;
@@ -104,7 +110,10 @@ public final class SimulationRunner implements AutoCloseable {
         System.getLogger(SimulationRunner.class.getName()).log(Level.ERROR, "the simulation has ended", reason);
     }
 
-    /** Completes when it ticks no more: as a failure by what ended the run, else when it was stopped or the simulation closed. */
+    /**
+     * Completes when it ticks no more: as a failure by what ended the run, else when it was stopped or the simulation
+     * closed.
+     */
     public CompletionStage<@Nullable Void> ended() {
         return ended.minimalCompletionStage();
     }
@@ -114,7 +123,9 @@ public final class SimulationRunner implements AutoCloseable {
         pace = Objects.requireNonNull(newPace, "newPace");
     }
 
-    /** How much simulated time is late for good, because it could not be caught up with within a quarter of a second. */
+    /**
+     * How much simulated time is late for good, because it could not be caught up with within a quarter of a second.
+     */
     public long droppedMicros() {
         return pacer.droppedMicros();
     }
@@ -124,7 +135,9 @@ public final class SimulationRunner implements AutoCloseable {
         return thread.isAlive();
     }
 
-    /** Stops after the current tick, or in the middle of its waiting, and throws what ended the run if something did. */
+    /**
+     * Stops after the current tick, or in the middle of its waiting, and throws what ended the run if something did.
+     */
     @Override
     public void close() {
         stopping = true;

@@ -9,10 +9,13 @@ import java.util.zip.CRC32C;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A checksum over every bit of the snapshots it is given: equal runs have equal checksums, and runs that differ anywhere almost certainly have not.
+ * A checksum over every bit of the snapshots it is given: equal runs have equal checksums, and runs that differ
+ * anywhere almost certainly have not.
  *
  * <p><b>Order.</b> Counts. <b>Threads.</b> One thread at a time.
- * <p><b>Source.</b> CRC-32C over the numbers in the order of the records, doubles by their bits; a list is preceded by its length.
+ *
+ * <p><b>Source.</b> CRC-32C over the numbers in the order of the records, doubles by their bits; a list is preceded by
+ * its length.
  */
 public final class SnapshotHash {
     private final CRC32C crc = new CRC32C();

@@ -12,8 +12,8 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Where robots start: where the world file says, moved a little at random if asked for, and then clear of everything. A robot
- * that overlaps something where the file puts it is not moved, and is stuck there.
+ * Where robots start: where the world file says, moved a little at random if asked for, and then clear of everything. A
+ * robot that overlaps something where the file puts it is not moved, and is stuck there.
  *
  * @param stuck which robots, by index, overlap an obstacle or each other
  */

@@ -7,7 +7,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Whether a simulation's time passes: paused, let go on step by step, or held back by a pacer.
  *
- * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitTime} and {@link #sleep} belong to the one that ticks.
+ * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitTime} and {@link #sleep} belong to the
+ * one that ticks.
  */
 final class TimeGate {
     private final Object lock;
@@ -38,8 +39,8 @@ final class TimeGate {
     }
 
     /**
-     * A clock that stands still while time is paused, except for a tick that {@link #step} has let pass, which can wait for a silent client as well; what it says has a
-     * meaning only as a difference within a tick.
+     * A clock that stands still while time is paused, except for a tick that {@link #step} has let pass, which can wait
+     * for a silent client as well; what it says has a meaning only as a difference within a tick.
      */
     long runningNanos() {
         synchronized (lock) {

@@ -21,13 +21,21 @@ import org.jspecify.annotations.Nullable;
 /**
  * A world of robots that advances by fixed intervals of simulated time.
  *
- * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the specification, the
- * settings and, for each interval, the commands given before it; equal input gives equal snapshots, bit for bit.
- * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else may be called from any thread.
- * <p><b>Order.</b> An interval latches a reset, teleports, odometry resets, motor power and commands (of several for one robot the newest; by robot index), runs
- * the physics steps and reads all devices; the last one of an advance publishes a snapshot, and each one that is recorded or for which somebody waits
- * who asked for the {@link #latest} since the one before.
- * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies touch and no more blobs are seen than ever before.
+ * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the
+ * specification, the settings and, for each interval, the commands given before it; equal input gives equal snapshots,
+ * bit for bit.
+ *
+ * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else
+ * may be called from any thread.
+ *
+ * <p><b>Order.</b> An interval latches a reset, teleports, odometry resets, motor power and commands (of several for
+ * one robot the newest; by robot index), runs the physics steps and reads all devices; the last one of an advance
+ * publishes a snapshot, and each one that is recorded or for which somebody waits who asked for the {@link #latest}
+ * since the one before.
+ *
+ * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies
+ * touch and no more blobs are seen than ever before.
+ *
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
 public final class World implements AutoCloseable {
@@ -96,7 +104,10 @@ public final class World implements AutoCloseable {
         return spec;
     }
 
-    /** The newest snapshot; that of tick 0 right after creation. Whoever asks while the world advances by many intervals gets it made sooner. */
+    /**
+     * The newest snapshot; that of tick 0 right after creation. Whoever asks while the world advances by many intervals
+     * gets it made sooner.
+     */
     public Snapshot latest() {
         if (!wanted) {
             wanted = true;
@@ -127,8 +138,8 @@ public final class World implements AutoCloseable {
     /**
      * The same for a client whose commands expire.
      *
-     * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it takes effect, but for one interval at least; 0 = until
-     *     another command
+     * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it
+     *     takes effect, but for one interval at least; 0 = until another command
      */
     void command(int robot, double forwardMps, double turnRadps, long limitMicros) {
         orders.drive(robot, forwardMps, turnRadps, limitMicros);
@@ -154,8 +165,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Drives to a pose in the odometry frame in the way of Stage's position control, and stands there, until another command replaces it. It stops nearer than
-     * 2 cm along x and y and then turns; things in its way it does not see.
+     * Drives to a pose in the odometry frame in the way of Stage's position control, and stands there, until another
+     * command replaces it. It stops nearer than 2 cm along x and y and then turns; things in its way it does not see.
      */
     public void goTo(int robot, Pose goal) {
         orders.goTo(robot, goal);
@@ -169,8 +180,8 @@ public final class World implements AutoCloseable {
     /**
      * Puts a robot elsewhere when the next {@link #advance} begins.
      *
-     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something where everything is at the newest snapshot. If something else has got
-     * there by then, the robot stays where it is, and the log says so.
+     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something where everything is at the
+     * newest snapshot. If something else has got there by then, the robot stays where it is, and the log says so.
      */
     public void teleport(int robot, Pose pose) {
         String refusal = teleportRefusal(robot, pose);
@@ -197,8 +208,9 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts everything back to its start when the next {@link #advance} begins: poses, odometry, motors, random streams; what robots were told before is
-     * forgotten. Ticks and time go on. A controller sees the start before it is asked. What follows is what followed at the beginning, bit for bit, if the commands are the same.
+     * Puts everything back to its start when the next {@link #advance} begins: poses, odometry, motors, random streams;
+     * what robots were told before is forgotten. Ticks and time go on. A controller sees the start before it is asked.
+     * What follows is what followed at the beginning, bit for bit, if the commands are the same.
      */
     public void reset() {
         orders.reset();
@@ -250,7 +262,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the last one.
+     * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the
+     * last one.
      *
      * @param intervals at least 1
      * @throws IllegalStateException if the world is closed, or called by its own controller
@@ -289,7 +302,10 @@ public final class World implements AutoCloseable {
         return latest;
     }
 
-    /** Ends the sensing threads; an advance that is under way goes on to its end, another one is refused. A world of one thread needs no closing. */
+    /**
+     * Ends the sensing threads; an advance that is under way goes on to its end, another one is refused. A world of one
+     * thread needs no closing.
+     */
     @Override
     public void close() {
         closed = true;

@@ -8,11 +8,12 @@ package io.troupe.sim;
  * @param seed every random draw of the world follows from it
  * @param jitterM each start position is moved by at most this far along x and along y; 0 = off
  * @param jitterRad each start heading is turned by at most this much; 0 = off
- * @param physicsStepMicros one step of the physics; divides the world's interval. It is made in several shorter ones if a robot could travel so far in it that
- *     walls would not hold: farther than half of its length or width
+ * @param physicsStepMicros one step of the physics; divides the world's interval. It is made in several shorter ones if
+ *     a robot could travel so far in it that walls would not hold: farther than half of its length or width
  * @param maxForwardMps commands are clamped to plus or minus this speed
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
- * @param watchdogMicros a robot that has not been told a speed for so long, in simulated time, stops; 0 = off. A robot on its way to a goal goes on
+ * @param watchdogMicros a robot that has not been told a speed for so long, in simulated time, stops; 0 = off. A robot
+ *     on its way to a goal goes on
  * @param sensingThreads how many threads read devices, that of the caller among them; changes nothing but the speed
  */
 public record WorldSettings(

@@ -6,11 +6,16 @@ import io.troupe.sim.device.Sonar;
 /**
  * The world as it is now, without copies: what a {@link Snapshot} tells, number by number.
  *
- * <p><b>Role.</b> For controllers in a loop of many intervals: nothing here allocates. It is one object that always shows the newest tick; what shall last is copied by {@link #snapshot}.
+ * <p><b>Role.</b> For controllers in a loop of many intervals: nothing here allocates. It is one object that always
+ * shows the newest tick; what shall last is copied by {@link #snapshot}.
+ *
  * <p><b>Threads.</b> The thread that advances the world, between intervals.
- * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and {@link io.troupe.sim.device.Blob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
- * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, ranger, blob or contact that is not there; {@link #sonarCount} is 0 for a robot without sonar, as is
- * {@link #blobCount} without blobfinder.
+ *
+ * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and
+ * {@link io.troupe.sim.device.Blob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
+ *
+ * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, ranger, blob or contact that is not there;
+ * {@link #sonarCount} is 0 for a robot without sonar, as is {@link #blobCount} without blobfinder.
  */
 public final class WorldView {
     private final World world;

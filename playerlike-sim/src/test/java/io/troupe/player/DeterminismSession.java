@@ -23,7 +23,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/** A program that drives four robots by their lasers, sonars and cameras, in pull mode, in a noisy world where they carry things. */
+/**
+ * A program that drives four robots by their lasers, sonars and cameras, in pull mode, in a noisy world where they
+ * carry things.
+ */
 final class DeterminismSession {
     static final WorldSettings SETTINGS =
             WorldSettings.DEFAULT.withSeed(11).withJitter(0.02, 0.03).withLimits(1, 2);

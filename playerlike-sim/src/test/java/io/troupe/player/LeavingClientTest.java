@@ -23,7 +23,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A client that closes itself in the middle of a tick: what the rest of its turn does belongs to that tick, and nobody waits for what never ends. */
+/**
+ * A client that closes itself in the middle of a tick: what the rest of its turn does belongs to that tick, and nobody
+ * waits for what never ends.
+ */
 @Timeout(60)
 class LeavingClientTest {
     private static final int PORT = 6780;

@@ -21,7 +21,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Clients, spaces and the simulation go in every order, by their own turns and by others; the world never waits in vain. Whoever does what comes from the seed. */
+/**
+ * Clients, spaces and the simulation go in every order, by their own turns and by others; the world never waits in
+ * vain. Whoever does what comes from the seed.
+ */
 @Timeout(60)
 class LeavingOrderTest {
     private static final int PORT = 6785;

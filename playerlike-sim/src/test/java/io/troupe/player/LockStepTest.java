@@ -34,7 +34,9 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What a tick is, seen from the wire: the client's moves are made inside the delivery, so nothing depends on threads. */
+/**
+ * What a tick is, seen from the wire: the client's moves are made inside the delivery, so nothing depends on threads.
+ */
 @Timeout(60)
 class LockStepTest {
     private static final int PORT = 6760;

@@ -38,7 +38,10 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Programs as students wrote them for javaclient3, but for the prefix of their imports: against a world in this JVM and behind a socket. */
+/**
+ * Programs as students wrote them for javaclient3, but for the prefix of their imports: against a world in this JVM and
+ * behind a socket.
+ */
 @Tag("threads")
 @Timeout(120)
 class ProgramCorpusTest {
@@ -49,7 +52,9 @@ class ProgramCorpusTest {
         void run(String[] args) throws Exception;
     }
 
-    /** A program: how long it runs, how many clients it makes, and how far its first robot goes in that time, in metres. */
+    /**
+     * A program: how long it runs, how many clients it makes, and how far its first robot goes in that time, in metres.
+     */
     enum Program {
         WALL_FOLLOWER(WallFollower::main, 600, 1, false, 3),
         SPACE_WANDERER(SpaceWanderer::main, 300, 1, false, 3),

@@ -28,7 +28,9 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Programs as students write them, against a world that runs by itself: the same way every time, however fast they are. */
+/**
+ * Programs as students write them, against a world that runs by itself: the same way every time, however fast they are.
+ */
 @Tag("threads")
 @Timeout(120)
 class StudentProgramsTest implements PlayerConstants {

@@ -15,7 +15,10 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Sessions in which a controller, and others who interfere, say all there is to say: their recordings replay them bit for bit. */
+/**
+ * Sessions in which a controller, and others who interfere, say all there is to say: their recordings replay them bit
+ * for bit.
+ */
 class ControlledRecordingTest {
     private static final int TICKS = 200;
 

@@ -15,7 +15,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 class FootprintTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
-    /** Pools still grow when more bodies are near each other than ever before, which gets rarer and rarer; nothing else allocates. */
+    /**
+     * Pools still grow when more bodies are near each other than ever before, which gets rarer and rarer; nothing else
+     * allocates.
+     */
     @ParameterizedTest
     @ValueSource(ints = {2, 100})
     void warmWorld_advancesWithoutGarbage(int robots) {

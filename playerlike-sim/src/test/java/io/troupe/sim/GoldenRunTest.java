@@ -6,7 +6,8 @@ import io.troupe.sim.scenario.WorldSpec;
 import org.junit.jupiter.api.Test;
 
 /**
- * Crowds whose every number is known by its checksum: whoever changes one of these changes the trajectories of all worlds, and must say so.
+ * Crowds whose every number is known by its checksum: whoever changes one of these changes the trajectories of all
+ * worlds, and must say so.
  */
 class GoldenRunTest {
     private static long wandering(WorldSpec spec, int ticks) {

@@ -14,8 +14,8 @@ import java.util.Random;
 import java.util.stream.IntStream;
 
 /**
- * Crowds of robots: a square of tiles of 16 m by 16 m inside walls, on each six black boxes, three coloured columns and up to 64 robots with 16 sonars of 5 m and a camera of 80 columns over
- * 60 degrees and 8 m.
+ * Crowds of robots: a square of tiles of 16 m by 16 m inside walls, on each six black boxes, three coloured columns and
+ * up to 64 robots with 16 sonars of 5 m and a camera of 80 columns over 60 degrees and 8 m.
  */
 final class Tiles {
     private static final double TILE_M = 16;

@@ -10,9 +10,9 @@ import java.util.Map;
 
 /*
  * Looks for the smallest sets of places that are never left. From a marking that has such a set the net gets into some
- * terminal component, and there the set is marked in every marking; so only sets of places that are always marked in one
- * of these components come into question. They are tried by size, those of one size in one pass over all edges, in which
- * most are soon seen to be left.
+ * terminal component, and there the set is marked in every marking; so only sets of places that are always marked in
+ * one of these components come into question. They are tried by size, those of one size in one pass over all edges,
+ * in which most are soon seen to be left.
  */
 final class BlockSearch {
     private final ReachabilityGraph graph;
@@ -107,7 +107,9 @@ final class BlockSearch {
         }
     }
 
-    /** All sets of {@code more} further places, from {@code next} on, without those that have a smaller block inside. */
+    /**
+     * All sets of {@code more} further places, from {@code next} on, without those that have a smaller block inside.
+     */
     private static void collect(
             BitSet places, int next, BitSet chosen, int more, List<Candidate> blocks, Map<BitSet, Candidate> result) {
         if (blocks.stream().anyMatch(block -> contains(chosen, block.places))) {

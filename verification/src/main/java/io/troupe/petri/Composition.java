@@ -28,8 +28,8 @@ public final class Composition {
      *
      * <p>Several requests may be bound to one offer, in the same call: they share its {@code before} and {@code after},
      * and so must name them alike. This is right as long as the provider serves one request at a time. A new transition
-     * takes the priority of the side that decides it: {@code asking} that of the request, {@code accept} and {@code
-     * answer} that of the offer.
+     * takes the priority of the side that decides it: {@code asking} that of the request, {@code accept} and
+     * {@code answer} that of the offer.
      */
     public static PetriNet meld(PetriNet net, List<Meld> melds) {
         var result = net.toBuilder();

@@ -6,14 +6,18 @@ import java.util.List;
  * Finds all dead markings of a net and how to get there, without visiting all markings: where the order of firings does
  * not matter for what is dead in the end, it follows only one.
  *
- * <p><b>Role.</b> Made by {@link #run}; the quick way to the question that {@link ReachabilityGraph#dead} answers too. It
- * tells nothing of liveness, bounds or dead transitions.
+ * <p><b>Role.</b> Made by {@link #run}; the quick way to the question that {@link ReachabilityGraph#dead} answers too.
+ * It tells nothing of liveness, bounds or dead transitions.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Order.</b> Breadth first over the markings that are visited. Every way to a dead marking has a permutation that
  * is followed, so the first way that is found is a shortest one of all.
+ *
  * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited, without the memory for edges; never more
  * than all, and of components that mostly work on their own about as few as the square root of their number. A net with
  * priorities is searched in full.
+ *
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989.
  */
 public final class DeadlockSearch {

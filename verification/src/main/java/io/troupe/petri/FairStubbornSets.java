@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /*
- * Stubborn sets, made larger where a search that followed only them would go round in a loop and never fire what is ready
- * beside it.
+ * Stubborn sets, made larger where a search that followed only them would go round in a loop and never fire what is
+ * ready beside it.
  */
 final class FairStubbornSets implements Expansion {
     /** Transitions in which a search went round, and the tokens around them where the others get their turn. */
@@ -29,7 +29,9 @@ final class FairStubbornSets implements Expansion {
         sets = new StubbornSets(net);
     }
 
-    /** From now on, others get their turn where the marking around the firings of {@code component} is as at its entry. */
+    /**
+     * From now on, others get their turn where the marking around the firings of {@code component} is as at its entry.
+     */
     void open(TerminalComponent component) {
         var looping = new boolean[net.transitions().size()];
         var around = new boolean[net.places().size()];

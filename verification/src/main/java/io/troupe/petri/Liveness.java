@@ -8,11 +8,14 @@ import java.util.Optional;
  * What can still happen for ever, whatever happened before: terminal components, live transitions, reversibility.
  *
  * <p><b>Role.</b> Made by {@link #of} from a {@link ReachabilityGraph}. A graph that is not complete gives only the
- * components that are certain, those without an open marking; verdicts are then {@link Verdict#NO} or {@link
- * Verdict#UNKNOWN}.
+ * components that are certain, those without an open marking; verdicts are then {@link Verdict#NO} or
+ * {@link Verdict#UNKNOWN}.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Cost.</b> Time in proportion to markings + edges; 24 bytes for each marking while it is made, 4 bytes for each
  * marking of a terminal component afterwards.
+ *
  * <p><b>Source.</b> R. Tarjan, Depth-first search and linear graph algorithms, 1972; T. Murata, Petri nets: properties,
  * analysis and applications, 1989, for the terms.
  */
@@ -39,8 +42,8 @@ public final class Liveness {
     }
 
     /**
-     * The terminal strongly connected components, that with the nearest marking first. If the graph is not complete, there
-     * may be others.
+     * The terminal strongly connected components, that with the nearest marking first. If the graph is not complete,
+     * there may be others.
      */
     public List<TerminalComponent> terminalComponents() {
         return components;
@@ -81,12 +84,12 @@ public final class Liveness {
 
     /**
      * The smallest sets of up to {@code maxPlaces} places that are never left once all of them are marked, fewer places
-     * first, then the nearest; without places that are marked in every marking. A place in which a component merely ends,
-     * such as "finished", is one too. If the graph is not complete, these are the ones within the {@link
-     * #terminalComponents} known that were not seen to be left so far.
+     * first, then the nearest; without places that are marked in every marking. A place in which a component merely
+     * ends, such as "finished", is one too. If the graph is not complete, these are the ones within the
+     * {@link #terminalComponents} known that were not seen to be left so far.
      *
-     * <p><b>Cost.</b> For each size a pass over all edges; the number of sets to try grows with the power {@code maxPlaces}
-     * of the number of places that stay marked in a terminal component.
+     * <p><b>Cost.</b> For each size a pass over all edges; the number of sets to try grows with the power
+     * {@code maxPlaces} of the number of places that stay marked in a terminal component.
      *
      * @param maxPlaces 1 or more; as many components as may wait for each other in a circle
      */

@@ -8,6 +8,7 @@ import java.util.List;
  *
  * <p><b>Role.</b> Made by {@link PetriNet#marking}, by firing, or read from a {@link ReachabilityGraph}. Equal when the
  * places and the tokens are equal, so nets that differ only in their transitions share markings.
+ *
  * <p><b>Threads.</b> Immutable.
  */
 public final class Marking {

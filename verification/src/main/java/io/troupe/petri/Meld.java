@@ -6,10 +6,10 @@ import static java.util.Objects.requireNonNull;
  * A request of one component bound to what another one offers, with the names of the places and transitions this adds.
  *
  * <p>{@code request} takes from its places and puts to others; {@code offer} likewise in its own component. Melded, the
- * requestor first asks ({@code asking}: its input places to {@code waiting}), then both sides step together ({@code
- * accept}: {@code waiting} and the offer's input places to {@code pending} and {@code before}), the offer fires in
- * private ({@code before} to {@code after}), and both step together again ({@code answer}: {@code pending} and {@code
- * after} to the output places of both).
+ * requestor first asks ({@code asking}: its input places to {@code waiting}), then both sides step together
+ * ({@code accept}: {@code waiting} and the offer's input places to {@code pending} and {@code before}), the offer fires
+ * in private ({@code before} to {@code after}), and both step together again ({@code answer}: {@code pending} and
+ * {@code after} to the output places of both).
  *
  * <p><b>Source.</b> Section 5.5 of the paper; close to the composition of components by Craig and Zuberek (2007).
  *

@@ -7,6 +7,7 @@ import java.util.List;
  * rest of the net goes on doing.
  *
  * <p><b>Role.</b> From {@link Liveness#permanentBlocks}.
+ *
  * <p><b>Threads.</b> Immutable.
  *
  * @param places in the order of the net; no part of them is a block

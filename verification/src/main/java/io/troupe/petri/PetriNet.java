@@ -15,10 +15,13 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Built by {@link #builder}, read by {@link Pnml}, composed by {@link Composition}, searched by
  * {@link ReachabilityGraph}.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Order.</b> Places and transitions stand in the order in which they were added.
- * <p><b>Errors.</b> An unknown name, and a place, transition or marking of another net, throw {@link
- * IllegalArgumentException}.
+ *
+ * <p><b>Errors.</b> An unknown name, and a place, transition or marking of another net, throw
+ * {@link IllegalArgumentException}.
  */
 public final class PetriNet {
     private final String name;
@@ -110,7 +113,7 @@ public final class PetriNet {
      * The marking after one firing.
      *
      * @throws IllegalStateException if the transition may not fire; the message tells the missing tokens or the
-     * transition that goes first
+     *     transition that goes first
      * @throws ArithmeticException if a place would hold more than {@link Integer#MAX_VALUE} tokens
      */
     public Marking fire(Marking marking, Transition transition) {

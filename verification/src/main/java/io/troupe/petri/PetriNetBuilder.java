@@ -15,7 +15,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> From {@link PetriNet#builder} or {@link PetriNet#toBuilder}; what an arc names must have been added
  * before it.
+ *
  * <p><b>Threads.</b> For one thread.
+ *
  * <p><b>Errors.</b> A bad argument throws {@link IllegalArgumentException} naming the net, the thing and its value.
  * Names are not blank, have no space around them and no control characters; places and transitions share one set of
  * names.

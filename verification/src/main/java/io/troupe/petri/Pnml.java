@@ -27,6 +27,7 @@ import javax.xml.stream.XMLStreamException;
  * <p><b>Errors.</b> What is not such a document throws {@link PnmlException} with the line and the reason; so do a
  * document type declaration (nothing outside the document is ever read) and every element and attribute that could
  * change what the net means, an inhibitor arc for one, in whichever way it is written.
+ *
  * <p><b>Source.</b> ISO/IEC 15909-2, grammar of 2009.
  */
 public final class Pnml {

@@ -7,14 +7,18 @@ import java.util.List;
 /**
  * Finds out which transitions can always fire again, whatever happened before, without visiting all markings.
  *
- * <p>The reduced graph of {@link DeadlockSearch} may go round in a loop for ever and put off what is ready beside it. Here
- * such loops are opened until none is left. Then a transition that can fire after some marking of the full graph can
- * fire after a marking of the reduced one, and the reverse: so the terminal components of both lose the same transitions.
+ * <p>The reduced graph of {@link DeadlockSearch} may go round in a loop for ever and put off what is ready beside it.
+ * Here such loops are opened until none is left. Then a transition that can fire after some marking of the full graph
+ * can fire after a marking of the reduced one, and the reverse: so the terminal components of both lose the same
+ * transitions.
  *
  * <p><b>Role.</b> Made by {@link #run}; the quick way to what {@link Liveness} tells of transitions.
+ *
  * <p><b>Threads.</b> Immutable.
- * <p><b>Cost.</b> As for {@link DeadlockSearch}, once more for each time that loops are opened. Components that go round
- * on their own, without the others, are multiplied as in the full graph.
+ *
+ * <p><b>Cost.</b> As for {@link DeadlockSearch}, once more for each time that loops are opened. Components that go
+ * round on their own, without the others, are multiplied as in the full graph.
+ *
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989, and Stop it, and be stubborn!,
  * 2015, on the ignoring problem.
  */

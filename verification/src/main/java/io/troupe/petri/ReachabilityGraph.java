@@ -16,8 +16,11 @@ import java.util.stream.IntStream;
  * reachable and every trace is a shortest one; every marking was tested for being dead, unless the search was cancelled
  * or ran out of memory. {@link Liveness} reads more out of the graph; {@link DeadlockSearch} finds the dead markings
  * with less work.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
+ *
  * <p><b>Cost.</b> For each marking one bit for every place of a safe net (more bits as the tokens require) and about 20
  * bytes; 8 bytes for each edge. Time in proportion to markings x transitions.
  */

@@ -10,6 +10,7 @@ import java.util.function.Consumer;
  *
  * <p><b>Threads.</b> The search asks {@code cancelled} and calls {@code report} on its own thread. To stop it from
  * another thread, let {@code cancelled} read a volatile value, for example {@code AtomicBoolean::get}.
+ *
  * <p><b>Errors.</b> What {@code cancelled} or {@code report} throws ends the search and reaches its caller.
  *
  * @param maxMarkings how many markings the search may keep, 1 or more

@@ -7,13 +7,13 @@ import java.util.stream.IntStream;
 
 /*
  * Follows only the transitions of one stubborn set (Valmari 1988; the strong ones) from each marking. A set is stubborn
- * if something in it may fire and what happens outside can neither stop its transitions that may fire nor make others of
- * it ready. So every firing sequence to a dead marking has a permutation that starts inside the set, and no dead marking
- * is lost:
+ * if something in it may fire and what happens outside can neither stop its transitions that may fire nor make others
+ * of it ready. So every firing sequence to a dead marking has a permutation that starts inside the set, and no dead
+ * marking is lost:
  *   - for a member that is ready, all transitions that take tokens it needs; and, of places it takes from, all users;
  *   - for a member that is not ready, all transitions that put tokens on one place that lacks them.
- * Each ready transition is closed under these rules in turn, and the set with the fewest ready members is taken. Priorities
- * make outside transitions matter in other ways; then there is no reduction.
+ * Each ready transition is closed under these rules in turn, and the set with the fewest ready members is taken.
+ * Priorities make outside transitions matter in other ways; then there is no reduction.
  */
 final class StubbornSets implements Expansion {
     private final FiringRules rules;
@@ -111,8 +111,8 @@ final class StubbornSets implements Expansion {
     }
 
     /**
-     * After {@link #choose}, unless something was chosen that is not {@code looping}: adds the smallest stubborn set that
-     * has such a transition, if any is ready. A union of stubborn sets is one.
+     * After {@link #choose}, unless something was chosen that is not {@code looping}: adds the smallest stubborn set
+     * that has such a transition, if any is ready. A union of stubborn sets is one.
      */
     int widen(int[] tokens, int[] chosen, int count, boolean[] looping) {
         if (rules.isPrioritised() || count == readyCount) {

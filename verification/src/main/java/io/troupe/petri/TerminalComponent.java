@@ -5,9 +5,11 @@ import java.util.List;
 
 /**
  * A terminal strongly connected component of a reachability graph: markings that can all reach each other and nothing
- * else. A dead marking is one of size 1 without firings; one in which some transition never fires is a partial deadlock.
+ * else. A dead marking is one of size 1 without firings; one in which some transition never fires is a partial
+ * deadlock.
  *
  * <p><b>Role.</b> From {@link Liveness#terminalComponents}.
+ *
  * <p><b>Threads.</b> Immutable.
  */
 public final class TerminalComponent {

@@ -6,8 +6,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A promise that is settled by hand.
  *
- * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred. Until it is settled, the actor keeps the request
- * with its arguments; if the actor ends first, the request is rejected, and settling the deferred has no effect on it.
+ * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred. Until it is
+ * settled, the actor keeps the request with its arguments; if the actor ends first, the request is rejected, and
+ * settling the deferred has no effect on it.
  *
  * {@snippet :
  * public Promise<Boolean> waitForCoin() {
@@ -23,8 +24,10 @@ import org.jspecify.annotations.Nullable;
  * }
  *
  * <p><b>Threads.</b> Any thread may settle it; the first one wins.
- * <p><b>Errors.</b> A rejection that nobody listens to is reported to the error handler of the space it belongs to. One that was made outside every space belongs to
- * none, and its rejection is not reported: pass the space to the constructor, or listen.
+ *
+ * <p><b>Errors.</b> A rejection that nobody listens to is reported to the error handler of the space it belongs to. One
+ * that was made outside every space belongs to none, and its rejection is not reported: pass the space to the
+ * constructor, or listen.
  */
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;

@@ -4,8 +4,8 @@ import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs listeners that belong to no home, and relays, on the thread that settles their promise, one after the other and never inside each other, so that a chain of
- * them may be of any length.
+ * Runs listeners that belong to no home, and relays, on the thread that settles their promise, one after the other and
+ * never inside each other, so that a chain of them may be of any length.
  */
 final class Detached {
     private static final ThreadLocal<@Nullable ArrayDeque<Node>> WAITING = new ThreadLocal<>();

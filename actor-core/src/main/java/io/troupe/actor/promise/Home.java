@@ -7,8 +7,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * The one thread something belongs to.
  *
- * <p><b>Role.</b> Promises run their listeners at home; {@code ActorSpace} is the home of actors. For the rooms of this library.
- * <p><b>Threads.</b> {@link #enqueue}, {@link #schedule} and {@link #rejected} from any thread, the rest on the home's own thread.
+ * <p><b>Role.</b> Promises run their listeners at home; {@code ActorSpace} is the home of actors. For the rooms of this
+ * library.
+ *
+ * <p><b>Threads.</b> {@link #enqueue}, {@link #schedule} and {@link #rejected} from any thread, the rest on the home's
+ * own thread.
  */
 public abstract class Home {
     private static final ThreadLocal<@Nullable Home> CURRENT = new ThreadLocal<>();
@@ -84,8 +87,8 @@ public abstract class Home {
     protected abstract void enqueueAtHome(Node node);
 
     /**
-     * Runs a task after a delay, or, if the home is closed before, the other one; on this home's thread if that is calling, else on one
-     * that does not wait for the home, unless the home's clock is moved by hand.
+     * Runs a task after a delay, or, if the home is closed before, the other one; on this home's thread if that is
+     * calling, else on one that does not wait for the home, unless the home's clock is moved by hand.
      *
      * @return takes it back, from any thread
      * @hidden

@@ -5,8 +5,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The listeners of a pending promise that has more than a few. Listeners that have given up are dropped whenever the number has doubled, so that a promise that
- * lives long keeps at most about as many of them as there are others.
+ * The listeners of a pending promise that has more than a few. Listeners that have given up are dropped whenever the
+ * number has doubled, so that a promise that lives long keeps at most about as many of them as there are others.
  *
  * <p><b>Threads.</b> Guarded by itself. <b>Cost.</b> Constant time for each listener, averaged over many.
  */
@@ -17,7 +17,10 @@ final class Listeners extends Node {
     private int sweepAt = 2 * FEW;
     private boolean closed;
 
-    /** Takes over a linked list that {@link #isMany}, and one more. Changes no link, for the list may be settled by another thread meanwhile. */
+    /**
+     * Takes over a linked list that {@link #isMany}, and one more. Changes no link, for the list may be settled by
+     * another thread meanwhile.
+     */
     Listeners(@Nullable Node newest, Node more) {
         Node node = newest;
         for (int count = 0; count < FEW && node != null; count++) {
@@ -38,7 +41,10 @@ final class Listeners extends Node {
         return count == FEW;
     }
 
-    /** Whether no listener of a linked list that is not yet {@link #isMany} needs the outcome; of use only if the list was not settled meanwhile. */
+    /**
+     * Whether no listener of a linked list that is not yet {@link #isMany} needs the outcome; of use only if the list
+     * was not settled meanwhile.
+     */
     static boolean areGivenUp(Node newest) {
         Node node = newest;
         for (int count = 0; count < FEW && node != null; count++) { // a list that is being settled may lead elsewhere

@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Something that can wait in a queue for its {@link Home}'s thread.
  *
- * <p><b>Role.</b> For generated code and for the rooms of this library, not for applications: a message, a request and a listener are
- * nodes, so that queueing one allocates nothing.
+ * <p><b>Role.</b> For generated code and for the rooms of this library, not for applications: a message, a request and
+ * a listener are nodes, so that queueing one allocates nothing.
  *
  * @hidden
  */
@@ -39,12 +39,17 @@ public abstract class Node {
         return false;
     }
 
-    /** Whether this listens for somebody who needs no answer any more, so that the promise it listens to may forget it. */
+    /**
+     * Whether this listens for somebody who needs no answer any more, so that the promise it listens to may forget it.
+     */
     boolean isIdle() {
         return false;
     }
 
-    /** Whether this listener has been given up because of a time limit, so that a failure that comes later has to be reported elsewhere. */
+    /**
+     * Whether this listener has been given up because of a time limit, so that a failure that comes later has to be
+     * reported elsewhere.
+     */
     boolean hasTimedOut() {
         return false;
     }

@@ -5,7 +5,10 @@ import java.lang.invoke.VarHandle;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps the producers' end and the consumer's end of a queue on different cache lines: fields of a superclass come first. */
+/**
+ * Keeps the producers' end and the consumer's end of a queue on different cache lines: fields of a superclass come
+ * first.
+ */
 @SuppressWarnings("unused")
 abstract class QueuePadding {
     private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
@@ -38,9 +41,12 @@ abstract class QueueTail extends QueueHeadPadding {
  * An unbounded queue of nodes, from many threads to one.
  *
  * <p><b>Role.</b> A space's inbox; for the rooms of this library.
- * <p><b>Threads.</b> {@link #offer} from any thread; {@link #poll}, {@link #isEmpty} and the batch methods from one thread at a time.
- * What a thread did before {@code offer} is visible to the thread that is given the node.
+ *
+ * <p><b>Threads.</b> {@link #offer} from any thread; {@link #poll}, {@link #isEmpty} and the batch methods from one
+ * thread at a time. What a thread did before {@code offer} is visible to the thread that is given the node.
+ *
  * <p><b>Order.</b> First in, first out per offering thread; between threads, the order of their atomic exchanges.
+ *
  * <p><b>Cost.</b> One atomic exchange per offer, no allocation.
  *
  * @hidden
@@ -48,8 +54,9 @@ abstract class QueueTail extends QueueHeadPadding {
 @SuppressWarnings("unused")
 public final class NodeQueue extends QueueTail {
     /*
-     * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, so it must not be
-     * linked into anything else while it is; its own link is cleared when the next one is taken, so that a kept node keeps nothing alive.
+     * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, so it
+     * must not be linked into anything else while it is; its own link is cleared when the next one is taken, so that a
+     * kept node keeps nothing alive.
      */
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
@@ -70,8 +77,8 @@ public final class NodeQueue extends QueueTail {
     }
 
     /**
-     * Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. If this throws, at the end of the
-     * caller's stack, the node was not appended.
+     * Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. If this throws,
+     * at the end of the caller's stack, the node was not appended.
      */
     public void offer(Node node) {
         node.next = null;
@@ -81,7 +88,10 @@ public final class NodeQueue extends QueueTail {
                 node; // no call: between the exchange and this store the stack must not overflow, or the link were lost
     }
 
-    /** Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty} tells which. */
+    /**
+     * Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty}
+     * tells which.
+     */
     public @Nullable Node poll() {
         if (!isReadyAfter(head)) {
             return null;
@@ -117,7 +127,10 @@ public final class NodeQueue extends QueueTail {
         return size;
     }
 
-    /** How many nodes would be taken before this one, or -1 if it is not among the first so many. Takes time in the limit. */
+    /**
+     * How many nodes would be taken before this one, or -1 if it is not among the first so many. Takes time in the
+     * limit.
+     */
     public int indexOf(Node wanted, int limit) {
         var node = (Node) NEXT.getAcquire(head);
         for (int index = 0; node != null && index < limit; index++) {
@@ -141,8 +154,8 @@ public final class NodeQueue extends QueueTail {
     }
 
     /**
-     * Where a batch begins: the node taken last. A batch is {@link #takeAfter} again and again, each time after the node it answered last, and
-     * {@link #endBatch} with that node; it saves a store for every node.
+     * Where a batch begins: the node taken last. A batch is {@link #takeAfter} again and again, each time after the
+     * node it answered last, and {@link #endBatch} with that node; it saves a store for every node.
      */
     public Node beginBatch() {
         return head;

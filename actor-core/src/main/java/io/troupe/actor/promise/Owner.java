@@ -7,7 +7,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * On whose behalf something runs in a home: one life of an actor, or the home itself.
  *
- * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on any.
+ * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on
+ * any.
  *
  * @hidden
  */
@@ -49,7 +50,10 @@ public class Owner {
         return over;
     }
 
-    /** Notes a request that has begun and is not settled. Those that were cancelled are swept out whenever the number has doubled. */
+    /**
+     * Notes a request that has begun and is not settled. Those that were cancelled are swept out whenever the number
+     * has doubled.
+     */
     final synchronized void open(OpenAnswer answer) {
         if (openAnswers >= sweepAt) {
             OpenAnswer next;

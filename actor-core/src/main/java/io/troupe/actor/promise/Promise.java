@@ -17,8 +17,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A value that arrives later, or the error that came instead.
  *
- * <p><b>Role.</b> What a request to an actor answers at once. Settled exactly once: fulfilled with a value or rejected with an error.
- * Made by calling an actor, by {@link Deferred}, or by {@link #of}.
+ * <p><b>Role.</b> What a request to an actor answers at once. Settled exactly once: fulfilled with a value or rejected
+ * with an error. Made by calling an actor, by {@link Deferred}, or by {@link #of}.
  *
  * {@snippet :
  * Promise<String> receipt = shop.price("lamp")
@@ -27,14 +27,20 @@ import org.jspecify.annotations.Nullable;
  *         .exceptionally(error -> "not bought: " + error.getMessage());
  * }
  *
- * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered; registered elsewhere, on the
- * space the promise comes from, or, if there is none, on the thread that settles it (or registers, if that is later). In a space it
- * is an entry of the callback queue, never a call on the stack of whoever settles the promise.
+ * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered;
+ * registered elsewhere, on the space the promise comes from, or, if there is none, on the thread that settles it (or
+ * registers, if that is later). In a space it is an entry of the callback queue, never a call on the stack of whoever
+ * settles the promise.
+ *
  * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them.
+ *
  * <p><b>Cost.</b> A settled promise keeps its outcome, and the promise of a request also the arguments of the call.
- * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection nobody listens to is
- * reported to the space's error handler.
- * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's {@code then}.
+ *
+ * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection
+ * nobody listens to is reported to the space's error handler.
+ *
+ * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's
+ * {@code then}.
  */
 public abstract class Promise<T extends @Nullable Object> extends Settleable<T> {
     /** @hidden */
@@ -46,7 +52,10 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     // ---- made at once
 
-    /** A promise that is already fulfilled; it belongs to no space, so a listener registered outside every space runs at once. */
+    /**
+     * A promise that is already fulfilled; it belongs to no space, so a listener registered outside every space runs at
+     * once.
+     */
     public static <T extends @Nullable Object> Promise<T> of(T value) {
         return new Settled<>(value);
     }
@@ -102,10 +111,12 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /**
      * Waits for the value, from outside.
      *
-     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an {@code ExecutionException}: to catch an {@code IOException}, say,
-     * catch {@code Exception} and look. Its stack is that of the thread where it was thrown, and has no frame of the caller.
+     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an
+     * {@code ExecutionException}: to catch an {@code IOException}, say, catch {@code Exception} and look. Its stack is
+     * that of the thread where it was thrown, and has no frame of the caller.
      *
-     * @throws IllegalStateException on the thread of an actor space, which must never wait; use {@code then} or {@code thenCompose}
+     * @throws IllegalStateException on the thread of an actor space, which must never wait; use {@code then} or
+     *     {@code thenCompose}
      * @throws TimeoutException if it is not settled in time
      */
     public final T get(Duration timeout) throws TimeoutException, InterruptedException {
@@ -119,7 +130,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too.
      *
      * @throws IllegalStateException anywhere else; the text says what to write instead
-     * @throws CancellationException if the actor on whose behalf the body runs has stopped meanwhile, or its space has been closed
+     * @throws CancellationException if the actor on whose behalf the body runs has stopped meanwhile, or its space has
+     *     been closed
      */
     public final T await() {
         Home here = Home.current();
@@ -145,12 +157,17 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     // ---- what comes next
 
-    /** The paper's {@code then(result -> ..)}: calls the listener with the value; the answer carries the same value on. */
+    /**
+     * The paper's {@code then(result -> ..)}: calls the listener with the value; the answer carries the same value on.
+     */
     public final Promise<T> then(Consumer<? super T> listener) {
         return listen(new Stage.Look<>(this, listener));
     }
 
-    /** The paper's {@code then((result, error) -> ..)}: calls the listener either way; the answer carries the same outcome on. */
+    /**
+     * The paper's {@code then((result, error) -> ..)}: calls the listener either way; the answer carries the same
+     * outcome on.
+     */
     public final Promise<T> then(BiConsumer<? super @Nullable T, ? super @Nullable Throwable> listener) {
         return whenComplete(listener);
     }
@@ -213,19 +230,23 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /**
      * Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first.
      *
-     * <p><b>Threads.</b> Asked in a space, the limit is one of its timers. Asked outside every space, it needs no turn of the space that this promise comes
-     * from, so it ends in time even if that is stalled, unless its clock is moved by hand.
-     * <p><b>Errors.</b> A failure that comes after the time-out is reported to the error handler of this promise's space, if no other listener is left.
+     * <p><b>Threads.</b> Asked in a space, the limit is one of its timers. Asked outside every space, it needs no turn
+     * of the space that this promise comes from, so it ends in time even if that is stalled, unless its clock is moved
+     * by hand.
+     *
+     * <p><b>Errors.</b> A failure that comes after the time-out is reported to the error handler of this promise's
+     * space, if no other listener is left.
      */
     public final Promise<T> orTimeout(Duration timeout) {
         return Limited.start(this, Objects.requireNonNull(timeout, "timeout"));
     }
 
     /**
-     * Rejects this promise with a {@link CancellationException}, unless it is settled. A request that still waits in a mailbox is then
-     * skipped; one that has begun goes on, and its answer is ignored.
+     * Rejects this promise with a {@link CancellationException}, unless it is settled. A request that still waits in a
+     * mailbox is then skipped; one that has begun goes on, and its answer is ignored.
      *
-     * <p><b>Threads.</b> Any thread. A promise that was made in a space, by asking or listening there, is rejected when that space gets to it.
+     * <p><b>Threads.</b> Any thread. A promise that was made in a space, by asking or listening there, is rejected when
+     * that space gets to it.
      *
      * @return whether it was pending
      */
@@ -253,8 +274,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     protected void timedOut() {}
 
     /**
-     * A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. Its own continuations run on the thread that settles the promise, a space's
-     * or that of its time limits, and must not block it.
+     * A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. Its own continuations
+     * run on the thread that settles the promise, a space's or that of its time limits, and must not block it.
      */
     public final CompletableFuture<T> toCompletableFuture() {
         var future = new CompletableFuture<T>();
@@ -285,12 +306,18 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return Gather.allSettled(promises);
     }
 
-    /** The first value; rejected when all are, with a {@link java.util.NoSuchElementException} that has their errors as suppressed ones. */
+    /**
+     * The first value; rejected when all are, with a {@link java.util.NoSuchElementException} that has their errors as
+     * suppressed ones.
+     */
     public static <T extends @Nullable Object> Promise<T> any(Collection<? extends Promise<? extends T>> promises) {
         return Gather.any(promises);
     }
 
-    /** The outcome of whichever is settled first; rejected with a {@link java.util.NoSuchElementException} if there is none. */
+    /**
+     * The outcome of whichever is settled first; rejected with a {@link java.util.NoSuchElementException} if there is
+     * none.
+     */
     public static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
         return Gather.race(promises);
     }

@@ -2,7 +2,10 @@ package io.troupe.actor.promise;
 
 import org.jspecify.annotations.Nullable;
 
-/** What a promise is called in messages. Loops, for a chain of promises may be of any length; and stops, for a message may not. */
+/**
+ * What a promise is called in messages. Loops, for a chain of promises may be of any length; and stops, for a message
+ * may not.
+ */
 final class PromiseText {
     private static final int SPELLED_OUT = 8;
     private static final int COUNTED = 100;
@@ -10,7 +13,10 @@ final class PromiseText {
 
     private PromiseText() {}
 
-    /** The promise that this chain of stages and time limits waits for, if it is not too long, with the words for each of the last few links. */
+    /**
+     * The promise that this chain of stages and time limits waits for, if it is not too long, with the words for each
+     * of the last few links.
+     */
     static String describe(Promise<?> last) {
         var before = new StringBuilder();
         var behind = new StringBuilder();

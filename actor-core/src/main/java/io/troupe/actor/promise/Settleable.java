@@ -9,16 +9,19 @@ import org.jspecify.annotations.Nullable;
 /**
  * The state of a promise: pending with its listeners, or settled.
  *
- * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores; what other threads want of it is posted
- * to its home. A <i>shared</i> one changes on any thread, by compare-and-set. Both may be read anywhere.
+ * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores; what
+ * other threads want of it is posted to its home. A <i>shared</i> one changes on any thread, by compare-and-set. Both
+ * may be read anywhere.
  */
 abstract class Settleable<T extends @Nullable Object> extends Node {
     /*
-     * One field says everything, so that one compare-and-set decides between "settle" and "register":
-     *   null           pending, nobody listens
-     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones, or Listeners if there are more than a few
-     *   a Settling     settled by another thread than some listener's, which may still be told
-     *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for something else)
+     * One field holds the whole state, so that one compare-and-set decides between "settle" and "register":
+     *   null           pending, without listeners
+     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones, or Listeners if
+     *                  there are more than a few
+     *   a Settling     settled by another thread than some listener's, which may still have to be notified
+     *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for
+     *                  one of the above)
      */
     private static final Object NULL = new Object();
     private static final VarHandle STATE;
@@ -117,8 +120,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Whether it is settled, or all who have listened so far need its outcome no more; a thread whose wait is over may wait again. For promises that are not
-     * local.
+     * Whether it is settled, or all who have listened so far need its outcome no more; a thread whose wait is over may
+     * wait again. For promises that are not local.
      *
      * @hidden
      */
@@ -253,7 +256,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return outcome;
     }
 
-    /** False if it was settled before; a local promise away from home answers whether it was pending, and is settled a moment later. */
+    /**
+     * False if it was settled before; a local promise away from home answers whether it was pending, and is settled a
+     * moment later.
+     */
     private boolean settle(Object outcome) {
         return finish(claim(outcome), outcome);
     }
@@ -375,8 +381,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Tells listeners, oldest first. Promises that only follow are settled in this loop, not each on the stack of the one before, so that a chain of them
-     * may be of any length.
+     * Tells listeners, oldest first. Promises that only follow are settled in this loop, not each on the stack of the
+     * one before, so that a chain of them may be of any length.
      */
     private static void tell(Node newest, Object outcome) {
         if (newest.next == null && newest instanceof Stage<?, ?> only) {
@@ -414,7 +420,9 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     // ---- listening
 
-    /** Registers a listener; {@code atHome} says whether the calling thread is known to be that of this promise's home. */
+    /**
+     * Registers a listener; {@code atHome} says whether the calling thread is known to be that of this promise's home.
+     */
     final void register(Node listener, boolean atHome) {
         if (atHome && isLocal()) {
             registerAtHome(listener);
@@ -423,7 +431,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Tells the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where they are. */
+    /**
+     * Tells the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where
+     * they are.
+     */
     final void register(Node listener) {
         if (!isLocal()) {
             registerShared(listener);
@@ -475,7 +486,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Listeners and one more; those at the head that have given up are left out, so that a promise that lives long collects none. */
+    /**
+     * Listeners and one more; those at the head that have given up are left out, so that a promise that lives long
+     * collects none.
+     */
     private static Node with(@Nullable Node newest, Node listener) {
         Node first = firstWithUse(newest);
         if (Listeners.isMany(first)) {

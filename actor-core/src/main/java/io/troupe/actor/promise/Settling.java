@@ -5,9 +5,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A promise that was settled by a thread that is not its listeners' own. While they are being told, whoever registers joins the end of the line. After that, as
- * long as any of them has still to run, the way to a listener is the one that they took, through the inbox of its home: what a home queues for itself would
- * overtake them there.
+ * A promise that was settled by a thread that is not its listeners' own. While they are being told, whoever registers
+ * joins the end of the line. After that, as long as any of them has still to run, the way to a listener is the one that
+ * they took, through the inbox of its home: what a home queues for itself would overtake them there.
  */
 final class Settling extends Special {
     private final Object outcome;
@@ -70,7 +70,9 @@ final class Settling extends Special {
             this.next = listeners;
         }
 
-        /** Those who came late, newest first, with this end behind them; null if nobody came, and the line is closed. */
+        /**
+         * Those who came late, newest first, with this end behind them; null if nobody came, and the line is closed.
+         */
         @Nullable
         Node tryToEnd() {
             if (settling.late.compareAndSet(null, Claim.REFUSED)) {

@@ -9,9 +9,9 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A listener and the promise of what it makes, in one object: {@code S} is the value it waits for, {@code T} the one it promises.
- * Remembers the space and the actor that registered it, and runs there. Forgets its source and its function when it runs, so that a promise that is kept keeps
- * no more than its outcome.
+ * A listener and the promise of what it makes, in one object: {@code S} is the value it waits for, {@code T} the one it
+ * promises. Remembers the space and the actor that registered it, and runs there. Forgets its source and its function
+ * when it runs, so that a promise that is kept keeps no more than its outcome.
  */
 abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> extends Promise<T> {
     private @Nullable Promise<S> source;
@@ -142,7 +142,9 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return PromiseText.withOutcome(PromiseText.describe(this), this);
     }
 
-    /** A null where the type parameter says whether null is allowed: the caller of {@code settleValue} has decided that. */
+    /**
+     * A null where the type parameter says whether null is allowed: the caller of {@code settleValue} has decided that.
+     */
     @SuppressWarnings("NullAway")
     static <V extends @Nullable Object> V present(@Nullable V value) {
         return value;

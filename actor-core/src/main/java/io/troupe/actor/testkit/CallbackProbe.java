@@ -18,7 +18,9 @@ import org.jspecify.annotations.Nullable;
  * colours.expectFinished();
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method that looks first serves what waits in the space.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method that looks first serves what
+ * waits in the space.
+ *
  * <p><b>Errors.</b> A result or an end that comes after the end is an {@link IllegalStateException} of the sender.
  */
 public final class CallbackProbe<T extends @Nullable Object> implements Callback<T> {

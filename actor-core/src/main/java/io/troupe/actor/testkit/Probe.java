@@ -20,8 +20,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Stands in for an actor in a test: records the calls it gets, and answers requests when the test says so.
  *
- * <p><b>Role.</b> Made by {@link TestSpace#probe}; {@link #actor} is what the code under test gets. It is an actor of that space as any other.
- * A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a {@link Callback}.
+ * <p><b>Role.</b> Made by {@link TestSpace#probe}; {@link #actor} is what the code under test gets. It is an actor of
+ * that space as any other. A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a
+ * {@link Callback}.
  *
  * {@snippet :
  * Probe<Shop> shop = test.probe(Shop.class);
@@ -32,8 +33,11 @@ import org.jspecify.annotations.Nullable;
  * assertThat(test.get(advice)).isEqualTo("wait");
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first serves what waits in the space.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first serves what waits in the
+ * space.
+ *
  * <p><b>Order.</b> Calls are in the order in which they were handled; requests are answered in that order too.
+ *
  * <p><b>Errors.</b> What the test got wrong, or did not get, is an {@link AssertionError} that lists the calls so far.
  */
 public final class Probe<A> {
@@ -96,7 +100,10 @@ public final class Probe<A> {
         }
     }
 
-    /** Fulfils the oldest request that waits for its answer, even if its asker has given it up, and serves what comes of it. */
+    /**
+     * Fulfils the oldest request that waits for its answer, even if its asker has given it up, and serves what comes of
+     * it.
+     */
     public void answer(@Nullable Object value) {
         Question question = oldest("answer(" + value + ")");
         Class<?> wanted = answerType(question.method);
@@ -118,7 +125,10 @@ public final class Probe<A> {
         test.crank();
     }
 
-    /** The requests that wait for their answers; taking them says that the test expected it, and they are never answered. */
+    /**
+     * The requests that wait for their answers; taking them says that the test expected it, and they are never
+     * answered.
+     */
     public List<String> takeUnanswered() {
         test.crank();
         return removeUnanswered();

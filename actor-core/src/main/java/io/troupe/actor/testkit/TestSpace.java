@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * An actor space for tests: no thread of its own, a clock that stands still, the same code as in production.
  *
- * <p><b>Role.</b> Made in a test, in a try-with-resources or with {@link #close} at its end: that is where forgotten errors, dead letters and
- * unserved messages fail the test.
+ * <p><b>Role.</b> Made in a test, in a try-with-resources or with {@link #close} at its end: that is where forgotten
+ * errors, dead letters and unserved messages fail the test.
  *
  * {@snippet :
  * try (var test = new TestSpace()) {
@@ -89,10 +89,11 @@ public final class TestSpace implements AutoCloseable {
     }
 
     /**
-     * Serves what waits, then moves the clock from one timer to the next, and serves what is due and what comes of it, each at its own time. A periodic
-     * timer runs once for each period that is over.
+     * Serves what waits, then moves the clock from one timer to the next, and serves what is due and what comes of it,
+     * each at its own time. A periodic timer runs once for each period that is over.
      *
-     * <p>Other spaces may share this clock: one with a thread is woken at each step and runs beside the test, one that is cranked by hand is not cranked by this.
+     * <p>Other spaces may share this clock: one with a thread is woken at each step and runs beside the test, one that
+     * is cranked by hand is not cranked by this.
      *
      * @throws IllegalArgumentException if the duration is negative
      */
@@ -111,9 +112,11 @@ public final class TestSpace implements AutoCloseable {
     }
 
     /**
-     * The value of a promise, after serving what waits. A rejected promise throws its own error as it is, a checked one too.
+     * The value of a promise, after serving what waits. A rejected promise throws its own error as it is, a checked one
+     * too.
      *
-     * @throws AssertionError if it is not settled then: nothing in the space could settle it any more, unless the clock moves
+     * @throws AssertionError if it is not settled then: nothing in the space could settle it any more, unless the clock
+     *     moves
      */
     public <T extends @Nullable Object> T get(Promise<T> promise) {
         crank();
@@ -171,7 +174,8 @@ public final class TestSpace implements AutoCloseable {
     /**
      * Closes the space.
      *
-     * @throws AssertionError if something was left: messages nobody served, problems or dead letters nobody took, requests no probe answered
+     * @throws AssertionError if something was left: messages nobody served, problems or dead letters nobody took,
+     *     requests no probe answered
      */
     @Override
     public void close() {

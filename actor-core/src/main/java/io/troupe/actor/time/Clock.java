@@ -3,7 +3,8 @@ package io.troupe.actor.time;
 /**
  * Tells the time to whoever waits.
  *
- * <p><b>Threads.</b> Any thread. <b>Units and shapes.</b> Nanoseconds since a fixed but arbitrary moment, never going back.
+ * <p><b>Threads.</b> Any thread. <b>Units and shapes.</b> Nanoseconds since a fixed but arbitrary moment, never going
+ * back.
  */
 public interface Clock {
     long nanos();

@@ -5,7 +5,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Timers in the order of their deadlines, and of their creation if these are equal: a heap in which each has four children, and knows its place.
+ * Timers in the order of their deadlines, and of their creation if these are equal: a heap in which each has four
+ * children, and knows its place.
  *
  * <p><b>Cost.</b> Logarithmic time for adding and removing.
  */
@@ -33,8 +34,8 @@ class TimerHeap {
     }
 
     /*
-     * A caller whose stack overflows in here must not break the heap. A call may overflow, a store may not: between two calls the heap is complete, and at
-     * worst a timer has not come to its place.
+     * A caller whose stack overflows in here must not break the heap. A call may overflow, a store may not: between two
+     * calls the heap is complete, and at worst a timer has not come to its place.
      */
 
     final void add(Timer timer) {

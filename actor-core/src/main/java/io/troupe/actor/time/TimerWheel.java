@@ -9,21 +9,27 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The timers of one thread, on wheels: in slots of about a millisecond, of 64 milliseconds, of 64 times that, and so on.
+ * The timers of one thread, on wheels: in slots of about a millisecond, of 64 milliseconds, of 64 times that, and so
+ * on.
  *
  * <p><b>Role.</b> Each actor space has one; for the rooms of this library. <b>Threads.</b> The space's thread only.
+ *
  * <p><b>Order.</b> By deadline, then by the order in which they were set; a task never runs before its deadline.
- * <p><b>Cost.</b> Setting and cancelling take constant time. A timer moves to a finer wheel up to seven times before it runs, and takes time in the logarithm of
- * the number of those that are due in the same millisecond, or overdue. Timers that are due later cost nothing meanwhile.
+ *
+ * <p><b>Cost.</b> Setting and cancelling take constant time. A timer moves to a finer wheel up to seven times before it
+ * runs, and takes time in the logarithm of the number of those that are due in the same millisecond, or overdue. Timers
+ * that are due later cost nothing meanwhile.
+ *
  * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 7 (1987).
  *
  * @hidden
  */
 public final class TimerWheel {
     /*
-     * Time is counted in ticks of 2^20 ns. Those that are due up to the tick "position" are near: in a heap, in the exact order. All others are on the wheel of the
-     * highest digit (of six bits) in which their tick differs from the position, in the slot of that digit. So on each wheel only slots ahead of the position's
-     * own digit are occupied, all of them come before those of the next coarser wheel, and the next one is found by its bit.
+     * Time is counted in ticks of 2^20 ns. Those that are due up to the tick "position" are near: in a heap, in the
+     * exact order. All others are on the wheel of the highest digit (of six bits) in which their tick differs from the
+     * position, in the slot of that digit. So on each wheel only slots ahead of the position's own digit are occupied,
+     * all of them come before those of the next coarser wheel, and the next one is found by its bit.
      */
     private static final int TICK_BITS = 20;
     private static final int DIGIT_BITS = 6;
@@ -137,7 +143,10 @@ public final class TimerWheel {
         return earliestIn(slot, Integer.MAX_VALUE) <= now;
     }
 
-    /** A moment until which nothing happens here: the next deadline, or an earlier moment; {@link Long#MAX_VALUE} when there is no timer. */
+    /**
+     * A moment until which nothing happens here: the next deadline, or an earlier moment; {@link Long#MAX_VALUE} when
+     * there is no timer.
+     */
     public long nextDeadline() {
         Timer first = near.first();
         if (first != null) {
@@ -148,8 +157,8 @@ public final class TimerWheel {
     }
 
     /**
-     * Runs what is due, each timer once: one whose next period is over too, and one that was set meanwhile, is due again at once, so that others have their turn
-     * in between.
+     * Runs what is due, each timer once: one whose next period is over too, and one that was set meanwhile, is due
+     * again at once, so that others have their turn in between.
      *
      * @param runner calls the task and deals with what it throws
      * @return how many tasks were run

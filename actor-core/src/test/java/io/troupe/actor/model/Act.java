@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * One step of a random program, made by the test thread or, as part of a script, inside a handler, a listener or a timer.
+ * One step of a random program, made by the test thread or, as part of a script, inside a handler, a listener or a
+ * timer.
  *
  * @param id a number of its own: of the letter, promise, stream, timer or error it makes
  * @param target the actor, promise, stream or timer it is about
@@ -17,7 +18,9 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         CRANK,
         /** Moves the clock by {@code number} half milliseconds. */
         ADVANCE,
-        /** Makes actor {@code target} with the {@link Cast} {@code number}; the script is what it does when it starts. */
+        /**
+         * Makes actor {@code target} with the {@link Cast} {@code number}; the script is what it does when it starts.
+         */
         SPAWN,
         STOP,
         STOP_SELF,
@@ -36,7 +39,10 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         RESCUE,
         /** Goes on with promise {@code number} if there is one. */
         COMPOSE,
-        /** A call with a callback; {@code number} 1 or 3 = one that can be cancelled, 2 or 3 = a request. The script is the actor's, but for its {@link #READER}. */
+        /**
+         * A call with a callback; {@code number} 1 or 3 = one that can be cancelled, 2 or 3 = a request. The script is
+         * the actor's, but for its {@link #READER}.
+         */
         OPEN,
         /** In the script of an {@link #OPEN}: what the reader does with each result. */
         READER,

@@ -11,7 +11,8 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Random programs on the library and on a simple model of it: what can be seen of them must be the same, in the same order.
+ * Random programs on the library and on a simple model of it: what can be seen of them must be the same, in the same
+ * order.
  *
  * <p>{@code -Dmodel.seed=17} runs the program of that seed, {@code -Dmodel.programs=100000} so many.
  */

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Whether and when a program closes its space, and what it leaves out: a callback whose reader is no actor's hears no results any more when its space
- * is closed, but the model has it hear everything. So none is open then.
+ * Whether and when a program closes its space, and what it leaves out: a callback whose reader is no actor's hears no
+ * results any more when its space is closed, but the model has it hear everything. So none is open then.
  */
 enum Ending {
     NEVER,

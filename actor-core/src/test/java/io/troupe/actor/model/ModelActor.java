@@ -106,7 +106,10 @@ final class ModelActor {
         }
     }
 
-    /** Whichever comes first, the turn of the spawn or, if the proxy was faster, that of a call; nothing starts when serving has ended. */
+    /**
+     * Whichever comes first, the turn of the spawn or, if the proxy was faster, that of a call; nothing starts when
+     * serving has ended.
+     */
     void begin() {
         if (!begun && !stopped && !space.stopping) {
             begun = true;

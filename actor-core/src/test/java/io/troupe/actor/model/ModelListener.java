@@ -24,7 +24,10 @@ final class ModelListener implements ModelPromise.Listener {
         this.result = ModelPromise.local(space, space.inside || source.atHome);
     }
 
-    /** The source is settled: from now on the listener waits in its callback queue; one without a space in that of whoever settles it, if that has one. */
+    /**
+     * The source is settled: from now on the listener waits in its callback queue; one without a space in that of
+     * whoever settles it, if that has one.
+     */
     @Override
     public void tell() {
         if (result.atHome || space.inside) {

@@ -125,7 +125,10 @@ final class ModelPromises {
         }
     }
 
-    /** Unless it is another request's, the promise belongs to the instance: when that ends first, the request is rejected. */
+    /**
+     * Unless it is another request's, the promise belongs to the instance: when that ends first, the request is
+     * rejected.
+     */
     private static void answerLater(ModelPromise request, ModelPromise answer, Instance actor) {
         if (!answer.isDone() && !answer.isRequest) {
             actor.openRequests.add(new ModelActor.OpenRequest(request, answer));

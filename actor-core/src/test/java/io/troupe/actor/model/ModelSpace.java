@@ -175,7 +175,10 @@ final class ModelSpace {
         return worked;
     }
 
-    /** After a quota of callbacks one mail has its turn, unless a callback is left that came before it, and then everybody else. */
+    /**
+     * After a quota of callbacks one mail has its turn, unless a callback is left that came before it, and then
+     * everybody else.
+     */
     private boolean drainQueues() {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping; i++) {

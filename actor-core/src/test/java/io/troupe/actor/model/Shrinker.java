@@ -3,7 +3,9 @@ package io.troupe.actor.model;
 import java.util.List;
 import java.util.function.Predicate;
 
-/** Makes a failing program smaller, by taking parts out as long as it still fails: first halves, at last single acts. */
+/**
+ * Makes a failing program smaller, by taking parts out as long as it still fails: first halves, at last single acts.
+ */
 final class Shrinker {
     private Shrinker() {}
 

@@ -10,11 +10,13 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
- * Real threads and real spaces in random rounds, each of one {@link Scenario}: promises, calls, ends, bounds, chains, streams, timers and errors. What was sent must equal what was served,
- * rejected and dropped, and at the end of a round every space is closed and its threads have ended.
+ * Real threads and real spaces in random rounds, each of one {@link Scenario}: promises, calls, ends, bounds, chains,
+ * streams, timers and errors. What was sent must equal what was served, rejected and dropped, and at the end of a round
+ * every space is closed and its threads have ended.
  *
- * <p>Each scenario a few times in every build; {@code -Dsoak.minutes=10} goes on for so long, {@code -Dsoak.first=17} begins with that round, and {@code -Dsoak.seed=17} runs that round alone.
- * The threads are not scheduled by the seed, so a round may have to be repeated to fail again: {@code -Dsoak.seed=17 -Dsoak.minutes=1} repeats it for a minute.
+ * <p>Each scenario a few times in every build; {@code -Dsoak.minutes=10} goes on for so long, {@code -Dsoak.first=17}
+ * begins with that round, and {@code -Dsoak.seed=17} runs that round alone. The threads are not scheduled by the seed,
+ * so a round may have to be repeated to fail again: {@code -Dsoak.seed=17 -Dsoak.minutes=1} repeats it for a minute.
  */
 @Tag("threads")
 class ActorSoakTest {

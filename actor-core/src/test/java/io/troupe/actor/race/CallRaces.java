@@ -71,7 +71,10 @@ final class CallRaces {
             return served;
         }
 
-        /** Each message was served or became a dead letter, once; each request was answered or rejected, once, and says which. */
+        /**
+         * Each message was served or became a dead letter, once; each request was answered or rejected, once, and says
+         * which.
+         */
         void check() throws InterruptedException {
             for (var mark : told) {
                 assertThat(mark.served.get() + mark.dead.get())

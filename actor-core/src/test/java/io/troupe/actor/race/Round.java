@@ -23,7 +23,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/** The spaces and threads of one round, and what was reported. On the thread of the test, but for what its threads and handlers are given. */
+/**
+ * The spaces and threads of one round, and what was reported. On the thread of the test, but for what its threads and
+ * handlers are given.
+ */
 final class Round implements AutoCloseable {
     static final Duration LONG = Duration.ofSeconds(60);
     private static final int HELPERS = 200; // more than the bodies that wait at a time in any round
@@ -122,7 +125,10 @@ final class Round implements AutoCloseable {
         return promise;
     }
 
-    /** Waits for what must come, however long it takes; fails when it has not come within a time that says that it never will. */
+    /**
+     * Waits for what must come, however long it takes; fails when it has not come within a time that says that it never
+     * will.
+     */
     static void until(String what, BooleanSupplier condition) {
         long endNanos = Clock.system().nanos() + LONG.toNanos();
         while (!condition.getAsBoolean()) {

@@ -12,8 +12,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The API of actor-core stays small, and is documented. Types that are public only because generated code or another room of the
- * library uses them do not count: their Javadoc says "for generated code" or "for the rooms of this library".
+ * The API of actor-core stays small, and is documented. Types that are public only because generated code or another
+ * room of the library uses them do not count: their Javadoc says "for generated code" or "for the rooms of this
+ * library".
  */
 class ApiSizeTest {
     private static final int MOST_TYPES = 40;

@@ -78,7 +78,9 @@ class HabitsTest {
                 .check(Classes.MAIN);
     }
 
-    /** What waits for an exit in the common pool can block there while a surviving child of the process holds its pipe. */
+    /**
+     * What waits for an exit in the common pool can block there while a surviving child of the process holds its pipe.
+     */
     @Test
     void endsOfProcesses_areAwaitedByThreadsOnly() {
         var awaitsInThePool = DescribedPredicate.<JavaAccess<?>>describe(

@@ -5,8 +5,8 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 
 /**
- * One library or module that a module asks for; {@code coordinates} are {@code group:artifact}, and so are those of what it
- * would bring and must not.
+ * One library or module that a module asks for; {@code coordinates} are {@code group:artifact}, and so are those of
+ * what it would bring and must not.
  */
 record Dependency(Scope scope, String coordinates, String version, SortedSet<String> without) {
     Dependency(Scope scope, String coordinates, String version) {

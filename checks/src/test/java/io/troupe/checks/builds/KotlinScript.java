@@ -3,7 +3,9 @@ package io.troupe.checks.builds;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Cuts a plain Gradle script into its statements. It knows comments, strings and brackets, and nothing else of Kotlin. */
+/**
+ * Cuts a plain Gradle script into its statements. It knows comments, strings and brackets, and nothing else of Kotlin.
+ */
 final class KotlinScript {
     /** {@code head { body }}, or a head alone; {@code block} tells which. */
     record Statement(String head, boolean block, String body) {
@@ -53,7 +55,9 @@ final class KotlinScript {
         }
     }
 
-    /** Where the block begins that ends the statement, or -1: the brace must be outside of strings and other brackets. */
+    /**
+     * Where the block begins that ends the statement, or -1: the brace must be outside of strings and other brackets.
+     */
     private static int openingBrace(String statement) {
         if (!statement.endsWith("}")) {
             return -1;

@@ -36,7 +36,10 @@ final class VersionCatalog {
         }
     }
 
-    /** Gradle's "2.57!!" means this version and no newer one, which is what Maven does with any version of a direct dependency. */
+    /**
+     * Gradle's "2.57!!" means this version and no newer one, which is what Maven does with any version of a direct
+     * dependency.
+     */
     private void version(String line) {
         var match = VERSION.matcher(line);
         if (!match.matches() || versions.put(match.group(1), match.group(2).replaceFirst("!!$", "")) != null) {

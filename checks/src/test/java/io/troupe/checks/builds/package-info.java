@@ -1,4 +1,6 @@
-/** Agreement of the Gradle and the Maven build: both are read into the same records, and every difference has a name. */
+/**
+ * Agreement of the Gradle and the Maven build: both are read into the same records, and every difference has a name.
+ */
 @NullMarked
 package io.troupe.checks.builds;
 

@@ -10,8 +10,9 @@ import java.util.regex.Pattern;
 /**
  * The samples of a Markdown page or of Javadoc, and whether a source holds them.
  *
- * <p><b>Role.</b> A sample is cut in pieces by empty lines, and each piece must occur in one and the same source. What the formatter decides, and what no
- * compiler reads, does not count: white space, {@code //} comments, {@code @Override}.
+ * <p><b>Role.</b> A sample is cut in pieces by empty lines, and each piece must occur in one and the same source. What
+ * the formatter decides, and what no compiler reads, does not count: white space, {@code //} comments,
+ * {@code @Override}.
  */
 final class Samples {
     private static final Pattern FENCE = Pattern.compile("(?ms)^```(\\w*)\\n(.*?)^```$");

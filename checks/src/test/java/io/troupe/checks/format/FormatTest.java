@@ -13,15 +13,24 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** All Java sources look as palantir-java-format prints them, imports sorted and in use. */
+/** All Java sources look as palantir-java-format prints them, Javadoc too, imports sorted and in use. */
 class FormatTest {
     private static final JavaFormatterOptions.Style STYLE = JavaFormatterOptions.Style.PALANTIR;
-    private static final Formatter FORMATTER = Formatter.createFormatter(
-            JavaFormatterOptions.builder().style(STYLE).build());
+    /** Where a snippet begins: first in its line of a Javadoc comment. */
+    private static final Pattern SNIPPET = Pattern.compile("(?m)^ *\\* (\\{@snippet)");
+    /** Marks a protected snippet; written so that this file does not contain it. */
+    private static final String PRE = "<pre " + "id=snippet>";
 
-    /** With {@code -Dformat=write}, which the profile {@code format} sets, the sources are rewritten instead of judged. */
+    private static final String PRE_END = "</pre>";
+    private static final Formatter FORMATTER = Formatter.createFormatter(
+            JavaFormatterOptions.builder().style(STYLE).formatJavadoc(true).build());
+
+    /**
+     * With {@code -Dformat=write}, which the profile {@code format} sets, the sources are rewritten instead of judged.
+     */
     @Test
     void sources_areFormatted() throws IOException {
         var write = System.getProperty("format", "check").equals("write");
@@ -56,6 +65,22 @@ class FormatTest {
                         """);
     }
 
+    @Test
+    void formatter_fillsJavadoc_butLeavesSnippetsAsTheyAre() throws FormatterException {
+        String snippet = """
+                 * {@snippet :
+                 * class A { // {nested} braces
+                 *     int a;
+                 * }
+                 * }
+                """;
+        String formatted = formatted("/**\n * " + "word ".repeat(30).strip() + "\n *\n" + snippet.stripTrailing()
+                + "\n *\n * <p>End.\n */\ninterface A {}\n");
+        assertThat(formatted.lines()).allMatch(line -> line.length() <= 120).hasSize(13);
+        assertThat(formatted).contains(snippet.stripTrailing() + "\n *\n * <p>End.\n */");
+        assertThat(formatted(formatted)).isEqualTo(formatted);
+    }
+
     private static String formatted(Path file, String source) {
         try {
             return formatted(source);
@@ -66,7 +91,47 @@ class FormatTest {
 
     private static String formatted(String source) throws FormatterException {
         var sorted = ImportOrderer.reorderImports(source, STYLE);
-        return FORMATTER.formatSource(RemoveUnusedImports.removeUnusedImports(sorted));
+        var protectedSnippets = withSnippetsInPre(RemoveUnusedImports.removeUnusedImports(sorted));
+        return withoutPreAroundSnippets(FORMATTER.formatSource(protectedSnippets));
+    }
+
+    /**
+     * The formatter does not know snippets of code in Javadoc and would fill their lines, but it leaves {@code pre}
+     * alone.
+     */
+    private static String withSnippetsInPre(String source) {
+        var result = new StringBuilder();
+        int end = 0;
+        for (var start = SNIPPET.matcher(source); start.find(end); ) {
+            result.append(source, end, start.start(1)).append(PRE);
+            end = endOfBraces(source, start.start(1));
+            result.append(source, start.start(1), end).append(PRE_END);
+        }
+        return result.append(source.substring(end)).toString();
+    }
+
+    private static String withoutPreAroundSnippets(String source) {
+        var result = new StringBuilder();
+        int end = 0;
+        for (int start; (start = source.indexOf(PRE, end)) >= 0; ) {
+            int snippetEnd = endOfBraces(source, start + PRE.length());
+            result.append(source, end, start).append(source, start + PRE.length(), snippetEnd);
+            end = snippetEnd + PRE_END.length();
+        }
+        return result.append(source.substring(end)).toString();
+    }
+
+    /** Index after the brace that closes the one at {@code start}. */
+    private static int endOfBraces(String source, int start) {
+        int open = 0;
+        for (int i = start; i < source.length(); i++) {
+            char character = source.charAt(i);
+            open += character == '{' ? 1 : character == '}' ? -1 : 0;
+            if (open == 0) {
+                return i + 1;
+            }
+        }
+        throw new IllegalArgumentException("no brace closes " + source.substring(start, start + 20));
     }
 
     private static List<Path> sources() {

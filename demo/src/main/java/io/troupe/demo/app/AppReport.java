@@ -21,7 +21,8 @@ import java.util.stream.Collectors;
 /**
  * What people are told of an application, as it happens and at its end.
  *
- * <p><b>Threads.</b> Any; one lock. Most of it comes from the application's space, the world's part from the thread that moves the world.
+ * <p><b>Threads.</b> Any; one lock. Most of it comes from the application's space, the world's part from the thread
+ * that moves the world.
  */
 final class AppReport implements ComponentObserver {
     private final PrintWriter terminal;

@@ -36,13 +36,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * An application on a simulated world, in lock step.
  *
- * <p><b>Threads.</b> The calling thread moves the world; one actor space, on simulated time, has the application with its bus and its broker. At any moment one of them
- * waits for the other.
+ * <p><b>Threads.</b> The calling thread moves the world; one actor space, on simulated time, has the application with
+ * its bus and its broker. At any moment one of them waits for the other.
  */
 final class AppRun {
     /**
-     * A robot stops half a second after its last command, whoever sent that. Our components ask the server for a limit of their own, for each command, which may be shorter; this one is
-     * for programs that ask for none, such as another's process that is killed while the robot is open elsewhere too.
+     * A robot stops half a second after its last command, whoever sent that. Our components ask the server for a limit
+     * of their own, for each command, which may be shorter; this one is for programs that ask for none, such as
+     * another's process that is killed while the robot is open elsewhere too.
      */
     static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
 

@@ -108,7 +108,9 @@ public final class CrowdCommand implements Callable<Integer> {
         }
     }
 
-    /** The sizes take turns, so that all of them see the same machine; a round before that warms up and does not count. */
+    /**
+     * The sizes take turns, so that all of them see the same machine; a round before that warms up and does not count.
+     */
     private void measure(List<Trial> trials, Interruption interruption) throws InterruptedException {
         try (var line = TerminalLine.open()) {
             for (int round = 0; round <= repeat; round++) {

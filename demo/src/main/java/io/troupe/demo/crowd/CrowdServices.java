@@ -9,10 +9,12 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The services of a crowd, as many as one likes: the wanderer, the wall follower, and then patrols, which avoid what is in their way.
+ * The services of a crowd, as many as one likes: the wanderer, the wall follower, and then patrols, which avoid what is
+ * in their way.
  *
- * <p><b>Units and shapes.</b> A patrol goes to and fro between where its robot started and a point of its own, from 2 m to 5 m away, the next one's always in
- * another direction. Odometry begins at zero in a crowd's world, so that every robot has such a way in its own hall.
+ * <p><b>Units and shapes.</b> A patrol goes to and fro between where its robot started and a point of its own, from 2 m
+ * to 5 m away, the next one's always in another direction. Odometry begins at zero in a crowd's world, so that every
+ * robot has such a way in its own hall.
  */
 final class CrowdServices {
     private static final double FIRST_M = 2;

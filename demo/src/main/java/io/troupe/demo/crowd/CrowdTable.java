@@ -9,14 +9,15 @@ import java.util.List;
 /**
  * The table of a crowd: a state for each colour, in which the services go round among the robots.
  *
- * <p><b>Order.</b> In state k robot r has service (r + k) modulo the number of services, so that each state has all of them if there are robots enough, and
- * every change of state moves them on. If nobody in a state would look for colours, its robot k modulo the number of robots wanders instead: else the
- * state could never end.
+ * <p><b>Order.</b> In state k robot r has service (r + k) modulo the number of services, so that each state has all of
+ * them if there are robots enough, and every change of state moves them on. If nobody in a state would look for
+ * colours, its robot k modulo the number of robots wanders instead: else the state could never end.
  */
 public final class CrowdTable {
     /**
-     * How long a state lasts at least, unless told otherwise. Among many robots somebody sees another colour at nearly every reading; without a hold all
-     * of them would be stopped and started ten times a second, and no service would ever get anywhere.
+     * How long a state lasts at least, unless told otherwise. Among many robots somebody sees another colour at nearly
+     * every reading; without a hold all of them would be stopped and started ten times a second, and no service would
+     * ever get anywhere.
      */
     public static final double HOLD_SECONDS = 5;
 

@@ -17,10 +17,11 @@ import java.util.function.DoubleConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs a crowd and measures it: world, in-process Player connections, one actor space with arbitrator and services, in lock step.
+ * Runs a crowd and measures it: world, in-process Player connections, one actor space with arbitrator and services, in
+ * lock step.
  *
- * <p><b>Threads.</b> The calling thread moves the world, the actor space's thread does all else, and at any moment one of the two waits for the other: so their
- * processor times split what a tick costs into the world and the services.
+ * <p><b>Threads.</b> The calling thread moves the world, the actor space's thread does all else, and at any moment one
+ * of the two waits for the other: so their processor times split what a tick costs into the world and the services.
  */
 final class CrowdTrial {
     /**

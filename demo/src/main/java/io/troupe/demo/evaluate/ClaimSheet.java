@@ -91,7 +91,10 @@ final class ClaimSheet {
         return quantity == Quantity.TIME ? Findings.seconds(values) : Findings.micros(values);
     }
 
-    /** Whether a difference in time is one: on the wall it is none as long as it is less than a cycle, in whose middle a run may begin. */
+    /**
+     * Whether a difference in time is one: on the wall it is none as long as it is less than a cycle, in whose middle a
+     * run may begin.
+     */
     private boolean differs(Findings in, Mode more, Mode less, Quantity quantity) {
         return !realTime
                 || quantity != Quantity.TIME

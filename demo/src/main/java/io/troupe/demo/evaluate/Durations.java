@@ -26,8 +26,8 @@ final class Durations {
     }
 
     /**
-     * The mean of the shorter ones, without the longest hundredth, which the collector, the compiler or another program has made so; in units of so many
-     * nanoseconds. There must be one.
+     * The mean of the shorter ones, without the longest hundredth, which the collector, the compiler or another program
+     * has made so; in units of so many nanoseconds. There must be one.
      */
     double trimmedMean(double unitNanos) {
         int kept = count - count / 100;

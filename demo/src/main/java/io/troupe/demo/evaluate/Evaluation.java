@@ -6,9 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
-/**
- * Measures everything, one job at a time, so that no two measurements disturb each other: the JVMs take turns.
- */
+/** Measures everything, one job at a time, so that no two measurements disturb each other: the JVMs take turns. */
 final class Evaluation {
     private static final Duration NOTICE = Duration.ofSeconds(2);
 

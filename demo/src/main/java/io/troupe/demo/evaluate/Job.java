@@ -10,7 +10,8 @@ import java.util.Locale;
  * @param loops of each service, for {@link Part#LOOPS} and {@link Part#ALONE}
  * @param seconds on the robots' clock, for the others
  * @param seed of the start poses
- * @param server the TCP port of the robots on this machine, which move in real time; 0 for a world of the job's own, in lock step
+ * @param server the TCP port of the robots on this machine, which move in real time; 0 for a world of the job's own, in
+ *     lock step
  */
 record Job(Part part, Mode mode, String subject, int loops, double seconds, long seed, int server) {
     private static final int FIELDS = 7;

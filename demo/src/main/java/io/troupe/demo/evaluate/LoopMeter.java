@@ -11,7 +11,8 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures the first so many loops of each service, one service to a robot. Time begins when all are connected, so that connecting is not counted.
+ * Measures the first so many loops of each service, one service to a robot. Time begins when all are connected, so that
+ * connecting is not counted.
  */
 final class LoopMeter implements Meter {
     private static final double NANOS_PER_MILLI = 1e6;

@@ -8,8 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * What the JVM does that measures: reads jobs from standard input, one to a line, and answers each with its values and a line of {@value #END} and the
- * number of processors that this JVM has, or with one line that begins with {@value #ERROR}. It ends with its input.
+ * What the JVM does that measures: reads jobs from standard input, one to a line, and answers each with its values and
+ * a line of {@value #END} and the number of processors that this JVM has, or with one line that begins with
+ * {@value #ERROR}. It ends with its input.
  */
 final class MeasuringMain {
     static final String END = "end ";

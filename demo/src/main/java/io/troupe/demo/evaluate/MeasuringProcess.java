@@ -9,7 +9,8 @@ import java.nio.file.Path;
 /**
  * A JVM of its own that measures, and is told how many processors it has.
  *
- * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails, ends, or has another number of processors than it was told; what it logs goes to a file.
+ * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails, ends, or has another number of processors than
+ * it was told; what it logs goes to a file.
  */
 final class MeasuringProcess implements AutoCloseable {
     private final int cores;

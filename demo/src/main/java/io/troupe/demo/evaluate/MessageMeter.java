@@ -9,7 +9,10 @@ import java.util.Queue;
 final class MessageMeter {
     private static final double NANOS_PER_MICRO = 1e3;
 
-    /** When the colours were sent that have not arrived, by robot; a robot's colours arrive in the order in which it sends them. */
+    /**
+     * When the colours were sent that have not arrived, by robot; a robot's colours arrive in the order in which it
+     * sends them.
+     */
     private final Map<Integer, Queue<Long>> onTheirWay = new HashMap<>();
 
     private final Durations delays = new Durations();

@@ -10,13 +10,22 @@ enum Quantity {
     INTERVAL("ms"),
     /** The same: what 99 of 100 do not exceed. */
     INTERVAL_P99("ms"),
-    /** One loop's computing, by the machine's clock: look for colours, send them, read, control law, command. The mean without the longest hundredth. */
+    /**
+     * One loop's computing, by the machine's clock: look for colours, send them, read, control law, command. The mean
+     * without the longest hundredth.
+     */
     CYCLE("us"),
     /** The same: what 99 of 100 do not exceed. */
     CYCLE_P99("us"),
-    /** The computing of one loop of each service and the way of their colours to the main code, by the machine's clock. The mean without the longest hundredth. */
+    /**
+     * The computing of one loop of each service and the way of their colours to the main code, by the machine's clock.
+     * The mean without the longest hundredth.
+     */
     TURN("us"),
-    /** Processor time of the thread that runs the services, for one loop of each, with all messages, and with waking up for each reading. */
+    /**
+     * Processor time of the thread that runs the services, for one loop of each, with all messages, and with waking up
+     * for each reading.
+     */
     PROCESSOR("us"),
     STATE_CHANGES("1"),
     /** Colours that left a service for the main code. */
@@ -28,8 +37,8 @@ enum Quantity {
     /** The same: what 99 of 100 do not exceed. */
     DELAY_P99("us"),
     /**
-     * From the cycle that sees the colour that ends a state to every robot's first cycle in the next, by the machine's clock: the middle of
-     * those that take no time on the robots' clock.
+     * From the cycle that sees the colour that ends a state to every robot's first cycle in the next, by the machine's
+     * clock: the middle of those that take no time on the robots' clock.
      */
     SWITCH("us"),
     /** The same on the robots' clock. */

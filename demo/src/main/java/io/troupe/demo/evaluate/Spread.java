@@ -6,7 +6,8 @@ import java.util.Locale;
 /**
  * Where repeated measurements lie.
  *
- * <p><b>Units and shapes.</b> Those of the values. Quartiles lie on the straight line between neighbours in the order of size.
+ * <p><b>Units and shapes.</b> Those of the values. Quartiles lie on the straight line between neighbours in the order
+ * of size.
  */
 record Spread(double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
     /**

@@ -8,7 +8,10 @@ import io.troupe.services.subsumption.SubsumptionTable;
 final class Tables {
     private Tables() {}
 
-    /** Robot 1 follows walls and robot 2 wanders for ever: blue is the only colour that leads anywhere, and it leads here. */
+    /**
+     * Robot 1 follows walls and robot 2 wanders for ever: blue is the only colour that leads anywhere, and it leads
+     * here.
+     */
     static SubsumptionTable oneState() {
         return SubsumptionTable.forRobots(2)
                 .when(Colours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)

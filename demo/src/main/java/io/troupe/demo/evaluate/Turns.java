@@ -1,6 +1,9 @@
 package io.troupe.demo.evaluate;
 
-/** How long there is something to do each time a reading comes: from its first cycle to the last of what follows from it. */
+/**
+ * How long there is something to do each time a reading comes: from its first cycle to the last of what follows from
+ * it.
+ */
 final class Turns {
     private final Durations durations = new Durations();
     private long readingNanos = Long.MIN_VALUE;

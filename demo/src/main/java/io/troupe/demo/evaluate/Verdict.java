@@ -9,8 +9,8 @@ enum Verdict {
     CANNOT_BE_TOLD("cannot be told");
 
     /**
-     * Fewer repetitions say nothing of how far they spread. Where only chance decides which of two takes more, so many say of the one that it does, for one number
-     * of cores, in 19 of 100 cases, and 15 repetitions in 2 to 6 of 100.
+     * Fewer repetitions say nothing of how far they spread. Where only chance decides which of two takes more, so many
+     * say of the one that it does, for one number of cores, in 19 of 100 cases, and 15 repetitions in 2 to 6 of 100.
      */
     static final int ENOUGH_REPETITIONS = 5;
     /** With fewer repetitions a difference must be so large, relatively, to count. */
@@ -23,8 +23,9 @@ enum Verdict {
     }
 
     /**
-     * Whether quotients are above a limit: they are if three quarters of them are, they are not if three quarters are at it or below. Of fewer than
-     * {@value #ENOUGH_REPETITIONS} all must be plainly above, or plainly below, or all exactly at the limit.
+     * Whether quotients are above a limit: they are if three quarters of them are, they are not if three quarters are
+     * at it or below. Of fewer than {@value #ENOUGH_REPETITIONS} all must be plainly above, or plainly below, or all
+     * exactly at the limit.
      */
     static Verdict above(double[] ratios, double limit) {
         Spread spread = Spread.of(ratios);
@@ -37,8 +38,8 @@ enum Verdict {
     }
 
     /**
-     * Whether the quartiles lie between two bounds: not if the one is above or the other below. Of fewer than {@value #ENOUGH_REPETITIONS} values one must
-     * be plainly outside to say no.
+     * Whether the quartiles lie between two bounds: not if the one is above or the other below. Of fewer than
+     * {@value #ENOUGH_REPETITIONS} values one must be plainly outside to say no.
      */
     static Verdict within(double[] values, double from, double to) {
         Spread spread = Spread.of(values);

@@ -21,7 +21,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe serve}: simulates a world and offers its robots to Player clients over TCP, until it is interrupted. */
+/**
+ * {@code troupe serve}: simulates a world and offers its robots to Player clients over TCP, until it is interrupted.
+ */
 @Command(
         name = "serve",
         description = "Simulates a world and offers its robots to Player clients over TCP, until Ctrl-C.",

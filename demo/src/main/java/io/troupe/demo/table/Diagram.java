@@ -7,13 +7,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a diagram of a table shows. Every state that can end leads to every other, so an arrow's label depends on where it goes alone.
+ * What a diagram of a table shows. Every state that can end leads to every other, so an arrow's label depends on where
+ * it goes alone.
  *
  * @param title for people who cannot see it, and for the window
  * @param notes lines below the picture
  */
 record Diagram(String title, List<Node> nodes, List<String> notes) {
-    /** Up to so many states every arrow is drawn; more would be a net of crossing lines, so that one bar stands for all other states. */
+    /**
+     * Up to so many states every arrow is drawn; more would be a net of crossing lines, so that one bar stands for all
+     * other states.
+     */
     private static final int MOST_WITH_ALL_ARROWS = 3;
 
     /** What stands in the bar. */

@@ -8,7 +8,8 @@ import io.troupe.petri.structure.Siphons;
 import java.util.List;
 
 /**
- * Other nets that fit much of the paper's text, to show what its number of siphons tells: it excludes some, and leaves several.
+ * Other nets that fit much of the paper's text, to show what its number of siphons tells: it excludes some, and leaves
+ * several.
  *
  * @param minimalSiphons how many the net has
  */

@@ -15,8 +15,8 @@ import java.util.OptionalInt;
 /** The ways through a graph until {@code stop} fires. */
 record StopWays(ReachabilityGraph graph, Transition stop) {
     /**
-     * The most other firings until it fires, from any marking that has {@code wanting} marked; nothing if there is no such marking, or
-     * if some way avoids it: in circles, to an end, or by another transition that takes those tokens.
+     * The most other firings until it fires, from any marking that has {@code wanting} marked; nothing if there is no
+     * such marking, or if some way avoids it: in circles, to an end, or by another transition that takes those tokens.
      */
     OptionalInt longest(Marking wanting) {
         var known = new HashMap<State, OptionalInt>();

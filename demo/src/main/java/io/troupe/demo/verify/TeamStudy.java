@@ -8,7 +8,9 @@ import io.troupe.petri.SearchLimits;
 import java.util.Locale;
 import java.util.function.Consumer;
 
-/** The paper's nets (reading A) for several robots, each with a player of its own: their dead markings by stubborn sets. */
+/**
+ * The paper's nets (reading A) for several robots, each with a player of its own: their dead markings by stubborn sets.
+ */
 record TeamStudy(
         int robots, DeadlockSearch uncorrected, DeadlockSearch stoppingTogether, DeadlockSearch stoppingOneByOne) {
     private static final int MARKINGS_PER_REPORT = 10_000;

@@ -10,15 +10,16 @@ import io.troupe.petri.wiring.Wiring;
 import java.util.function.IntFunction;
 
 /**
- * What {@code troupe run} is made of, as declarations: the world in lock step, the service in charge of each robot, the promise
- * of its colour, and the arbitrator.
+ * What {@code troupe run} is made of, as declarations: the world in lock step, the service in charge of each robot, the
+ * promise of its colour, and the arbitrator.
  *
- * <p>Whether a service follows a wall or wanders is left open: each may see a colour after any reading, or none. A service that has
- * ended itself looks to others like one that waits for readings: telling it to stop is answered at once. A colour always leads
- * to another state, as in the paper's table. Closing a world or an actor space is no call, and so not part of this.
+ * <p>Whether a service follows a wall or wanders is left open: each may see a colour after any reading, or none. A
+ * service that has ended itself looks to others like one that waits for readings: telling it to stop is answered at
+ * once. A colour always leads to another state, as in the paper's table. Closing a world or an actor space is no call,
+ * and so not part of this.
  *
- * <p><b>Source.</b> The classes {@code Simulation}, {@code ServiceLoop}, {@code RobotServices} and {@code Arbitrator}; ADR 0003 says when an actor
- * space has answered a reading.
+ * <p><b>Source.</b> The classes {@code Simulation}, {@code ServiceLoop}, {@code RobotServices} and {@code Arbitrator};
+ * ADR 0003 says when an actor space has answered a reading.
  */
 final class TroupeWiring {
     private TroupeWiring() {}

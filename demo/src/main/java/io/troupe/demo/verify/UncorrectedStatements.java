@@ -16,7 +16,9 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** What the paper says about the net whose components stop when they like, and about giving their stops low priority. */
+/**
+ * What the paper says about the net whose components stop when they like, and about giving their stops low priority.
+ */
 final class UncorrectedStatements {
     private static final int SIPHONS_IN_THE_PAPER = 44;
     private static final List<String> STOPS = List.of("Tr6", "Tr7", "Tp4", "Tm4", "Ts7");

@@ -35,7 +35,9 @@ import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A component in another language: a process that joins over TCP by the Player protocol, and that the broker starts. */
+/**
+ * A component in another language: a process that joins over TCP by the Player protocol, and that the broker starts.
+ */
 @Timeout(120)
 class PythonComponentTest {
     private static final Path FILE = Path.of("applications", "python.app");

@@ -17,8 +17,9 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.List;
 
 /**
- * The main code of the paper in synchronous mode: Figure 14 for state 1, and the same for states 2 and 3, which the paper does not print. What had to
- * change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are the ones listed there.
+ * The main code of the paper in synchronous mode: Figure 14 for state 1, and the same for states 2 and 3, which the
+ * paper does not print. What had to change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are
+ * the ones listed there.
  */
 final class Demo1 implements Runnable {
     private final List<String> printed; // [1] instead of System.out, so that a test can read it

@@ -7,8 +7,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * The main code of the paper in callback mode: Figure 17 for state 1, and the same for states 2 and 3, which the paper does not print. What had to
- * change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are the ones listed there.
+ * The main code of the paper in callback mode: Figure 17 for state 1, and the same for states 2 and 3, which the paper
+ * does not print. What had to change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are the
+ * ones listed there.
  */
 public class Demo2 extends Actor {
     private final RobotServices robot1; // [1] two references to the services class, made as actors
@@ -105,7 +106,10 @@ public class Demo2 extends Actor {
         }
     }
 
-    /** [4] A failure is not for ignoring; and what arrives after the colour that ended the state must not call live() again. */
+    /**
+     * [4] A failure is not for ignoring; and what arrives after the colour that ended the state must not call live()
+     * again.
+     */
     private static boolean failed(Throwable err) {
         if (err != null) {
             throw new IllegalStateException("a service failed", err);
@@ -113,7 +117,10 @@ public class Demo2 extends Actor {
         return false;
     }
 
-    /** [3] Fulfilled when every reference is at 2. A busy loop would hold the one thread on which the services are to set it. */
+    /**
+     * [3] Fulfilled when every reference is at 2. A busy loop would hold the one thread on which the services are to
+     * set it.
+     */
     private Promise<?> stopAll() {
         return Promise.all(List.of(
                 robot1.stop(atomicRefWF1),

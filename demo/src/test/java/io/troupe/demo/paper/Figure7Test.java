@@ -15,7 +15,10 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The paper's connection with robot 1, and the check that solves its first challenge: data are ready before a service begins. */
+/**
+ * The paper's connection with robot 1, and the check that solves its first challenge: data are ready before a service
+ * begins.
+ */
 @Timeout(60)
 class Figure7Test {
     @Test

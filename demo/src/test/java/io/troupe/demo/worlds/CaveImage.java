@@ -7,7 +7,10 @@ import java.util.ArrayDeque;
 import java.util.Random;
 import javax.imageio.ImageIO;
 
-/** Draws {@code cave.png}: random rock, rounded by letting each pixel join the majority around it, without closed pockets. */
+/**
+ * Draws {@code cave.png}: random rock, rounded by letting each pixel join the majority around it, without closed
+ * pockets.
+ */
 final class CaveImage {
     private static final int SIDE = 400;
     private static final int RIM = 6;

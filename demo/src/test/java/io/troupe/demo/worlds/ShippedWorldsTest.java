@@ -24,7 +24,10 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The worlds in {@code demo/worlds}: they can be read, offer what their configuration says, and robots can move in them. */
+/**
+ * The worlds in {@code demo/worlds}: they can be read, offer what their configuration says, and robots can move in
+ * them.
+ */
 class ShippedWorldsTest {
     private static final int TICKS_OF_10_SECONDS = 100;
 

@@ -7,7 +7,8 @@ import java.util.stream.Stream;
 /**
  * Whether the contenders simulate the same scene: what their robots sense after a second in which nobody drives.
  *
- * @param largestM the largest difference between a sonar reading of ours and one of another contender, grazing rays left out
+ * @param largestM the largest difference between a sonar reading of ours and one of another contender, grazing rays
+ *     left out
  * @param grazing rays that differ by more: they just touch a corner, which is a hit for one and a miss for another
  */
 record Agreement(double largestM, int grazing) {
@@ -22,8 +23,8 @@ record Agreement(double largestM, int grazing) {
     /**
      * Lets all contenders simulate a second.
      *
-     * <p><b>Errors.</b> {@link IllegalStateException} if readings differ by more than {@link #TOLERANCE_M} in more than one ray of 5,000, or two images by more than
-     * a column.
+     * <p><b>Errors.</b> {@link IllegalStateException} if readings differ by more than {@link #TOLERANCE_M} in more than
+     * one ray of 5,000, or two images by more than a column.
      */
     static Agreement check(int robotCount) {
         WorldSpec spec = TiledScene.of(robotCount);

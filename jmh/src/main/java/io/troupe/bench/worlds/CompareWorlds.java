@@ -14,8 +14,9 @@ import java.util.TreeMap;
 /**
  * Our simulator against two physics engines with the same robots on top.
  *
- * <p><b>Role.</b> Every contender has a JVM of its own; they take turns of fixed wall-clock time in random order while the others wait, so that all see
- * the same machine. What counts is the ratio to ours in the same round.
+ * <p><b>Role.</b> Every contender has a JVM of its own; they take turns of fixed wall-clock time in random order while
+ * the others wait, so that all see the same machine. What counts is the ratio to ours in the same round.
+ *
  * <p><b>Errors.</b> Contenders that do not sense the same after a second, or that fail, end the comparison.
  */
 public final class CompareWorlds {

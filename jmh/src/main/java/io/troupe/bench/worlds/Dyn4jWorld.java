@@ -17,7 +17,10 @@ import org.dyn4j.world.PhysicsWorld;
 import org.dyn4j.world.World;
 import org.jspecify.annotations.Nullable;
 
-/** dyn4j with its tree and its rays. Sleep is off, since robots always move, and continuous collision too, since they are slow. */
+/**
+ * dyn4j with its tree and its rays. Sleep is off, since robots always move, and continuous collision too, since they
+ * are slow.
+ */
 final class Dyn4jWorld extends RayWorld {
     private final World<Body> world = new World<>();
     private final Body[] robots;

@@ -16,7 +16,10 @@ import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 
-/** jbox2d as it comes: its own tree, continuous collision as it is by default, its own rays. Only sleep is off, since robots always move. */
+/**
+ * jbox2d as it comes: its own tree, continuous collision as it is by default, its own rays. Only sleep is off, since
+ * robots always move.
+ */
 final class Jbox2dWorld extends RayWorld implements RayCastCallback {
     private final World world = new World(new Vec2(0, 0));
     private final Body[] robots;

@@ -13,8 +13,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A physics engine with robots on top: what somebody writes who has the engine and no simulator.
  *
- * <p>Nothing is allocated here for a step or a ray, and sines are taken once for a robot and interval; what the engine does for itself is its own. A camera casts all its columns, or, to be
- * sparse, only those in which a coloured object can be, as ours does.
+ * <p>Nothing is allocated here for a step or a ray, and sines are taken once for a robot and interval; what the engine
+ * does for itself is its own. A camera casts all its columns, or, to be sparse, only those in which a coloured object
+ * can be, as ours does.
  */
 abstract class RayWorld implements BenchWorld {
     static final int VELOCITY_ITERATIONS = 8;

@@ -1,6 +1,9 @@
 package io.troupe.bench.worlds;
 
-/** What all robots sensed last: {@link TiledScene#SONARS} ranges in metres, and how many columns of each half of the image see a coloured object. */
+/**
+ * What all robots sensed last: {@link TiledScene#SONARS} ranges in metres, and how many columns of each half of the
+ * image see a coloured object.
+ */
 final class Readings {
     private final double[] sonarM;
     final int[] colouredLeft;

@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The scene that everybody simulates: tiles of 16 m by 16 m, each with six wall boxes, three coloured objects and at most 64 robots, and four walls around
- * all of them. The middle is the origin.
+ * The scene that everybody simulates: tiles of 16 m by 16 m, each with six wall boxes, three coloured objects and at
+ * most 64 robots, and four walls around all of them. The middle is the origin.
  */
 final class TiledScene {
     static final int SONARS = 16;

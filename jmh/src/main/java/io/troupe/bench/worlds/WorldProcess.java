@@ -10,8 +10,9 @@ import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The main class of a contender's own JVM. It waits at its standard input for {@code retained <robots>}, answered by bytes per robot, {@code build <robots>},
- * {@code turn <millis>}, answered by a {@link WorldTurn}, and {@code drop}; the end of the input is the end of the process.
+ * The main class of a contender's own JVM. It waits at its standard input for {@code retained <robots>}, answered by
+ * bytes per robot, {@code build <robots>}, {@code turn <millis>}, answered by a {@link WorldTurn}, and {@code drop};
+ * the end of the input is the end of the process.
  */
 final class WorldProcess {
     private static final int COLLECTIONS = 4;

@@ -17,8 +17,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * One client behind a socket.
  *
- * <p><b>Threads.</b> Two platform threads of its own, one reads and one writes; {@link #close} from any thread. They are not virtual because virtual threads are not preempted: as
- * many clients as there are carriers, which send without a pause, would stop all others.
+ * <p><b>Threads.</b> Two platform threads of its own, one reads and one writes; {@link #close} from any thread. They
+ * are not virtual because virtual threads are not preempted: as many clients as there are carriers, which send without
+ * a pause, would stop all others.
+ *
  * <p><b>Errors.</b> Whatever goes wrong ends this session and no other, and is logged with the client's address.
  */
 final class ClientSession implements DataSink {
@@ -113,8 +115,9 @@ final class ClientSession implements DataSink {
     }
 
     /**
-     * Lets the kernel acknowledge what has arrived. A command has no reply that would carry the acknowledgement, and a client that collects small writes
-     * (Nagle, as Player's own clients do) holds its next request back until it comes: 40 ms for each tick in lock step.
+     * Lets the kernel acknowledge what has arrived. A command has no reply that would carry the acknowledgement, and a
+     * client that collects small writes (Nagle, as Player's own clients do) holds its next request back until it comes:
+     * 40 ms for each tick in lock step.
      */
     private void acknowledgeNow() throws IOException {
         if (socket.supportedOptions().contains(ExtendedSocketOptions.TCP_QUICKACK)) {
@@ -135,7 +138,10 @@ final class ClientSession implements DataSink {
         }
     }
 
-    /** Ends the session if a write has not got through for longer than the limit, or the client has never sent a message. */
+    /**
+     * Ends the session if a write has not got through for longer than the limit, or the client has never sent a
+     * message.
+     */
     void checkLimits(long nowNanos) {
         TcpServer.Settings settings = shared.settings();
         long since = writingSince.get();

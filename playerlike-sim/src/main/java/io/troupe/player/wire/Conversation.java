@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
  * Does what one client asks for and puts the replies into its outbox: one for each request, in their order.
  *
  * <p><b>Threads.</b> {@link #hear} on the thread that reads from the client; {@link #frame} on the server's.
+ *
  * <p><b>Errors.</b> What cannot be understood or done is refused if it is a request, else dropped and logged.
  */
 final class Conversation {
@@ -32,9 +33,7 @@ final class Conversation {
 
     private boolean pull;
 
-    /**
-     * @param host and robot: what stands in every address that the client sees
-     */
+    /** @param host and robot: what stands in every address that the client sees */
     Conversation(String peer, PlayerConnection line, Outbox outbox, int host, int robot) {
         this.peer = peer;
         this.line = line;

@@ -9,8 +9,8 @@ import static java.util.Objects.requireNonNull;
  */
 public sealed interface DeviceRequest {
     /**
-     * The property of a position2d that says for how many milliseconds, on the server's clock, a speed that this client sends holds; 0 = until
-     * another command, as Player has it.
+     * The property of a position2d that says for how many milliseconds, on the server's clock, a speed that this client
+     * sends holds; 0 = until another command, as Player has it.
      */
     String COMMAND_LIMIT_KEY = "troupe_command_limit_ms";
 

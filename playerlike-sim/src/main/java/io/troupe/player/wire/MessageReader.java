@@ -9,7 +9,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Cuts a stream of bytes into messages.
  *
- * <p><b>Errors.</b> After a {@link WireException} nobody knows where the next message begins: the stream is of no use any more.
+ * <p><b>Errors.</b> After a {@link WireException} nobody knows where the next message begins: the stream is of no use
+ * any more.
+ *
  * <p><b>Cost.</b> Takes memory for bytes that have arrived, not for those that a header announces.
  */
 final class MessageReader {

@@ -11,10 +11,14 @@ import org.jspecify.annotations.Nullable;
  * The requests a client has sent and got no reply to.
  *
  * <p><b>Threads.</b> Any thread.
- * <p><b>Order.</b> A reply belongs to the request whose sequence number it repeats. The drivers of a real server send 0 instead: such a reply belongs to the oldest request of the same
- * device and subtype, requests that were given up included, as a driver answers in order. So a late reply goes to no later request. If such a server has dropped a request, each later one of the same kind
- * fails, since its reply cannot be told from the late one of the request before, until there has been none of them, and no reply to one, for {@link #QUIET}: then those that were given up are forgotten.
- * A reply that is later than that, or that more than {@value #MOST_GIVEN_UP} later failures have outlived, may go to a wrong request.
+ *
+ * <p><b>Order.</b> A reply belongs to the request whose sequence number it repeats. The drivers of a real server send 0
+ * instead: such a reply belongs to the oldest request of the same device and subtype, requests that were given up
+ * included, as a driver answers in order. So a late reply goes to no later request. If such a server has dropped a
+ * request, each later one of the same kind fails, since its reply cannot be told from the late one of the request
+ * before, until there has been none of them, and no reply to one, for {@link #QUIET}: then those that were given up are
+ * forgotten. A reply that is later than that, or that more than {@value #MOST_GIVEN_UP} later failures have outlived,
+ * may go to a wrong request.
  */
 final class OpenRequests {
     /** Requests that were given up are forgotten, the oldest first, when there are more. */

@@ -18,10 +18,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * What a server has to tell one client: data, which wait in pull mode until they are asked for, and replies.
  *
- * <p><b>Threads.</b> Any thread; only {@link #take} and {@link #awaitRoom} wait. {@link #frame} and {@link #close} never wait for the lock, which the threads of
- * the connection hold and queue for: a frame is put down beside it and taken in by the thread that holds the lock now or gets it next.
+ * <p><b>Threads.</b> Any thread; only {@link #take} and {@link #awaitRoom} wait. {@link #frame} and {@link #close}
+ * never wait for the lock, which the threads of the connection hold and queue for: a frame is put down beside it and
+ * taken in by the thread that holds the lock now or gets it next.
+ *
  * <p><b>Order.</b> As it was put in, except that the reply to a request for data precedes the data.
- * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages wait, and whoever reads the client's requests waits while {@value #MAX_REPLY_BYTES} bytes of replies do.
+ *
+ * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages wait, and whoever reads the client's requests waits while
+ * {@value #MAX_REPLY_BYTES} bytes of replies do.
  */
 final class Outbox {
     static final int MAX_DATA = 1024;
@@ -41,7 +45,10 @@ final class Outbox {
     private final Queue<Arrival> arrived = new ConcurrentLinkedQueue<>();
     private final AtomicInteger arrivedCount = new AtomicInteger();
     private final AtomicInteger dropped = new AtomicInteger();
-    /** For the thread that writes: there may be something to send. Releasing never waits, as a condition of the lock would. */
+    /**
+     * For the thread that writes: there may be something to send. Releasing never waits, as a condition of the lock
+     * would.
+     */
     private final Semaphore news = new Semaphore(0);
     /** For the thread that reads: replies may have been taken. */
     private final Semaphore room = new Semaphore(0);
@@ -66,8 +73,8 @@ final class Outbox {
     // ---- what the devices say
 
     /**
-     * Puts a frame's messages in, without waiting. A client in pull mode that asks for data gets the end of a frame even if its rules leave nothing of it: like
-     * every other frame, it is answered by asking again.
+     * Puts a frame's messages in, without waiting. A client in pull mode that asks for data gets the end of a frame
+     * even if its rules leave nothing of it: like every other frame, it is answered by asking again.
      *
      * @param messages of devices at the addresses that the client knows
      */
@@ -190,8 +197,8 @@ final class Outbox {
     }
 
     /**
-     * A request for data: returns the tick that the client answers by it, the newest whose frame has ended. Data that went out before a reply are no frame yet: their end
-     * comes now, and asking once more answers them.
+     * A request for data: returns the tick that the client answers by it, the newest whose frame has ended. Data that
+     * went out before a reply are no frame yet: their end comes now, and asking once more answers them.
      */
     long ask(Message reply) {
         return under(() -> {

@@ -9,8 +9,9 @@ import java.time.Duration;
 import java.util.function.Supplier;
 
 /**
- * The input of a socket whose reads time out again and again, which is no reason to stop reading: when nothing has come for half of a limit the server is asked for a sign of life, and when
- * nothing comes for another half it is reported as silent, once.
+ * The input of a socket whose reads time out again and again, which is no reason to stop reading: when nothing has come
+ * for half of a limit the server is asked for a sign of life, and when nothing comes for another half it is reported as
+ * silent, once.
  *
  * <p><b>Threads.</b> The one that reads.
  */

@@ -24,10 +24,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * A client's line to a server behind a socket.
  *
- * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends when the line is closed.
- * Every call but {@link #close} returns within the client's limit, one for sending and for waiting for the reply together, also if the server does not read what is sent to it, and ends when its thread is
- * interrupted; the line stays as it is then. No call here waits for data. On an actor space, data are asked for when nothing is left to do there, which no call of the program sees: if that fails, the line is lost.
- * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the reply is seen.
+ * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends
+ * when the line is closed. Every call but {@link #close} returns within the client's limit, one for sending and for
+ * waiting for the reply together, also if the server does not read what is sent to it, and ends when its thread is
+ * interrupted; the line stays as it is then. No call here waits for data. On an actor space, data are asked for when
+ * nothing is left to do there, which no call of the program sees: if that fails, the line is lost.
+ *
+ * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the
+ * reply is seen.
  */
 final class RemoteLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
@@ -353,8 +357,9 @@ final class RemoteLine implements PlayerConnection {
     }
 
     /**
-     * A call that fails by the loss of the server has told the sink first, as the thread that has met the loss may be just about to: a program finds no call that still works after one
-     * that said that the server has gone, whether it asks the line or the sink.
+     * A call that fails by the loss of the server has told the sink first, as the thread that has met the loss may be
+     * just about to: a program finds no call that still works after one that said that the server has gone, whether it
+     * asks the line or the sink.
      */
     private void checkOpen() {
         End ended = end.get();
@@ -412,7 +417,10 @@ final class RemoteLine implements PlayerConnection {
         return silenceLimit;
     }
 
-    /** Asks for something that every server answers at once; on a thread of its own, as sending may have to wait, and a platform thread, as virtual ones may have no carrier. */
+    /**
+     * Asks for something that every server answers at once; on a thread of its own, as sending may have to wait, and a
+     * platform thread, as virtual ones may have no carrier.
+     */
     void askForSign() {
         Thread.ofPlatform().daemon().name("player-ask-" + name).start(() -> {
             Content question = PlayerMessages.encode(new PlayerRequest.DeviceList());

@@ -9,7 +9,9 @@ import java.lang.System.Logger.Level;
  * Reads what a server sends: frames go to the line, replies to whoever waits for them.
  *
  * <p><b>Threads.</b> The one that runs it, which ends with the connection.
- * <p><b>Errors.</b> A message that cannot be understood is left out and logged; bytes that are no messages end the line.
+ *
+ * <p><b>Errors.</b> A message that cannot be understood is left out and logged; bytes that are no messages end the
+ * line.
  */
 final class RemoteReader implements Runnable {
     private static final System.Logger LOG = System.getLogger(RemoteReader.class.getName());

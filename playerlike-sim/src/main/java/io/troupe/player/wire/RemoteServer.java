@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * A Player server behind a socket: one of ours, or a real one of Player 3.
  *
  * <p><b>Errors.</b> {@link LineClosedException} when no connection comes about.
+ *
  * <p><b>Source.</b> Player 3 protocol over TCP.
  */
 public final class RemoteServer implements PlayerServer {

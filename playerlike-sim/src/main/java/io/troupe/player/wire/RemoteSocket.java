@@ -23,8 +23,11 @@ import org.jspecify.annotations.Nullable;
  * A client's socket, on which nothing waits for ever: neither connecting nor sending to a server that does not read.
  *
  * <p><b>Threads.</b> One thread reads; any thread sends and closes.
- * <p><b>Errors.</b> A send that does not get through throws, {@link SocketTimeoutException} after its limit and {@link InterruptedIOException} when its thread is interrupted, and leaves
- * the socket usable. Its {@code bytesTransferred} is how much of the message was sent: 0 if the server will never see it; else the rest goes out before the next message.
+ *
+ * <p><b>Errors.</b> A send that does not get through throws, {@link SocketTimeoutException} after its limit and
+ * {@link InterruptedIOException} when its thread is interrupted, and leaves the socket usable. Its
+ * {@code bytesTransferred} is how much of the message was sent: 0 if the server will never see it; else the rest goes
+ * out before the next message.
  */
 final class RemoteSocket implements AutoCloseable {
     private static final Clock CLOCK = Clock.system();
@@ -57,7 +60,10 @@ final class RemoteSocket implements AutoCloseable {
         channel.register(readable, SelectionKey.OP_READ);
     }
 
-    /** From now on a read, one that waits already too, throws {@link SocketTimeoutException} when nothing comes for so long; the socket can be read on. Zero for none. */
+    /**
+     * From now on a read, one that waits already too, throws {@link SocketTimeoutException} when nothing comes for so
+     * long; the socket can be read on. Zero for none.
+     */
     void timeOutReads(Duration timeout) {
         readTimeoutNanos = timeout.toNanos();
         readable.wakeup();

@@ -25,15 +25,24 @@ import org.jspecify.annotations.Nullable;
 /**
  * Offers the devices of one in-process port to Player clients behind sockets.
  *
- * <p><b>Role.</b> One TCP port is one robot's or world's set of devices. Closing it disconnects its clients and leaves the devices open.
- * <p><b>Threads.</b> Any thread. Daemon platform threads of its own: one accepts, one watches the limits, two serve each client. None of the devices' threads ever waits for a
- * client, and however many clients send without a pause, at most half of the processors (at least one) handle their messages at a time, one message of each in turn.
- * <p><b>Order.</b> Replies come in the order of the requests. A pull client answers a tick by asking for data after it has got that tick's frame
- * (lock step); a push client never answers.
- * <p><b>Cost.</b> Per client two threads, at most 1024 messages of data (those of lasers are large) and some 130 kB of replies; what does not fit is dropped, counted, and told to
- * pull clients. There is a limit on clients, {@link Settings#maxClients}; more of them are disconnected at once, which is logged at most once in a second.
- * <p><b>Errors.</b> A client that sends garbage, vanishes, never says anything, or does not read for 30 seconds loses its own connection only; it is logged. The server goes on
- * accepting whatever accepting throws, also when the machine is short of file descriptors, threads or memory.
+ * <p><b>Role.</b> One TCP port is one robot's or world's set of devices. Closing it disconnects its clients and leaves
+ * the devices open.
+ *
+ * <p><b>Threads.</b> Any thread. Daemon platform threads of its own: one accepts, one watches the limits, two serve
+ * each client. None of the devices' threads ever waits for a client, and however many clients send without a pause, at
+ * most half of the processors (at least one) handle their messages at a time, one message of each in turn.
+ *
+ * <p><b>Order.</b> Replies come in the order of the requests. A pull client answers a tick by asking for data after it
+ * has got that tick's frame (lock step); a push client never answers.
+ *
+ * <p><b>Cost.</b> Per client two threads, at most 1024 messages of data (those of lasers are large) and some 130 kB of
+ * replies; what does not fit is dropped, counted, and told to pull clients. There is a limit on clients,
+ * {@link Settings#maxClients}; more of them are disconnected at once, which is logged at most once in a second.
+ *
+ * <p><b>Errors.</b> A client that sends garbage, vanishes, never says anything, or does not read for 30 seconds loses
+ * its own connection only; it is logged. The server goes on accepting whatever accepting throws, also when the machine
+ * is short of file descriptors, threads or memory.
+ *
  * <p><b>Source.</b> Player 3 protocol over TCP. It knows no authentication: whoever reaches the port drives the robots.
  */
 public final class TcpServer implements AutoCloseable {
@@ -75,8 +84,8 @@ public final class TcpServer implements AutoCloseable {
         }
 
         /**
-         * As many clients as this machine bears: one for every second file descriptor that the process has left (a client takes one), at most 1,000; 30 seconds for a write,
-         * 60 for the first message.
+         * As many clients as this machine bears: one for every second file descriptor that the process has left (a
+         * client takes one), at most 1,000; 30 seconds for a write, 60 for the first message.
          *
          * @param servers how many servers share the file descriptors
          */
@@ -103,7 +112,8 @@ public final class TcpServer implements AutoCloseable {
     /**
      * What the sessions of a server have in common.
      *
-     * @param handling has a permit for each message that may be handled at a time; fair, so that no client waits longer than for one message of each other
+     * @param handling has a permit for each message that may be handled at a time; fair, so that no client waits longer
+     *     than for one message of each other
      */
     record Shared(Settings settings, Clock clock, Semaphore handling) {
         Shared(Settings settings, Clock clock) {
@@ -111,7 +121,10 @@ public final class TcpServer implements AutoCloseable {
         }
     }
 
-    /** Lines that may be many: logged at most once in a second, with the number of those left out. Belongs to one thread. */
+    /**
+     * Lines that may be many: logged at most once in a second, with the number of those left out. Belongs to one
+     * thread.
+     */
     private static final class SparseLog {
         private final Clock clock;
         private boolean logged;

@@ -8,7 +8,9 @@ import java.util.List;
 /**
  * Reads a payload from front to back, by Player's rules of XDR.
  *
- * <p><b>Errors.</b> A {@link WireException} wherever a field does not fit; a count is believed only as far as there are bytes for it.
+ * <p><b>Errors.</b> A {@link WireException} wherever a field does not fit; a count is believed only as far as there are
+ * bytes for it.
+ *
  * <p><b>Source.</b> RFC 4506; Player writes the count of an array twice.
  */
 final class XdrReader {

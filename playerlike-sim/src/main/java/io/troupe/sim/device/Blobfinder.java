@@ -10,14 +10,14 @@ import java.util.stream.IntStream;
 /**
  * A robot's camera: one ray per image column; neighbouring columns of one colour are a blob.
  *
- * <p>A column sees the first visible thing within range, past the robot that carries the camera. What is not to be reported still
- * hides what is behind it. Columns where nothing is in range belong to no blob.
+ * <p>A column sees the first visible thing within range, past the robot that carries the camera. What is not to be
+ * reported still hides what is behind it. Columns where nothing is in range belong to no blob.
  *
  * <p><b>Cost.</b> A camera that reports only some colours casts only the columns in which such a thing can be.
- * <p><b>Units and shapes.</b> Column {@code i} of {@code n} looks along its centre, at the angle
- * {@code fov / 2 - (i + 0.5) * fov / n} left of the camera's heading. There is no third dimension: every thing counts as
- * 0.3 m high above and below the camera, seen at its mean distance, and rows are as tall as
- * {@code fov / heightPx}.
+ *
+ * <p><b>Units and shapes.</b> Column {@code i} of {@code n} looks along its centre, at the angle {@code fov / 2 - (i +
+ * 0.5) * fov / n} left of the camera's heading. There is no third dimension: every thing counts as 0.3 m high above and
+ * below the camera, seen at its mean distance, and rows are as tall as {@code fov / heightPx}.
  */
 public final class Blobfinder {
     private static final double HALF_HEIGHT_M = 0.3;

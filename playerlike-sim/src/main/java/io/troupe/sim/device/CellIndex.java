@@ -2,7 +2,10 @@ package io.troupe.sim.device;
 
 import java.util.Arrays;
 
-/** Which segments pass through which cell of a grid: those of cell {@code c} are {@code items[start[c]] .. items[start[c + 1]]}. */
+/**
+ * Which segments pass through which cell of a grid: those of cell {@code c} are {@code items[start[c]] .. items[start[c
+ * + 1]]}.
+ */
 final class CellIndex {
     /** A segment on the line between two cells belongs to both. */
     private static final double MARGIN_M = 1e-9;
@@ -32,7 +35,10 @@ final class CellIndex {
         visit(false);
     }
 
-    /** Counting leaves in {@code start[c]} where cell {@code c} ends; filling, from the last segment back, where it starts. */
+    /**
+     * Counting leaves in {@code start[c]} where cell {@code c} ends; filling, from the last segment back, where it
+     * starts.
+     */
     private void visit(boolean counting) {
         for (int s = segments.count - 1; s >= 0; s--) {
             double toX = segments.x(s) + segments.dx(s);

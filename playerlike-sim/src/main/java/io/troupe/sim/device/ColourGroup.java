@@ -4,7 +4,10 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 
-/** The visible things of one colour, each in a circle that holds it, sorted by x so that those near a camera are found quickly. */
+/**
+ * The visible things of one colour, each in a circle that holds it, sorted by x so that those near a camera are found
+ * quickly.
+ */
 final class ColourGroup {
     /** Circles are taken larger by this, far more than rounding can do. */
     private static final double MARGIN_M = 1e-6;

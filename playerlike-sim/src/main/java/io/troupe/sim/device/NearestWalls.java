@@ -6,8 +6,8 @@ import java.util.List;
 /**
  * Finds how near the nearest of many walls is, by looking into the cells around a body, the near ones first.
  *
- * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> The walls that share a cell of two metres with the body or with the rings of cells around it, until what is nearer than the next
- * ring has been found; allocates nothing.
+ * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> The walls that share a cell of two metres with the body or with
+ * the rings of cells around it, until what is nearer than the next ring has been found; allocates nothing.
  */
 final class NearestWalls {
     private static final double CELL_M = 2;

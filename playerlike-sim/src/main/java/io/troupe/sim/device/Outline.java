@@ -8,6 +8,7 @@ import java.util.List;
  * A body's edge, placed in the world.
  *
  * <p><b>Threads.</b> One thread at a time.
+ *
  * <p><b>Cost.</b> Moving it and measuring from it allocate nothing.
  */
 public final class Outline {

@@ -6,13 +6,16 @@ import io.troupe.sim.scenario.Pose;
 /**
  * A robot's odometry, counted from wherever it was last set: exact, or off by a fixed proportion of every move.
  *
- * <p>Exact odometry follows from where the robot is, so it notices when somebody puts the robot elsewhere (Stage's {@code gps}); the other kind counts only
- * what the robot drives (Stage's {@code odom}).
+ * <p>Exact odometry follows from where the robot is, so it notices when somebody puts the robot elsewhere (Stage's
+ * {@code gps}); the other kind counts only what the robot drives (Stage's {@code odom}).
  *
  * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> {@link #sense} allocates nothing.
  */
 public final class Position2d {
-    /** Metres or radians to which odometry can be set: sums with larger ones are coarser than a micrometre, and some are infinite. */
+    /**
+     * Metres or radians to which odometry can be set: sums with larger ones are coarser than a micrometre, and some are
+     * infinite.
+     */
     public static final double FARTHEST = 1e9;
 
     private static final double FULL_TURN_RAD = 2 * StrictMath.PI;

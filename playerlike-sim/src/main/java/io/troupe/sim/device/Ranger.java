@@ -13,6 +13,7 @@ import java.util.function.DoubleUnaryOperator;
  * A laser or a ranger: all its sensors, each a fan of rays from right to left.
  *
  * <p><b>Units and shapes.</b> Metres; the readings of the sensors follow one another in the order of the specification.
+ *
  * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> A reading allocates nothing.
  */
 public final class Ranger {
@@ -23,7 +24,8 @@ public final class Ranger {
     /**
      * A ranger as specified.
      *
-     * @param draw for a bound, an evenly spread number from minus to plus that bound; drawn from only by sensors with noise
+     * @param draw for a bound, an evenly spread number from minus to plus that bound; drawn from only by sensors with
+     *     noise
      */
     public Ranger(RangerSpec spec, DoubleUnaryOperator draw) {
         this.spec = spec;
@@ -51,7 +53,8 @@ public final class Ranger {
     /**
      * Reads all rays, past the robot that carries the ranger.
      *
-     * @param into receives {@link #size} ranges: from the sensor to what its ray hits, the greatest range if it hits nothing, the least if it is nearer
+     * @param into receives {@link #size} ranges: from the sensor to what its ray hits, the greatest range if it hits
+     *     nothing, the least if it is nearer
      */
     public void read(Scene scene, int robot, Scratch scratch, double[] into) {
         int from = 0;
@@ -68,7 +71,10 @@ public final class Ranger {
         return Arrays.stream(ranges).boxed().toList();
     }
 
-    /** The directions of a sensor's rays from where it looks, left positive, from the right end of its field of view to the left end. */
+    /**
+     * The directions of a sensor's rays from where it looks, left positive, from the right end of its field of view to
+     * the left end.
+     */
     public static double[] directionsRad(RangeSensorSpec sensor) {
         double[] directions = new double[sensor.samples()];
         if (directions.length > 1) {
@@ -149,7 +155,10 @@ public final class Ranger {
             }
         }
 
-        /** Draws as often for a ray that hits nothing, so that what one ray meets does not change the errors of the others. */
+        /**
+         * Draws as often for a ray that hits nothing, so that what one ray meets does not change the errors of the
+         * others.
+         */
         private double noisy(double rangeM) {
             double constantM = draw.applyAsDouble(spec.noise().constantM() / 2);
             double proportional = draw.applyAsDouble(spec.noise().proportional() / 2);

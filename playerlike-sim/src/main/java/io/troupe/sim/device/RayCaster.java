@@ -3,8 +3,8 @@ package io.troupe.sim.device;
 /**
  * Finds the first segment on a ray by walking through the cells the ray crosses.
  *
- * <p>Only a segment's outer side stops a ray: one that starts inside a body does not see that body. Of things at the same distance
- * the one whose segment comes first is hit, a fixed one before a moving one.
+ * <p>Only a segment's outer side stops a ray: one that starts inside a body does not see that body. Of things at the
+ * same distance the one whose segment comes first is hit, a fixed one before a moving one.
  */
 final class RayCaster {
     /** A ray through the corner where two segments meet must not slip between them. */

@@ -16,8 +16,12 @@ import java.util.Map;
  * Where everything is: what the devices look at.
  *
  * <p><b>Role.</b> Answers rays and distances exactly, in double precision, whatever the physics does.
+ *
  * <p><b>Order.</b> {@link #place} every robot that moved, then {@link #refresh}, then read devices.
- * <p><b>Threads.</b> One thread at a time moves robots; while none does, several may read devices, each with its own {@link Scratch}.
+ *
+ * <p><b>Threads.</b> One thread at a time moves robots; while none does, several may read devices, each with its own
+ * {@link Scratch}.
+ *
  * <p><b>Cost.</b> A ray looks only at what shares a one-metre cell with it, and allocates nothing.
  */
 public final class Scene {
@@ -178,7 +182,10 @@ public final class Scene {
         }
     }
 
-    /** From the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there is none. */
+    /**
+     * From the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there
+     * is none.
+     */
     public double wallGapM(int robot) {
         return walls.gapM(robots[robot]);
     }

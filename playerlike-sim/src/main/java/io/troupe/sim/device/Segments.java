@@ -3,7 +3,8 @@ package io.troupe.sim.device;
 import java.util.Arrays;
 
 /**
- * Edges that stop rays: from a start point along a vector, the body to the left; each belongs to a thing, known by number.
+ * Edges that stop rays: from a start point along a vector, the body to the left; each belongs to a thing, known by
+ * number.
  *
  * <p>What a ray needs of one edge lies together in memory: rays spend most of their time waiting for it.
  */

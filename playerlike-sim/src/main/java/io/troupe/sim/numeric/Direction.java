@@ -3,9 +3,12 @@ package io.troupe.sim.numeric;
 /**
  * Cosine and sine of an angle, bit for bit those of {@link StrictMath}.
  *
- * <p><b>Role.</b> {@code StrictMath} reduces angles beyond a quarter of pi with the help of an array, which is garbage, and does it once for the cosine and once for the sine. This
- * does it once for both, without; angles beyond 5 rad it leaves to {@code StrictMath}.
+ * <p><b>Role.</b> {@code StrictMath} reduces angles beyond a quarter of pi with the help of an array, which is garbage,
+ * and does it once for the cosine and once for the sine. This does it once for both, without; angles beyond 5 rad it
+ * leaves to {@code StrictMath}.
+ *
  * <p><b>Threads.</b> One thread at a time.
+ *
  * <p><b>Source.</b> The reduction and the polynomials that {@code StrictMath} prescribes: those of fdlibm 5.3.
  */
 public final class Direction {

@@ -22,10 +22,13 @@ import org.jbox2d.pooling.normal.DefaultWorldPool;
 /**
  * How robots move and what they bump into.
  *
- * <p><b>Role.</b> Hides jbox2d. A robot drives exactly the arc it is told to while nothing is in its way; walls and other robots
- * hold it back, push it aside and rub (friction 0.3, no bounce).
+ * <p><b>Role.</b> Hides jbox2d. A robot drives exactly the arc it is told to while nothing is in its way; walls and
+ * other robots hold it back, push it aside and rub (friction 0.3, no bounce).
+ *
  * <p><b>Order.</b> All obstacles are added first, then the robots by index, then come the steps.
+ *
  * <p><b>Threads.</b> One thread at a time.
+ *
  * <p><b>Units and shapes.</b> SI. Bodies count as touching from a gap of {@link #SKIN_M} on, so a robot that drives
  * against a wall comes to rest between one and two centimetres before it.
  */
@@ -40,8 +43,9 @@ public final class Physics {
     public static final double MAX_TURN_RAD = Settings.maxRotation;
 
     /**
-     * The polygons of an obstacle that are nearest to the same point of a grid share a body there: jbox2d computes the area and
-     * the centre of a polygon in single precision from the origin of its body, and robots pass through one that is far from it.
+     * The polygons of an obstacle that are nearest to the same point of a grid share a body there: jbox2d computes the
+     * area and the centre of a polygon in single precision from the origin of its body, and robots pass through one
+     * that is far from it.
      */
     private static final double ANCHOR_SPACING_M = 32;
 
@@ -62,13 +66,17 @@ public final class Physics {
     /**
      * A world without bodies.
      *
-     * @param stepMicros so short that no robot travels farther in it than half of its smallest extent; in longer ones it may pass walls
+     * @param stepMicros so short that no robot travels farther in it than half of its smallest extent; in longer ones
+     *     it may pass walls
      */
     public Physics(int robotCount, int stepMicros) {
         this(robotCount, stepMicros, true);
     }
 
-    /** @param mayGlide whether robots that nothing is near may make their steps without jbox2d: that changes nothing but the time it takes */
+    /**
+     * @param mayGlide whether robots that nothing is near may make their steps without jbox2d: that changes nothing but
+     *     the time it takes
+     */
     Physics(int robotCount, int stepMicros, boolean mayGlide) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
@@ -82,7 +90,10 @@ public final class Physics {
         world.setContactListener(touches);
     }
 
-    /** Whether jbox2d's table of sines holds here what it holds on other machines; if not, trajectories may differ from theirs. */
+    /**
+     * Whether jbox2d's table of sines holds here what it holds on other machines; if not, trajectories may differ from
+     * theirs.
+     */
     public static boolean hasStandardSineTable() {
         return SineTable.STANDARD;
     }
@@ -238,7 +249,10 @@ public final class Physics {
         return new Pose(x(robot), y(robot), headingRad(robot));
     }
 
-    /** Whether something touches or overlaps the robot and keeps it from half of what it was told to do in the last 0.2 s. */
+    /**
+     * Whether something touches or overlaps the robot and keeps it from half of what it was told to do in the last 0.2
+     * s.
+     */
     public boolean stalled(int robot) {
         return (touches.touched(robot) || robots.get(robot).isHeld())
                 && robots.get(robot).heldBack();

@@ -12,9 +12,9 @@ import org.jbox2d.common.Vec2;
 /**
  * jbox2d's tree of boxes with the test of {@code moveProxy} put right.
  *
- * <p>Each body's box is stored with a margin (the fat box), so that a small move needs no work. The tree of jbox2d 2.2.1.1 tests
- * the wrong way round whether the fat box still holds the new one: it re-inserts at every step and stays idle in the one case
- * where it must act, when the new box has outgrown the fat one on all sides.
+ * <p>Each body's box is stored with a margin (the fat box), so that a small move needs no work. The tree of jbox2d
+ * 2.2.1.1 tests the wrong way round whether the fat box still holds the new one: it re-inserts at every step and stays
+ * idle in the one case where it must act, when the new box has outgrown the fat one on all sides.
  */
 final class RepairedTree implements BroadPhaseStrategy {
     private final DynamicTree tree = new DynamicTree();

@@ -11,9 +11,9 @@ import org.jbox2d.dynamics.BodyType;
 /**
  * One robot in jbox2d.
  *
- * <p>jbox2d counts in {@code float}, so its positions drift. This class keeps the pose of the centre of rotation in {@code double}:
- * while nothing touches the robot, each step aims the body exactly at the next point of the commanded arc and the pose is that
- * point; while something does, the pose is where the body went.
+ * <p>jbox2d counts in {@code float}, so its positions drift. This class keeps the pose of the centre of rotation in
+ * {@code double}: while nothing touches the robot, each step aims the body exactly at the next point of the commanded
+ * arc and the pose is that point; while something does, the pose is where the body went.
  */
 final class RobotBody {
     private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
@@ -133,8 +133,8 @@ final class RobotBody {
     }
 
     /**
-     * A robot that nothing is near makes its step without jbox2d, if it can, and sleeps through that of the others: the same sums in the
-     * same precision, so that the body ends in the same place.
+     * A robot that nothing is near makes its step without jbox2d, if it can, and sleeps through that of the others: the
+     * same sums in the same precision, so that the body ends in the same place.
      */
     private boolean glides(float moveX, float moveY, float turnRad) {
         float a = body.m_sweep.a + turnRad;

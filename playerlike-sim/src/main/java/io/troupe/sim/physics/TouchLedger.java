@@ -10,8 +10,9 @@ import org.jbox2d.dynamics.contacts.Contact;
 /**
  * Who touches whom. Bodies are known by id: robots from 0, obstacles after them.
  *
- * <p>jbox2d reports fixtures, and inside its step, where its world must be left alone: the callbacks only write to a buffer, and
- * {@link #settle} afterwards turns it into pairs of bodies. A body of several polygons touches once, however many of them do.
+ * <p>jbox2d reports fixtures, and inside its step, where its world must be left alone: the callbacks only write to a
+ * buffer, and {@link #settle} afterwards turns it into pairs of bodies. A body of several polygons touches once,
+ * however many of them do.
  */
 final class TouchLedger implements ContactListener {
     private static final long END = 1L << 63;

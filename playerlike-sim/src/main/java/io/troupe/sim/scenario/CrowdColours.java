@@ -6,7 +6,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Colours for the panels of a crowd's halls: named ones, each as far from all others as can be, and from those of walls and robots. */
+/**
+ * Colours for the panels of a crowd's halls: named ones, each as far from all others as can be, and from those of walls
+ * and robots.
+ */
 final class CrowdColours {
     private static final List<String> TAKEN = List.of("black", "orange", "white");
     private static final List<String> FIRST = List.of("blue", "red", "green");

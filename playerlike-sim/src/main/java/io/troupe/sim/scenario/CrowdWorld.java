@@ -6,13 +6,15 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /**
- * A world for any number of robots: square halls of 16 m, each with inner walls, three colours, or as many as one likes, and up to 64 robots.
+ * A world for any number of robots: square halls of 16 m, each with inner walls, three colours, or as many as one
+ * likes, and up to 64 robots.
  *
- * <p><b>Role.</b> The load of benchmarks and of runs with many robots. The text is in the classic dialect and needs no other
- * file, so that real Stage loads it too. The robots are called {@code robot1}, {@code robot2}, ..; each is a Pioneer 2DX with
- * sixteen sonars and a camera.
+ * <p><b>Role.</b> The load of benchmarks and of runs with many robots. The text is in the classic dialect and needs no
+ * other file, so that real Stage loads it too. The robots are called {@code robot1}, {@code robot2}, ..; each is a
+ * Pioneer 2DX with sixteen sonars and a camera.
  *
- * <p><b>Units and shapes.</b> The halls form a square around the origin. A hall is filled before the next one gets a robot.
+ * <p><b>Units and shapes.</b> The halls form a square around the origin. A hall is filled before the next one gets a
+ * robot.
  */
 public final class CrowdWorld {
     /** The length of a hall's side, from the middle of one wall to the middle of the opposite one. */
@@ -89,7 +91,8 @@ public final class CrowdWorld {
     }
 
     /**
-     * The world file with panels of so many colours along the walls of each hall, which are also what the cameras report.
+     * The world file with panels of so many colours along the walls of each hall, which are also what the cameras
+     * report.
      *
      * @param colours from 1 to {@value #MOST_COLOURS}
      */
@@ -124,7 +127,10 @@ public final class CrowdWorld {
         return ScenarioReader.readText(text(robots, colours), Path.of("crowd-" + robots + "-" + colours + ".world"));
     }
 
-    /** The colours of a hall with so many, {@code 0x00RRGGBB}: blue, red, green, and then what is as unlike all others as can be, walls and robots included. */
+    /**
+     * The colours of a hall with so many, {@code 0x00RRGGBB}: blue, red, green, and then what is as unlike all others
+     * as can be, walls and robots included.
+     */
     public static List<Integer> colours(int count) {
         return names(count).stream().map(Colours.byName()::get).toList();
     }

@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
  * Which Stage a world is written for.
  *
  * <p>Nothing in a file says so; what it uses does. A {@code sensor} in a ranger, {@code velocity_bounds} and
- * {@code acceleration_bounds} are Stage 4; {@code scount} of a ranger and the entity {@code laser} are classic; a world with
- * neither is classic. Macros that are not used do not count.
+ * {@code acceleration_bounds} are Stage 4; {@code scount} of a ranger and the entity {@code laser} are classic; a world
+ * with neither is classic. Macros that are not used do not count.
  */
 enum Dialect {
     /** Stage 2 and 3: odometry starts at zero, {@code ranger_return} is 0 or 1. */

@@ -92,8 +92,8 @@ final class DriveReader {
     }
 
     /**
-     * What odometry reports at the start: in the classic dialect it counts from {@code localization_origin}, which is the start
-     * pose unless the file says otherwise; in that of Stage 4 it is the global pose.
+     * What odometry reports at the start: in the classic dialect it counts from {@code localization_origin}, which is
+     * the start pose unless the file says otherwise; in that of Stage 4 it is the global pose.
      */
     Pose startOdometry(Entity position, Pose start) {
         if (dialect == Dialect.STAGE_4) {

@@ -25,7 +25,8 @@ public record DriveSpec(
     /**
      * The least and the greatest of a motion.
      *
-     * <p><b>Units and shapes.</b> m/s and rad/s of velocities, m/s² and rad/s² of accelerations; infinite where there is no limit.
+     * <p><b>Units and shapes.</b> m/s and rad/s of velocities, m/s² and rad/s² of accelerations; infinite where there
+     * is no limit.
      */
     public record Bounds(double leastForward, double mostForward, double leastTurn, double mostTurn) {
         public static final Bounds NONE = new Bounds(
@@ -38,8 +39,8 @@ public record DriveSpec(
         record Gps() implements Localization {}
 
         /**
-         * It adds up what the wheels do. Each run draws one error for each axis, evenly from plus or minus half of these, and
-         * is off by that share of every motion.
+         * It adds up what the wheels do. Each run draws one error for each axis, evenly from plus or minus half of
+         * these, and is off by that share of every motion.
          *
          * @param forward share of a motion along the robot's x axis
          * @param sideways share of a motion along its y axis

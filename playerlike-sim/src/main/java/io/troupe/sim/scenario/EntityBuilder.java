@@ -77,7 +77,10 @@ final class EntityBuilder {
         return entity(inherited.isEmpty() ? Collections.unmodifiableMap(own) : new Layers(inherited, own));
     }
 
-    /** The same with a table of its own, so that the instances of a macro of a macro look into two tables and not into many. */
+    /**
+     * The same with a table of its own, so that the instances of a macro of a macro look into two tables and not into
+     * many.
+     */
     Entity buildMacro() {
         var all = new LinkedHashMap<>(inherited);
         all.keySet().removeAll(own.keySet());

@@ -13,15 +13,18 @@ import org.jspecify.annotations.Nullable;
 /**
  * Reads the grammar that world and configuration files share into a tree, without knowing any entity or property.
  *
- * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one;
- * {@code define new old ( .. )} makes a macro, also of a macro.
+ * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one; {@code define
+ * new old ( .. )} makes a macro, also of a macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;
     private static final int MOST_FILES = 1000;
     private static final int HIGHEST_INDEX = 1_000_000;
 
-    /** Each macro has a table of its own of what it takes from another; real worlds stay far below. Instances share the table of their macro. */
+    /**
+     * Each macro has a table of its own of what it takes from another; real worlds stay far below. Instances share the
+     * table of their macro.
+     */
     private static final long MOST_INHERITED = 1_000_000;
 
     /** All macros are checked, used or not, with those that stand in them. */

@@ -6,8 +6,8 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * What becomes of things in a file that need not stop its reading: what Stage or Player knows and is not simulated here is a
- * warning, what neither knows an error of a strict reader and a warning of a lenient one.
+ * What becomes of things in a file that need not stop its reading: what Stage or Player knows and is not simulated here
+ * is a warning, what neither knows an error of a strict reader and a warning of a lenient one.
  */
 final class Findings {
     /** More help nobody, and a file may hold as many as it has words. */

@@ -1,7 +1,8 @@
 package io.troupe.sim.scenario;
 
 /**
- * By how much odometry may miscount: for each run and robot one factor is drawn for each, evenly from plus or minus half of these, and holds for the whole run.
+ * By how much odometry may miscount: for each run and robot one factor is drawn for each, evenly from plus or minus
+ * half of these, and holds for the whole run.
  *
  * <p><b>Source.</b> Stage's {@code odom_error}, whose third number (z) has no meaning here.
  *

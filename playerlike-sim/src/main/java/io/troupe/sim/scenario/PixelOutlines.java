@@ -7,8 +7,8 @@ import java.util.List;
 /**
  * Follows the edges of a bitmap's dark regions.
  *
- * <p>Pixels belong together when they share an edge; two that share a corner only do not, so there the line turns round its
- * own pixel.
+ * <p>Pixels belong together when they share an edge; two that share a corner only do not, so there the line turns round
+ * its own pixel.
  */
 final class PixelOutlines {
     /** East, north, west, south. */

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads ranging devices: the entity {@code laser} of the classic dialect, and a {@code ranger} with its {@code sensor}s of that
- * of Stage 4.
+ * Reads ranging devices: the entity {@code laser} of the classic dialect, and a {@code ranger} with its {@code sensor}s
+ * of that of Stage 4.
  */
 final class RangerReader {
     private static final int MOST_SAMPLES = 10_000;

@@ -11,22 +11,24 @@ import java.util.function.Consumer;
 /**
  * Reads worlds in the Stage language, both dialects, and Player configuration files.
  *
- * <p><b>Role.</b> A world that uses {@code sensor}, {@code velocity_bounds} or {@code acceleration_bounds} is read as Stage 4 means
- * it: odometry starts at the global pose, speeds are limited to 1 m/s and 90 degrees/s unless the file says otherwise, and a
- * {@code ranger_return} of 0 is seen. Every other world is classic: odometry starts at zero, nothing limits the speed, and a
- * {@code ranger_return} of 0 is not seen. A world that mixes both is read as one of Stage 4, with a warning.
+ * <p><b>Role.</b> A world that uses {@code sensor}, {@code velocity_bounds} or {@code acceleration_bounds} is read as
+ * Stage 4 means it: odometry starts at the global pose, speeds are limited to 1 m/s and 90 degrees/s unless the file
+ * says otherwise, and a {@code ranger_return} of 0 is seen. Every other world is classic: odometry starts at zero,
+ * nothing limits the speed, and a {@code ranger_return} of 0 is not seen. A world that mixes both is read as one of
+ * Stage 4, with a warning.
  *
  * <p><b>Units and shapes.</b> Files speak degrees, records radians. Concave outlines have been cut into convex pieces,
- * clockwise ones turned round. The dark pixels of a bitmap (first channel at most 127 of 255) are walls; their bounding box fills
- * {@code size}. The world is flat: heights are read and play no part. Models on a robot are its cargo; bodies of sensors are left
- * out. A laser's {@code resolution} is read, and every sample is cast all the same.
+ * clockwise ones turned round. The dark pixels of a bitmap (first channel at most 127 of 255) are walls; their bounding
+ * box fills {@code size}. The world is flat: heights are read and play no part. Models on a robot are its cargo; bodies
+ * of sensors are left out. A laser's {@code resolution} is read, and every sample is cast all the same.
  *
- * <p><b>Errors.</b> {@link WorldFileException}, which begins with {@code file:line:column} where there is one: names that
- * neither Stage nor Player knows, wrong values, missing files, robots outside the walls. What steers Stage's window or its pace
- * is accepted without effect. What Stage or Player reads and is not simulated here is left out with a warning that has its place:
- * devices nobody can ask for here (fiducial, gripper, bumper, camera, ..), energy, programs in {@code ctrl}, other drivers and
- * interfaces of Player, a second ring of sonars. A lenient reader leaves out unknown names too, with a warning. A robot that
- * overlaps something at the start is worth a warning: it stalls there.
+ * <p><b>Errors.</b> {@link WorldFileException}, which begins with {@code file:line:column} where there is one: names
+ * that neither Stage nor Player knows, wrong values, missing files, robots outside the walls. What steers Stage's
+ * window or its pace is accepted without effect. What Stage or Player reads and is not simulated here is left out with
+ * a warning that has its place: devices nobody can ask for here (fiducial, gripper, bumper, camera, ..), energy,
+ * programs in {@code ctrl}, other drivers and interfaces of Player, a second ring of sonars. A lenient reader leaves
+ * out unknown names too, with a warning. A robot that overlaps something at the start is worth a warning: it stalls
+ * there.
  */
 public final class ScenarioReader {
     private ScenarioReader() {}
@@ -34,11 +36,11 @@ public final class ScenarioReader {
     /**
      * Reads a {@code .world} file with its {@code .cfg}, or a {@code .cfg} file with its world; warnings go to the log.
      *
-     * <p>For a world the configuration is the file of the same base name beside it, if it fits: one for another world or with an
-     * error in it is not used, which is a warning. Without one, every robot is
-     * offered on port 6665: the first as {@code position2d:0}, {@code sonar:0}, {@code laser:0}, {@code ranger:0} and
-     * {@code blobfinder:0} as far as it has them, the next with index 1, and so on; second and further lasers and rangers of
-     * one robot follow after all the first ones.
+     * <p>For a world the configuration is the file of the same base name beside it, if it fits: one for another world
+     * or with an error in it is not used, which is a warning. Without one, every robot is offered on port 6665: the
+     * first as {@code position2d:0}, {@code sonar:0}, {@code laser:0}, {@code ranger:0} and {@code blobfinder:0} as far
+     * as it has them, the next with index 1, and so on; second and further lasers and rangers of one robot follow after
+     * all the first ones.
      */
     public static Scenario read(Path file) {
         return read(file, Findings.logged());

@@ -6,12 +6,12 @@ import java.util.stream.Stream;
 /**
  * A body seen from above, in its own frame, origin at the pose point (a robot's centre of rotation).
  *
- * <p><b>Units and shapes.</b> Metres. What bodies bump into and what rays end at are the same area, said twice: as convex pieces
- * and as lines around it, because rays must not see where one piece ends and the next begins.
+ * <p><b>Units and shapes.</b> Metres. What bodies bump into and what rays end at are the same area, said twice: as
+ * convex pieces and as lines around it, because rays must not see where one piece ends and the next begins.
  *
  * @param polygons the area as pieces of 3 to 8 vertices, counter-clockwise, convex
- * @param outlines the lines around it, each closed by itself, the body to the left: counter-clockwise outside, clockwise around
- *     a hole
+ * @param outlines the lines around it, each closed by itself, the body to the left: counter-clockwise outside,
+ *     clockwise around a hole
  */
 public record Shape(List<List<Point>> polygons, List<List<Point>> outlines) {
     public Shape {

@@ -65,7 +65,9 @@ final class ShapeReader {
         return shape.at(units.pose(model, "origin"));
     }
 
-    /** What version 2 of Stage wrote as {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, as blocks. */
+    /**
+     * What version 2 of Stage wrote as {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, as blocks.
+     */
     private static List<Entity> outlinesOfStage2(Entity model, String word) {
         int count = model.whole(word + "s", 0);
         if (count < 0 || count > MOST_OUTLINES) {

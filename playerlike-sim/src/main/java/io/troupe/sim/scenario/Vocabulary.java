@@ -16,7 +16,9 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** The entity types and properties of both dialects of the Stage language and of Player's configuration files, as data. */
+/**
+ * The entity types and properties of both dialects of the Stage language and of Player's configuration files, as data.
+ */
 final class Vocabulary {
     /** Stands for a world file itself: its properties and entities at the top level. */
     static final String WORLD = "world file";

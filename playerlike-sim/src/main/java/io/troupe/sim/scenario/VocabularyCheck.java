@@ -21,8 +21,8 @@ final class VocabularyCheck {
     }
 
     /**
-     * Reports what is not in the vocabulary. Macros are checked too; what is known but has no effect is reported only where a
-     * macro is used, so that stock include files with more in them than a world needs can be read.
+     * Reports what is not in the vocabulary. Macros are checked too; what is known but has no effect is reported only
+     * where a macro is used, so that stock include files with more in them than a world needs can be read.
      */
     static void check(Document document, Findings findings) {
         var check = new VocabularyCheck(document, findings);

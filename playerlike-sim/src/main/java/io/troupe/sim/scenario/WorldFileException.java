@@ -1,6 +1,9 @@
 package io.troupe.sim.scenario;
 
-/** A world or configuration file that cannot be read; the message begins with {@code file:line:column} where one is known, and is cut short in its middle if need be. */
+/**
+ * A world or configuration file that cannot be read; the message begins with {@code file:line:column} where one is
+ * known, and is cut short in its middle if need be.
+ */
 public final class WorldFileException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -5,7 +5,10 @@ import io.troupe.player.structures.*;
 import io.troupe.player.structures.laser.*;
 import io.troupe.player.structures.ranger.*;
 
-/** Turns to where its laser sees most space, checks that the ranger says the same of the middle, and asks where it is in the world. */
+/**
+ * Turns to where its laser sees most space, checks that the ranger says the same of the middle, and asks where it is in
+ * the world.
+ */
 public class LaserDriver implements PlayerConstants {
     public static void main(String[] args) {
         PlayerClient client = new PlayerClient(args[0], Integer.parseInt(args[1]));

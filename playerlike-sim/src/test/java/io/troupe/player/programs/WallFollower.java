@@ -6,7 +6,10 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Finds a wall and keeps it to its left. Threaded; waits in empty loops; its sonar values are static, as beginners like them. */
+/**
+ * Finds a wall and keeps it to its left. Threaded; waits in empty loops; its sonar values are static, as beginners like
+ * them.
+ */
 public class WallFollower {
     static final float SONAR_MIN = 0.2f;
     static final float SONAR_MAX = 5.0f;

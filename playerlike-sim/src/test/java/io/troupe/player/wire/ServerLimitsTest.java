@@ -69,7 +69,10 @@ class ServerLimitsTest {
 
     // ---- clients that send without a pause
 
-    /** Threads that never block hold every carrier of virtual threads, as the readers of clients that send without a pause did. */
+    /**
+     * Threads that never block hold every carrier of virtual threads, as the readers of clients that send without a
+     * pause did.
+     */
     @Test
     void client_isServed_whileNoVirtualThreadCanRun() throws Exception {
         int carriers = Integer.getInteger(

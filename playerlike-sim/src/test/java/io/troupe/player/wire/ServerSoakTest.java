@@ -19,10 +19,12 @@ import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
 /**
- * A server under clients that send without a pause, ask without reading, send garbage, connect and leave, beside a good one in lock step, which has to get every frame in its order.
+ * A server under clients that send without a pause, ask without reading, send garbage, connect and leave, beside a good
+ * one in lock step, which has to get every frame in its order.
  *
- * <p>Short in every build: until the good client has had its frames and every other kind of client has got somewhere. {@code -Dsoak.minutes=10} makes it as long as that, and then says how
- * many frames there were, the longest time between two, and the heap in use.
+ * <p>Short in every build: until the good client has had its frames and every other kind of client has got somewhere.
+ * {@code -Dsoak.minutes=10} makes it as long as that, and then says how many frames there were, the longest time
+ * between two, and the heap in use.
  */
 class ServerSoakTest {
     private static final int FRAMES = 50;

@@ -34,7 +34,10 @@ class SilentServerTest implements PlayerConstants {
     private final ManualClock clock = new ManualClock();
     private Duration limit = Duration.ofSeconds(4);
 
-    /** Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end. The limit is four seconds. */
+    /**
+     * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end. The limit is four
+     * seconds.
+     */
     private PatientInput input(Integer... reads) {
         Queue<Integer> next = new ArrayDeque<>(List.of(reads));
         var in = new InputStream() {

@@ -16,7 +16,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * Damaged bytes lead to {@link WireException} and to nothing else. {@code -Dwire.fuzz=1000000} tries so many, {@code -Dwire.seed=7} with another seed.
+ * Damaged bytes lead to {@link WireException} and to nothing else. {@code -Dwire.fuzz=1000000} tries so many,
+ * {@code -Dwire.seed=7} with another seed.
  */
 class WireFuzzTest {
     private static final int CASES = Integer.getInteger("wire.fuzz", 200_000);

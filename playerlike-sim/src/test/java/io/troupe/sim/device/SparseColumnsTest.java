@@ -15,7 +15,10 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** A camera for some colours casts few of its columns; one for all colours casts every one: both must see the same, bit by bit. */
+/**
+ * A camera for some colours casts few of its columns; one for all colours casts every one: both must see the same, bit
+ * by bit.
+ */
 class SparseColumnsTest {
     private static final int[] COLOURS = {Specs.RED, Specs.GREEN, Specs.BLUE, Specs.ORANGE, Specs.BLACK};
 

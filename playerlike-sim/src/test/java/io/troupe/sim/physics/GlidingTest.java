@@ -12,7 +12,10 @@ import java.util.Random;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
-/** Robots that make their steps outside jbox2d end where it would have put them: two worlds, one with and one without it, bit for bit. */
+/**
+ * Robots that make their steps outside jbox2d end where it would have put them: two worlds, one with and one without
+ * it, bit for bit.
+ */
 class GlidingTest {
     private static final int STEP_MICROS = 10_000;
     private static final int TICKS = 150;

@@ -23,7 +23,9 @@ class RayOracleTest {
     private static final double REACH_M = 6;
     private static final int PLACES = 1_200;
     private static final int RAYS = 400;
-    /** jbox2d turns bodies by a table of sines: its answer must lie between those of our rays this much to both sides. */
+    /**
+     * jbox2d turns bodies by a table of sines: its answer must lie between those of our rays this much to both sides.
+     */
     private static final double GRAZING_RAD = 3e-5;
 
     @Test

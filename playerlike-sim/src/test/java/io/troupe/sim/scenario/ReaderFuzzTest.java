@@ -14,7 +14,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** All shipped worlds damaged at random, random words, damaged images: the answer is a scenario or a {@link WorldFileException}. */
+/**
+ * All shipped worlds damaged at random, random words, damaged images: the answer is a scenario or a
+ * {@link WorldFileException}.
+ */
 class ReaderFuzzTest {
     private static final long SEED = 20_260_303;
     private static final Path SHIPPED = Path.of("..", "demo", "worlds");

@@ -5,9 +5,12 @@ import java.util.Optional;
 /**
  * Turns away from what is in front, slowing down before it; has nothing to say while nothing is near.
  *
- * <p><b>Role.</b> A pure function of a memory and a reading, made to lie over another behaviour. It turns to one side until the way is free, so that it
- * gets out of corners, and then drives straight on for a moment, so that the layer below does not turn back at once.
- * <p><b>Order.</b> It never drives forward while one of sonars 1 to 6 (50 degrees to both sides) reads less than {@code nearM}.
+ * <p><b>Role.</b> A pure function of a memory and a reading, made to lie over another behaviour. It turns to one side
+ * until the way is free, so that it gets out of corners, and then drives straight on for a moment, so that the layer
+ * below does not turn back at once.
+ *
+ * <p><b>Order.</b> It never drives forward while one of sonars 1 to 6 (50 degrees to both sides) reads less than
+ * {@code nearM}.
  *
  * @param nearM turns in place when something is nearer
  * @param farM drives slower, and turns, when something is nearer

@@ -11,7 +11,9 @@ import java.util.stream.IntStream;
  * Picks the colour that a robot looks at.
  *
  * <p><b>Role.</b> A pure function of what the blobfinder sees.
- * <p><b>Source.</b> Paper, section 3.2 (colour finder); which of several blobs counts is our rule: the largest, and of equal ones the leftmost.
+ *
+ * <p><b>Source.</b> Paper, section 3.2 (colour finder); which of several blobs counts is our rule: the largest, and of
+ * equal ones the leftmost.
  */
 public final class ColourFinder {
     /** Anything smaller is taken for noise. */
@@ -25,7 +27,8 @@ public final class ColourFinder {
     }
 
     /**
-     * The colours of all patches that are large enough, those of higher priority first; of equal ones the largest, of equally large ones the leftmost.
+     * The colours of all patches that are large enough, those of higher priority first; of equal ones the largest, of
+     * equally large ones the leftmost.
      *
      * @param priority of a colour
      */

@@ -6,8 +6,9 @@ import java.util.Optional;
 /**
  * Drives to points, one after the other, by odometry: turns towards the next one, and slows down before it.
  *
- * <p><b>Role.</b> A pure function of a pose and of which goal is next. It does not see obstacles: put {@link Avoid} over it. It has nothing to say when
- * it is at the last goal.
+ * <p><b>Role.</b> A pure function of a pose and of which goal is next. It does not see obstacles: put {@link Avoid}
+ * over it. It has nothing to say when it is at the last goal.
+ *
  * <p><b>Source.</b> The usual proportional law for a differential drive: both speeds in proportion to what is left.
  *
  * @param goals visited in turn, at least one

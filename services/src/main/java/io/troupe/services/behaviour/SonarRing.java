@@ -3,8 +3,8 @@ package io.troupe.services.behaviour;
 /**
  * The readings of a Pioneer 2DX sonar ring, grouped as the control laws use them.
  *
- * <p><b>Units and shapes.</b> Metres, clamped to [{@value #MIN_M}, {@value #MAX_M}]. Sonars 0 to 7 look forward from left to right, at +90, +50, +30,
- * +10, -10, -30, -50 and -90 degrees; the ones behind are not used.
+ * <p><b>Units and shapes.</b> Metres, clamped to [{@value #MIN_M}, {@value #MAX_M}]. Sonars 0 to 7 look forward from
+ * left to right, at +90, +50, +30, +10, -10, -30, -50 and -90 degrees; the ones behind are not used.
  */
 public final class SonarRing {
     public static final double MIN_M = 0.2;

@@ -6,7 +6,9 @@ import java.util.Optional;
  * Drives where there is room, faster and straighter the more of it there is.
  *
  * <p><b>Role.</b> A pure function of a reading.
- * <p><b>Source.</b> Paper, section 3.2; the sonar groups, thresholds and limits are those of the example program it adapted.
+ *
+ * <p><b>Source.</b> Paper, section 3.2; the sonar groups, thresholds and limits are those of the example program it
+ * adapted.
  */
 public final class SpaceWanderer {
     private static final double NEAR_M = 0.5;

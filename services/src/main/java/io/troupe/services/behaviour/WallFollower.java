@@ -6,7 +6,9 @@ import java.util.Optional;
  * Drives to a wall, turns until it is on the left, and follows it.
  *
  * <p><b>Role.</b> A pure function of a memory and a reading; the caller keeps the memory from one cycle to the next.
- * <p><b>Source.</b> Paper, section 3.1, Tables 1 and 2, read as in ADR 0005: metres instead of centimetres, and "drive on while nothing is near".
+ *
+ * <p><b>Source.</b> Paper, section 3.1, Tables 1 and 2, read as in ADR 0005: metres instead of centimetres, and "drive
+ * on while nothing is near".
  */
 public final class WallFollower {
     /** Nearer than this in front, or farther on the left, makes it turn. */
@@ -20,7 +22,10 @@ public final class WallFollower {
     private static final Velocity AWAY_FROM_WALL = new Velocity(0.1, -0.15);
     private static final Velocity TOWARDS_WALL = new Velocity(0.1, 0.15);
 
-    /** Which way the robot moves while a wall ahead makes it turn right; the one number in which the paper and its model differ. */
+    /**
+     * Which way the robot moves while a wall ahead makes it turn right; the one number in which the paper and its model
+     * differ.
+     */
     public enum CornerStyle {
         /** Table 2 of the paper: it drives on at 0.1 m/s. */
         FORWARD(0.1),

@@ -61,7 +61,8 @@ final class ActorProvider<A> implements Provider {
         /**
          * Waits for its end.
          *
-         * @return fulfilled then; to be handed to {@link #unwatch} by one who leaves before, since connections come and go while a provider lives
+         * @return fulfilled then; to be handed to {@link #unwatch} by one who leaves before, since connections come and
+         *     go while a provider lives
          */
         Deferred<@Nullable Void> watch() {
             var watch = new Deferred<@Nullable Void>();

@@ -12,14 +12,19 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The actor as a service: actors of this process are published at a broker, and called through it by their own interfaces.
+ * The actor as a service: actors of this process are published at a broker, and called through it by their own
+ * interfaces.
  *
- * <p><b>Role.</b> One for a broker and a process. Who is published here can be called through {@link #connect} of the same object; an actor can be both publisher and
- * subscriber.
+ * <p><b>Role.</b> One for a broker and a process. Who is published here can be called through {@link #connect} of the
+ * same object; an actor can be both publisher and subscriber.
+ *
  * <p><b>Threads.</b> Any thread.
- * <p><b>Errors.</b> An actor's health is asked for by an entry in its space's queue, which comes back when everything sent there before is done: a space that hangs, or is
- * far behind, is noticed, but only by a broker on another space, since a broker on the same one hangs with it. An actor that stops, by whatever cause, is noticed
- * at once on every space. An actor whose message throws goes on, and is well, unless its {@link ActorSettings} say that it stops then.
+ *
+ * <p><b>Errors.</b> An actor's health is asked for by an entry in its space's queue, which comes back when everything
+ * sent there before is done: a space that hangs, or is far behind, is noticed, but only by a broker on another space,
+ * since a broker on the same one hangs with it. An actor that stops, by whatever cause, is noticed at once on every
+ * space. An actor whose message throws goes on, and is well, unless its {@link ActorSettings} say that it stops then.
+ *
  * <p><b>Source.</b> Paper, section 1: actors that expose services, each a publisher and a subscriber.
  */
 public final class ActorServices {
@@ -45,7 +50,8 @@ public final class ActorServices {
     }
 
     /**
-     * Publishes an actor that the broker spawns when it is needed. Its address is the service's name, with a number if it is not the first of this service.
+     * Publishes an actor that the broker spawns when it is needed. Its address is the service's name, with a number if
+     * it is not the first of this service.
      *
      * @param space where it will live
      * @param type an actor type; others connect to it by this interface, or one that it extends
@@ -57,7 +63,10 @@ public final class ActorServices {
         return broker.register(service, capabilities, address, provider(address, space, type, factory, named(address)));
     }
 
-    /** Publishes an actor that is there already. The broker watches it, but neither starts nor stops it: that is for whoever spawned it. */
+    /**
+     * Publishes an actor that is there already. The broker watches it, but neither starts nor stops it: that is for
+     * whoever spawned it.
+     */
     public <A> Promise<ServiceRecord> publishSpawned(
             ActorSpace space, String service, List<String> capabilities, A proxy) {
         Address address = nextAddress(service);
@@ -91,7 +100,8 @@ public final class ActorServices {
     /**
      * Connects to whoever provides a service now, and to whoever takes its place later.
      *
-     * @param type the interface by which it is called; its providers have to be published by it, or by one that extends it
+     * @param type the interface by which it is called; its providers have to be published by it, or by one that extends
+     *     it
      * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise}
      */
     public <A> ActorConnection<A> connect(Class<A> type, Need need, ConnectionSettings settings) {

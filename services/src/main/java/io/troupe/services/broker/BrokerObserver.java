@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Hears everything that happens at a broker.
  *
- * <p><b>Threads.</b> The broker's space; for what happens to calls through an actor connection, the connection's. What it throws is reported to that space's
- * error handler, and changes nothing.
+ * <p><b>Threads.</b> The broker's space; for what happens to calls through an actor connection, the connection's. What
+ * it throws is reported to that space's error handler, and changes nothing.
  */
 @FunctionalInterface
 public interface BrokerObserver {

@@ -11,10 +11,13 @@ import java.util.Objects;
  * @param missedChecks so many answers in a row that did not come in time make a suspect provider a failed one
  * @param startLimit how long a start may take
  * @param stopLimit how long a stop may take
- * @param hearLimit how long the broker waits, before it stops a provider that was replaced or withdrawn, for its users to hear of it
- * @param restartPause after this, a provider that has failed is started again if a connection waits for it; it doubles with every failure until it
- *     has run for {@code longestRestartPause}; zero = it is only tried again when somebody calls {@link Broker#require} or {@link Broker#connect}
- * @param longestRestartPause where the doubling ends; a provider that has run for so long is restarted after {@code restartPause} again
+ * @param hearLimit how long the broker waits, before it stops a provider that was replaced or withdrawn, for its users
+ *     to hear of it
+ * @param restartPause after this, a provider that has failed is started again if a connection waits for it; it doubles
+ *     with every failure until it has run for {@code longestRestartPause}; zero = it is only tried again when somebody
+ *     calls {@link Broker#require} or {@link Broker#connect}
+ * @param longestRestartPause where the doubling ends; a provider that has run for so long is restarted after
+ *     {@code restartPause} again
  * @param observer hears what happens
  */
 public record BrokerSettings(
@@ -27,7 +30,10 @@ public record BrokerSettings(
         Duration restartPause,
         Duration longestRestartPause,
         BrokerObserver observer) {
-    /** A check every second with a limit of a second, failed after three, 10 s for a start, 5 s for a stop, restarts after 1 s to 1 min; logs. */
+    /**
+     * A check every second with a limit of a second, failed after three, 10 s for a start, 5 s for a stop, restarts
+     * after 1 s to 1 min; logs.
+     */
     public static final BrokerSettings DEFAULT = new BrokerSettings(
             Duration.ofSeconds(1),
             Duration.ofSeconds(1),

@@ -19,7 +19,10 @@ interface Caller {
     /** The caller does not wait for the answer to that call any more. */
     Promise<@Nullable Void> giveUp(Call call);
 
-    /** Takes a callback that the next call passes on: as an argument of this message it has got its way back to its reader. */
+    /**
+     * Takes a callback that the next call passes on: as an argument of this message it has got its way back to its
+     * reader.
+     */
     void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into);
 
     /** Stands for a callback among the arguments of a call, until the caller's actor has taken it. */
@@ -63,8 +66,8 @@ interface Caller {
     }
 
     /**
-     * What a caller is given at once: settled as the connection answers. When the caller cancels it, or sets it a time limit that passes while nobody else waits, the
-     * connection learns of that.
+     * What a caller is given at once: settled as the connection answers. When the caller cancels it, or sets it a time
+     * limit that passes while nobody else waits, the connection learns of that.
      */
     final class Answer extends Promise<@Nullable Object> {
         private final ActorSpace home;

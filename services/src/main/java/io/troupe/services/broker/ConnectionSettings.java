@@ -7,7 +7,8 @@ import java.time.Duration;
  *
  * @param waitLimit how long a request waits while there is no provider
  * @param answerLimit how long a provider may take for a request; zero = as long as its provider lives
- * @param oneWayLimit how long a one-way call waits while there is no provider; short, since what it says may be out of date when there is one
+ * @param oneWayLimit how long a one-way call waits while there is no provider; short, since what it says may be out of
+ *     date when there is one
  * @param mostWaiting so many calls may wait while there is no provider; more are refused at once
  */
 public record ConnectionSettings(Duration waitLimit, Duration answerLimit, Duration oneWayLimit, int mostWaiting) {

@@ -157,8 +157,8 @@ final class Lifecycle {
     }
 
     /**
-     * A start of an earlier run has been answered when its limit was over. It is stopped, unless a later run goes on by now: then both are one life. While it is being
-     * started or stopped, what is to be done follows when that is over.
+     * A start of an earlier run has been answered when its limit was over. It is stopped, unless a later run goes on by
+     * now: then both are one life. While it is being started or stopped, what is to be done follows when that is over.
      */
     private void startedLate(Registration it, @Nullable Throwable error) {
         events.tell(new BrokerEvent.Late(it.toString(), "start", error));
@@ -243,7 +243,9 @@ final class Lifecycle {
         }
     }
 
-    /** Asks it to stop, and once more if a late start was answered meanwhile: it may have begun to run after the stop. */
+    /**
+     * Asks it to stop, and once more if a late start was answered meanwhile: it may have begun to run after the stop.
+     */
     private void stopAll(Registration it, Consumer<@Nullable Throwable> over) {
         it.startedLate = false;
         askToStop(it).handle((stopped, error) -> {

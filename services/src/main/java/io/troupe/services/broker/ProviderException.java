@@ -23,7 +23,10 @@ public final class ProviderException extends RuntimeException {
         this.overdue = overdue;
     }
 
-    /** For providers with a time limit of their own: one that has not answered within it. Any other rejection says that it has not done it, and will not. */
+    /**
+     * For providers with a time limit of their own: one that has not answered within it. Any other rejection says that
+     * it has not done it, and will not.
+     */
     public static ProviderException overdue(String message, @Nullable Throwable cause) {
         return new ProviderException(message, cause, true);
     }

@@ -20,10 +20,15 @@ final class Registration {
     /** Counts starts and ends, so that what belongs to an earlier run can be told. */
     int run;
 
-    /** Whether it may run: from the beginning of a start until it has said that it stopped, ended, or could not start. */
+    /**
+     * Whether it may run: from the beginning of a start until it has said that it stopped, ended, or could not start.
+     */
     boolean mayRun;
 
-    /** Whether a start of an earlier run has been answered since it was last asked to stop, so that it may run although it should not. */
+    /**
+     * Whether a start of an earlier run has been answered since it was last asked to stop, so that it may run although
+     * it should not.
+     */
     boolean startedLate;
 
     /** Whether another is being started in its place. */

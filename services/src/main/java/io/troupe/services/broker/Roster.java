@@ -69,7 +69,9 @@ final class Roster {
         leaving.remove(it);
     }
 
-    /** Those that have lost their place and may still run, with its address or its provider: it is started after them. */
+    /**
+     * Those that have lost their place and may still run, with its address or its provider: it is started after them.
+     */
     List<Registration> predecessors(Registration it) {
         return leaving.stream()
                 .filter(each -> each.address.equals(it.address) || each.provider == it.provider)

@@ -12,10 +12,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * The broker of one process.
  *
- * <p><b>Role.</b> An actor on a space; its time is that space's. Providers may live anywhere; a broker only notices that one hangs if it has a space, and so a thread, of its own.
- * <p><b>Order.</b> What one thread asks of it is done in that order; what takes time, such as a start, is not waited for by the next.
- * <p><b>Errors.</b> Everything that goes wrong is told to the observer of the settings, whoever else hears of it. When the space is closed before the broker, its observer
- * hears what may still run.
+ * <p><b>Role.</b> An actor on a space; its time is that space's. Providers may live anywhere; a broker only notices
+ * that one hangs if it has a space, and so a thread, of its own.
+ *
+ * <p><b>Order.</b> What one thread asks of it is done in that order; what takes time, such as a start, is not waited
+ * for by the next.
+ *
+ * <p><b>Errors.</b> Everything that goes wrong is told to the observer of the settings, whoever else hears of it. When
+ * the space is closed before the broker, its observer hears what may still run.
  */
 public final class ServiceBroker implements Broker {
     private final Registry registry;

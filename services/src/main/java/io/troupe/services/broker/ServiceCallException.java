@@ -3,8 +3,8 @@ package io.troupe.services.broker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A call through an {@link ActorConnection} that was not answered; the message names who called, which method, which provider, and why. What a provider itself
- * answers a call with, an error too, comes to the caller as it is.
+ * A call through an {@link ActorConnection} that was not answered; the message names who called, which method, which
+ * provider, and why. What a provider itself answers a call with, an error too, comes to the caller as it is.
  */
 public final class ServiceCallException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -16,7 +16,10 @@ public final class ServiceCallException extends RuntimeException {
         this.sent = sent;
     }
 
-    /** Whether it was sent to a provider, which may have done what was asked; if false, nobody has, and it can be repeated safely. */
+    /**
+     * Whether it was sent to a provider, which may have done what was asked; if false, nobody has, and it can be
+     * repeated safely.
+     */
     public boolean wasSent() {
         return sent;
     }

@@ -3,8 +3,10 @@ package io.troupe.services.bus;
 /**
  * Carries messages between components: by publish and subscribe, and by request and reply.
  *
- * <p><b>Role.</b> The seam between one process and many: {@code InProcessBus} is inside one; a distributed bus implements the same two interfaces. Nothing
- * that crosses it is a reference: addresses are names, messages are records of values.
+ * <p><b>Role.</b> The seam between one process and many: {@code InProcessBus} is inside one; a distributed bus
+ * implements the same two interfaces. Nothing that crosses it is a reference: addresses are names, messages are records
+ * of values.
+ *
  * <p><b>Source.</b> Paper, sections 2.1.2 and 2.2.3.
  */
 public interface Bus extends AutoCloseable {

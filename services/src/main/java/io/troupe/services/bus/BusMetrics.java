@@ -3,8 +3,8 @@ package io.troupe.services.bus;
 /**
  * How much a node of a bus has carried since it was opened.
  *
- * <p><b>Units and shapes.</b> Once all is quiet, {@code queued = delivered + failed + dropped + discarded}, and {@code asked = answered + refused + timedOut},
- * if no asker cancels.
+ * <p><b>Units and shapes.</b> Once all is quiet, {@code queued = delivered + failed + dropped + discarded}, and
+ * {@code asked = answered + refused + timedOut}, if no asker cancels.
  *
  * @param published values sent from here
  * @param queued copies of values put before subscribers here: one for each value and subscriber

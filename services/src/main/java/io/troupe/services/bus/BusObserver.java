@@ -3,7 +3,8 @@ package io.troupe.services.bus;
 /**
  * Watches a bus.
  *
- * <p><b>Threads.</b> Called on whichever thread sends, delivers, or finds out; it must not wait. <b>Errors.</b> What it throws is logged, and the bus goes on.
+ * <p><b>Threads.</b> Called on whichever thread sends, delivers, or finds out; it must not wait. <b>Errors.</b> What it
+ * throws is logged, and the bus goes on.
  */
 @FunctionalInterface
 public interface BusObserver {
@@ -16,7 +17,9 @@ public interface BusObserver {
     /** An answerer failed. The asker is told the error's name and message; the error itself stays here. */
     default void failed(Message question, Throwable error) {}
 
-    /** Logs losses as warnings; of the values that a subscription drops the first, the second, the fourth, and so on. */
+    /**
+     * Logs losses as warnings; of the values that a subscription drops the first, the second, the fourth, and so on.
+     */
     static BusObserver logging() {
         return new LoggingObserver();
     }

@@ -7,9 +7,13 @@ import java.util.function.Function;
 /**
  * One component's access to the bus.
  *
- * <p><b>Threads.</b> Any thread calls. What a subscriber or an answerer is given runs on the actor space on which it was registered.
+ * <p><b>Threads.</b> Any thread calls. What a subscriber or an answerer is given runs on the actor space on which it
+ * was registered.
+ *
  * <p><b>Order.</b> From one port to one subscriber, first in first out. At most once: a value is never delivered twice.
- * <p><b>Errors.</b> Nothing is lost silently: what cannot be delivered is told to the bus's observer, and rejects a question.
+ *
+ * <p><b>Errors.</b> Nothing is lost silently: what cannot be delivered is told to the bus's observer, and rejects a
+ * question.
  */
 public interface BusPort extends AutoCloseable {
     Address address();
@@ -25,13 +29,13 @@ public interface BusPort extends AutoCloseable {
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer);
 
     /**
-     * Asks. Once at most: nothing is repeated. The answerer is not told of the limit, nor that the asker has given up: it works on the question all the same. A
-     * question that is cancelled is forgotten here.
+     * Asks. Once at most: nothing is repeated. The answerer is not told of the limit, nor that the asker has given up:
+     * it works on the question all the same. A question that is cancelled is forgotten here.
      *
      * @param limit how long to wait, on the clock of the asker's space
-     * @return the answer; rejected with a {@link BusException} if nobody is at the address, or nobody there answers that operation; with a
-     *     {@link BusTimeoutException} if no answer comes within the limit (one that comes later is told to the bus's observer); with a {@link RemoteFailure} if the
-     *     answerer fails
+     * @return the answer; rejected with a {@link BusException} if nobody is at the address, or nobody there answers
+     *     that operation; with a {@link BusTimeoutException} if no answer comes within the limit (one that comes later
+     *     is told to the bus's observer); with a {@link RemoteFailure} if the answerer fails
      */
     <Q extends Record, A extends Record> Promise<A> ask(
             Address to, Operation<Q, A> operation, Q question, Duration limit);

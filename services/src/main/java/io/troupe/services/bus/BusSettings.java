@@ -6,9 +6,11 @@ import java.util.Objects;
 /**
  * How a node of a bus is made; immutable.
  *
- * @param space where those hear, answer and have their time limits who register or ask from outside every actor space; not closed by the bus
- * @param capacity how many messages wait before one subscriber, or before one answerer, at the most; an answerer may have begun as many questions that are not yet
- *     answered. One more makes the oldest of those from other nodes refused, since its asker may have given up unnoticed; if there is none, it is refused itself
+ * @param space where those hear, answer and have their time limits who register or ask from outside every actor space;
+ *     not closed by the bus
+ * @param capacity how many messages wait before one subscriber, or before one answerer, at the most; an answerer may
+ *     have begun as many questions that are not yet answered. One more makes the oldest of those from other nodes
+ *     refused, since its asker may have given up unnoticed; if there is none, it is refused itself
  * @param observer is told what is lost
  */
 public record BusSettings(ActorSpace space, int capacity, BusObserver observer) {

@@ -18,10 +18,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes out of a value what its sender could still change: its lists and maps. Refuses what cannot leave a process although its type can: null in a list or a map, and what
- * is nested too deep.
+ * Takes out of a value what its sender could still change: its lists and maps. Refuses what cannot leave a process
+ * although its type can: null in a list or a map, and what is nested too deep.
  *
- * <p><b>Cost.</b> Nothing for a record that has no lists, maps or records of its own type, at any depth; else reflection on those that have.
+ * <p><b>Cost.</b> Nothing for a record that has no lists, maps or records of its own type, at any depth; else
+ * reflection on those that have.
  */
 final class Detacher {
     /** How a record is taken apart and put together; null for one that needs neither. */

@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The messages that wait before one subscriber or one answerer, and their way to its space.
  *
- * <p><b>Threads.</b> Any thread offers and ends; {@link #handle} runs on the space, on behalf of the actor, that made the inlet. <b>Order.</b> First in, first out.
+ * <p><b>Threads.</b> Any thread offers and ends; {@link #handle} runs on the space, on behalf of the actor, that made
+ * the inlet. <b>Order.</b> First in, first out.
  */
 abstract class Inlet {
     private static final int BATCH = 8; // so few that a space's other callbacks, and its mails, have their turns

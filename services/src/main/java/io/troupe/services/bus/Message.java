@@ -3,7 +3,9 @@ package io.troupe.services.bus;
 /**
  * What crosses the bus: this, and nothing else.
  *
- * <p><b>Role.</b> A bus between processes writes exactly these records; all in them are names, numbers and records of values.
+ * <p><b>Role.</b> A bus between processes writes exactly these records; all in them are names, numbers and records of
+ * values.
+ *
  * <p><b>Source.</b> Paper, section 2.2.3: control messages manage services, data messages are their input and output.
  */
 public sealed interface Message permits DataMessage, ControlMessage {

@@ -5,8 +5,8 @@ import java.util.Objects;
 /**
  * A name under which questions of one type are answered by answers of another.
  *
- * <p><b>Units and shapes.</b> Both are records of values that can leave a process; anything else is refused here, by the name of the component.
- * What holds for the values of a {@link Topic} holds for questions and answers.
+ * <p><b>Units and shapes.</b> Both are records of values that can leave a process; anything else is refused here, by
+ * the name of the component. What holds for the values of a {@link Topic} holds for questions and answers.
  */
 public record Operation<Q extends Record, A extends Record>(
         String name, Class<Q> question, Class<A> answer, Kind kind) {

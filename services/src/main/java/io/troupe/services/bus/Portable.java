@@ -17,7 +17,10 @@ import java.util.Set;
  * <p><b>Cost.</b> Walks the type, at the making of a topic or an operation.
  */
 final class Portable {
-    /** How many values a value may be inside of, itself included; so few that whoever copies, writes or reads it may recurse. */
+    /**
+     * How many values a value may be inside of, itself included; so few that whoever copies, writes or reads it may
+     * recurse.
+     */
     static final int MOST_LEVELS = 500;
 
     private static final Set<Class<?>> VALUES = Set.of(
@@ -44,7 +47,10 @@ final class Portable {
         this.root = root;
     }
 
-    /** @throws IllegalArgumentException if a value of that type could not leave the process; the text names the component and says why */
+    /**
+     * @throws IllegalArgumentException if a value of that type could not leave the process; the text names the
+     *     component and says why
+     */
     static void check(String use, Class<? extends Record> type) {
         var check = new Portable(use, type);
         if (!type.isRecord()) {

@@ -2,7 +2,10 @@ package io.troupe.services.component;
 
 import io.troupe.services.bus.Topic;
 
-/** A value as the application knows it: a record under a topic. The component behind an interface may know it in quite another form. */
+/**
+ * A value as the application knows it: a record under a topic. The component behind an interface may know it in quite
+ * another form.
+ */
 public record ApplicationData<T extends Record>(Topic<T> topic, T value) {
     @Override
     public String toString() {

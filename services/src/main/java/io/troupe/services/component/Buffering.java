@@ -8,9 +8,15 @@ package io.troupe.services.component;
 public record Buffering(int capacity, WhenFull whenFull) {
     /** What gives way. */
     public enum WhenFull {
-        /** Of all values the oldest: it is lost, counted, and told to the observer. For streams in which every value counts. */
+        /**
+         * Of all values the oldest: it is lost, counted, and told to the observer. For streams in which every value
+         * counts.
+         */
         DROP_OLDEST,
-        /** A value gives way to a newer one of its topic at once, full or not, and is counted. For commands and readings that only count while they are new. */
+        /**
+         * A value gives way to a newer one of its topic at once, full or not, and is counted. For commands and readings
+         * that only count while they are new.
+         */
         LATEST_OF_EACH_TOPIC
     }
 

@@ -14,8 +14,11 @@ import java.util.function.Function;
 /**
  * The bus communication unit (BCU): all that an interface says on the bus and hears from it.
  *
- * <p><b>Role.</b> Data messages go to topics and come from them; control messages, and questions for data, are answered.
+ * <p><b>Role.</b> Data messages go to topics and come from them; control messages, and questions for data, are
+ * answered.
+ *
  * <p><b>Threads.</b> The actor space on which it was attached.
+ *
  * <p><b>Source.</b> Paper, section 2.2.2.3.
  */
 public final class BusCommunication implements AutoCloseable {

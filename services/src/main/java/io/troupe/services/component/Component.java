@@ -5,7 +5,8 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * What is to be known of a component so that it can be given an interface: the service it provides, the topics it hears and publishes, and how to talk to it.
+ * What is to be known of a component so that it can be given an interface: the service it provides, the topics it hears
+ * and publishes, and how to talk to it.
  *
  * @param service the service's name
  * @param capabilities what else it can be found by

@@ -4,13 +4,19 @@ import io.troupe.actor.promise.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The component communication unit (CCU): control signals and data signals between an interface and the component itself.
+ * The component communication unit (CCU): control signals and data signals between an interface and the component
+ * itself.
  *
- * <p><b>Role.</b> Implemented once for each kind of component, in terms of that component's own protocol and data. One object serves one life of the component: each
- * invocation gets a new one.
- * <p><b>Threads.</b> Called on the actor space of the interface, and must not hold it. {@link Signals} may be called from any thread.
- * <p><b>Errors.</b> An exception or error from {@link #invoke} or {@link #data}, a rejected promise, and {@link Signals#failed} all mean that the component has failed; its
- * interface then terminates it and says so to whoever asks.
+ * <p><b>Role.</b> Implemented once for each kind of component, in terms of that component's own protocol and data. One
+ * object serves one life of the component: each invocation gets a new one.
+ *
+ * <p><b>Threads.</b> Called on the actor space of the interface, and must not hold it. {@link Signals} may be called
+ * from any thread.
+ *
+ * <p><b>Errors.</b> An exception or error from {@link #invoke} or {@link #data}, a rejected promise, and
+ * {@link Signals#failed} all mean that the component has failed; its interface then terminates it and says so to
+ * whoever asks.
+ *
  * <p><b>Source.</b> Paper, section 2.2.2.1.
  *
  * @param <I> the data that the component takes, in its own form

@@ -15,13 +15,20 @@ import org.jspecify.annotations.Nullable;
 /**
  * The interface that makes a component fit the architecture: its CCU, its DCU and its BCU, and the component's life.
  *
- * <p><b>Role.</b> A {@link Provider}: registered with a broker, it is started when somebody needs its service. It can be controlled by the messages of
- * {@link Control} just as well.
- * <p><b>Threads.</b> It lives on one actor space, on whose thread it is opened and closed; what {@link Provider} has may be called from any.
- * <p><b>Order.</b> From invocation to termination is one life. A component hears its topics from the moment it is being invoked: what comes before it runs waits in
- * the DCU. What it says while {@link #stop} terminates it is still published. What it says or does after that is told to the observer and has no other effect.
- * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with what it failed of until it is started again. One whose termination fails may still be
- * alive: {@link #start} and {@link #stop} terminate it again, and are rejected until this succeeds.
+ * <p><b>Role.</b> A {@link Provider}: registered with a broker, it is started when somebody needs its service. It can
+ * be controlled by the messages of {@link Control} just as well.
+ *
+ * <p><b>Threads.</b> It lives on one actor space, on whose thread it is opened and closed; what {@link Provider} has
+ * may be called from any.
+ *
+ * <p><b>Order.</b> From invocation to termination is one life. A component hears its topics from the moment it is being
+ * invoked: what comes before it runs waits in the DCU. What it says while {@link #stop} terminates it is still
+ * published. What it says or does after that is told to the observer and has no other effect.
+ *
+ * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with what it failed of until
+ * it is started again. One whose termination fails may still be alive: {@link #start} and {@link #stop} terminate it
+ * again, and are rejected until this succeeds.
+ *
  * <p><b>Source.</b> Paper, section 2.2.2 and Figure 6.
  */
 public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
@@ -137,8 +144,9 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     /**
-     * Leaves the bus for good, at once, so that its name is free. A component that runs is terminated: what it says while that lasts is reported as not published, and so is a
-     * termination that fails; {@link #stop} first publishes it. Calls of {@link #start} are rejected from now on.
+     * Leaves the bus for good, at once, so that its name is free. A component that runs is terminated: what it says
+     * while that lasts is reported as not published, and so is a termination that fails; {@link #stop} first publishes
+     * it. Calls of {@link #start} are rejected from now on.
      */
     @Override
     public void close() {

@@ -6,7 +6,8 @@ import java.lang.System.Logger.Level;
 /**
  * Hears what becomes of components: for people, for logs, for tests.
  *
- * <p><b>Threads.</b> Mostly the space of the interface; {@link #dropped}, {@link #problem} and {@link #told} may come from a thread of the component.
+ * <p><b>Threads.</b> Mostly the space of the interface; {@link #dropped}, {@link #problem} and {@link #told} may come
+ * from a thread of the component.
  */
 public interface ComponentObserver {
     /** Writes problems and losses to the log, and nothing else. */

@@ -2,7 +2,9 @@ package io.troupe.services.component;
 
 import io.troupe.services.bus.Operation;
 
-/** The control messages that every interface answers: questions of the control kind, asked of the component's address. */
+/**
+ * The control messages that every interface answers: questions of the control kind, asked of the component's address.
+ */
 public final class Control {
     /** Start. */
     public record Invoke(String by) {}

@@ -6,13 +6,19 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /**
- * The data conversion unit (DCU): turns the component's data into the application's and back, through a bounded buffer for each direction.
+ * The data conversion unit (DCU): turns the component's data into the application's and back, through a bounded buffer
+ * for each direction.
  *
- * <p><b>Role.</b> The buffers give each side its own time: a component may deliver from a thread of its own while the bus is served by the actor space, and what the
- * bus brings while the component is being invoked waits for it.
+ * <p><b>Role.</b> The buffers give each side its own time: a component may deliver from a thread of its own while the
+ * bus is served by the actor space, and what the bus brings while the component is being invoked waits for it.
+ *
  * <p><b>Threads.</b> Any thread puts in; one at a time takes out.
+ *
  * <p><b>Order.</b> First in, first out, in each direction.
- * <p><b>Errors.</b> What is lost, because a buffer is full, a conversion fails or the bus refuses it, is counted and told to the observer; the rest goes on.
+ *
+ * <p><b>Errors.</b> What is lost, because a buffer is full, a conversion fails or the bus refuses it, is counted and
+ * told to the observer; the rest goes on.
+ *
  * <p><b>Source.</b> Paper, section 2.2.2.2.
  */
 public final class DataConversion<I, O> {
@@ -68,7 +74,10 @@ public final class DataConversion<I, O> {
         }
     }
 
-    /** Converts what waits, one by one, and hands it to the component; what the component throws is the caller's business, and ends it. */
+    /**
+     * Converts what waits, one by one, and hands it to the component; what the component throws is the caller's
+     * business, and ends it.
+     */
     void drainToComponent(Consumer<? super I> component) {
         for (var data : toComponent.take()) {
             I input;

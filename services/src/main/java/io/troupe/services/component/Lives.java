@@ -16,8 +16,12 @@ import org.jspecify.annotations.Nullable;
  * The lives of one component, one after the other: which state it is in, and what counts of what it says.
  *
  * <p><b>Threads.</b> The space of its interface, except for the signals of the component.
- * <p><b>Order.</b> The observer may call the interface: it is notified when the fields have the new state, and nothing is done after that without looking at them again.
- * <p><b>Errors.</b> A life whose termination fails is kept: no life begins beside it, and each invocation and termination terminates it again, until this succeeds.
+ *
+ * <p><b>Order.</b> The observer may call the interface: it is notified when the fields have the new state, and nothing
+ * is done after that without looking at them again.
+ *
+ * <p><b>Errors.</b> A life whose termination fails is kept: no life begins beside it, and each invocation and
+ * termination terminates it again, until this succeeds.
  */
 final class Lives<I, O> {
     /** What the interface does at the turns of a life. */

@@ -14,9 +14,12 @@ import org.jspecify.annotations.Nullable;
  * A component that is controlled by messages over the bus: its interface may be in another process.
  *
  * <p><b>Role.</b> Register it with a broker in place of the interface itself.
+ *
  * <p><b>Order.</b> It does not hear of the component's death: that is found out with the next {@link #check}.
- * <p><b>Errors.</b> Those of {@link BusPort#ask}, but an overdue {@link ProviderException} when the limit is over, so that a broker tells a component that starts late to
- * stop, and one that does not answer for its health is suspect first; and a {@link ProviderException} with the component's own report when it is not well.
+ *
+ * <p><b>Errors.</b> Those of {@link BusPort#ask}, but an overdue {@link ProviderException} when the limit is over, so
+ * that a broker tells a component that starts late to stop, and one that does not answer for its health is suspect
+ * first; and a {@link ProviderException} with the component's own report when it is not well.
  */
 public final class RemoteProvider implements Provider {
     private final BusPort port;

@@ -8,10 +8,15 @@ import org.jspecify.annotations.Nullable;
  * Decides which service drives which robot, by the colours that the robots see: the paper's main code in promise mode.
  *
  * <p><b>Role.</b> Spawn it, and send {@link #live} once; it calls itself from then on.
- * <p><b>Order.</b> A switch: the wanderer that has seen a colour has ended itself; all other services are told to stop; when all of them have stopped,
- * the services of the next state begin. That all happens between two readings, so every robot always has exactly one service.
- * If two robots see colours at once, the first promise to be fulfilled counts (the robot with the lower index).
- * <p><b>Errors.</b> What rejects a service's promise rejects {@link #ended}. If this actor is stopped, its services stop at their next reading.
+ *
+ * <p><b>Order.</b> A switch: the wanderer that has seen a colour has ended itself; all other services are told to stop;
+ * when all of them have stopped, the services of the next state begin. That all happens between two readings, so every
+ * robot always has exactly one service. If two robots see colours at once, the first promise to be fulfilled counts
+ * (the robot with the lower index).
+ *
+ * <p><b>Errors.</b> What rejects a service's promise rejects {@link #ended}. If this actor is stopped, its services
+ * stop at their next reading.
+ *
  * <p><b>Source.</b> Paper, section 3.6, Figure 20.
  */
 public class Arbitrator extends Actor {
@@ -84,7 +89,10 @@ public class Arbitrator extends Actor {
         }
     }
 
-    /** A robot has seen a colour: the first one to do so in a state ends it. One that leads nowhere leaves the robot its service. */
+    /**
+     * A robot has seen a colour: the first one to do so in a state ends it. One that leads nowhere leaves the robot its
+     * service.
+     */
     private void seen(int robot, int colour) {
         table.next(present.state(), colour)
                 .ifPresentOrElse(

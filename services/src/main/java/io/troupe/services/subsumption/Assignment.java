@@ -6,7 +6,8 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which robot gets which service, said in ranges: {@code Assignment.everyRobot(SPACE_WANDERER).robots(3, 5, WALL_FOLLOWER)}.
+ * Which robot gets which service, said in ranges: {@code Assignment.everyRobot(SPACE_WANDERER).robots(3, 5,
+ * WALL_FOLLOWER)}.
  *
  * <p><b>Role.</b> Immutable. <b>Units and shapes.</b> Robots are numbered from 1.
  */
@@ -54,7 +55,8 @@ public final class Assignment {
     /**
      * Robots from the first to the last get this one.
      *
-     * @throws IllegalArgumentException if the first is less than 1 or more than the last, or one of them has a service by its number
+     * @throws IllegalArgumentException if the first is less than 1 or more than the last, or one of them has a service
+     *     by its number
      */
     public Assignment robots(int first, int last, Service service) {
         if (first < 1 || first > last) {

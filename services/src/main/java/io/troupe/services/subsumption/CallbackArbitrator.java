@@ -9,10 +9,16 @@ import org.jspecify.annotations.Nullable;
  * Decides which service drives which robot, by the colours that the robots see: the paper's main code in callback mode.
  *
  * <p><b>Role.</b> Spawn it, and send {@link #live} once; it calls itself from then on.
- * <p><b>Order.</b> A colour finder sends whatever its robot sees, at every reading, and its service drives on. The first colour to arrive that leads to another state ends
- * the present one: all services are told to stop, and when they have stopped, which is a promise here and a busy loop in the paper, those of the next
- * state begin. That happens between two readings, as in promise mode; what arrives meanwhile from services of the state before is counted and ignored.
- * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is stopped, its services stop at their next reading.
+ *
+ * <p><b>Order.</b> A colour finder sends whatever its robot sees, at every reading, and its service drives on. The
+ * first colour to arrive that leads to another state ends the present one: all services are told to stop, and when they
+ * have stopped, which is a promise here and a busy loop in the paper, those of the next state begin. That happens
+ * between two readings, as in promise mode; what arrives meanwhile from services of the state before is counted and
+ * ignored.
+ *
+ * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is
+ * stopped, its services stop at their next reading.
+ *
  * <p><b>Source.</b> Paper, section 3.5, Figure 17.
  */
 public class CallbackArbitrator extends Actor {

@@ -27,7 +27,8 @@ final class Charges implements AutoCloseable {
      * Puts a service in charge of a robot, as soon as the one before it has stopped.
      *
      * @return settled when it has stopped
-     * @throws IllegalStateException if the one before it was not told to stop, or the reference belongs to another service
+     * @throws IllegalStateException if the one before it was not told to stop, or the reference belongs to another
+     *     service
      */
     Promise<@Nullable Void> begin(
             int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {

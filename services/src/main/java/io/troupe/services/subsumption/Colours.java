@@ -4,7 +4,10 @@ import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 
-/** Colours and their names, {@code 0x00RRGGBB}: those of the paper, and others that are easily told apart, as X11 and world files have them. */
+/**
+ * Colours and their names, {@code 0x00RRGGBB}: those of the paper, and others that are easily told apart, as X11 and
+ * world files have them.
+ */
 public final class Colours {
     /** State 1, the default. */
     public static final int BLUE = 0x0000FF;

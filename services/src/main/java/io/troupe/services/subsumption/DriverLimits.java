@@ -4,11 +4,13 @@ import io.troupe.player.PlayerClient;
 import io.troupe.player.Position2DInterface;
 import java.time.Duration;
 
-/** What every service and component asks of a Player server, so that no robot is driven on by a program that is gone. */
+/**
+ * What every service and component asks of a Player server, so that no robot is driven on by a program that is gone.
+ */
 public final class DriverLimits {
     /**
-     * A robot that gets no speed from its service for so long, on the server's clock, is stopped by the server: four cycles, so that with the interval in which the last speed
-     * arrived a robot stands within half a second.
+     * A robot that gets no speed from its service for so long, on the server's clock, is stopped by the server: four
+     * cycles, so that with the interval in which the last speed arrived a robot stands within half a second.
      */
     public static final Duration COMMAND_LIMIT = Duration.ofMillis(400);
 

@@ -7,7 +7,10 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/** The state in which the robots are, and the references of its services: what the arbitrators of both asynchronous modes have in common. */
+/**
+ * The state in which the robots are, and the references of its services: what the arbitrators of both asynchronous
+ * modes have in common.
+ */
 final class PresentState {
     private final RobotServices services;
     private final Arbitrator.StateListener listener;

@@ -23,10 +23,14 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> That of the connection. <b>Errors.</b> {@link PlayerException} when the server refuses or has
  * gone.
+ *
  * <p><b>Source.</b> Paper, Figure 7.
  */
 final class RobotDevices {
-    /** Two cycles, half of {@link DriverLimits#COMMAND_LIMIT}: one reading may be late. Half a millisecond forgives rounding. */
+    /**
+     * Two cycles, half of {@link DriverLimits#COMMAND_LIMIT}: one reading may be late. Half a millisecond forgives
+     * rounding.
+     */
     private static final double RENEWAL_SECONDS = 2 * ReadingTime.CYCLE_SECONDS - 0.0005;
 
     private final Position2DInterface position;
@@ -79,7 +83,9 @@ final class RobotDevices {
         return time.at(sonar.getTimestamp());
     }
 
-    /** The same as the robot's clock has it, to compare with other robots of the connection: the clock may be set back. */
+    /**
+     * The same as the robot's clock has it, to compare with other robots of the connection: the clock may be set back.
+     */
     double stampSeconds() {
         return sonar.getTimestamp();
     }
@@ -88,7 +94,7 @@ final class RobotDevices {
      * The newest readings.
      *
      * @param withLaser whether the service asks for the scan; another service of the robot may have subscribed to the
-     * laser
+     *     laser
      */
     Senses senses(boolean withLaser) {
         var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());

@@ -9,8 +9,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A connection with one robot, for a service that waits for its readings on an actor space.
  *
- * <p><b>Threads.</b> The actor space on whose thread it was made. <b>Errors.</b> {@link io.troupe.player.PlayerException} when the server refuses or
- * has gone.
+ * <p><b>Threads.</b> The actor space on whose thread it was made. <b>Errors.</b>
+ * {@link io.troupe.player.PlayerException} when the server refuses or has gone.
+ *
  * <p><b>Source.</b> Paper, Figure 7.
  */
 final class RobotLink implements AutoCloseable {

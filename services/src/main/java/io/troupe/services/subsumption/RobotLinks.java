@@ -8,7 +8,9 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 
-/** The connections of a {@link RobotServices}: one for each robot, or one for each service. <b>Threads.</b> The space's. */
+/**
+ * The connections of a {@link RobotServices}: one for each robot, or one for each service. <b>Threads.</b> The space's.
+ */
 final class RobotLinks {
     private final RobotServices.Settings settings;
     private final ActorSpace space;
@@ -38,8 +40,9 @@ final class RobotLinks {
     }
 
     /**
-     * A robot's service has ended. Where each has a connection of its own, or the connection has failed, that is closed when nothing is left to do, and so after the
-     * new one is there: in lock step a server behind a socket does not wait for a client that has left; one in this JVM would wait for the end of the turn.
+     * A robot's service has ended. Where each has a connection of its own, or the connection has failed, that is closed
+     * when nothing is left to do, and so after the new one is there: in lock step a server behind a socket does not
+     * wait for a client that has left; one in this JVM would wait for the end of the turn.
      */
     void serviceEnded(int robot, boolean connectionFailed) {
         RobotLink link = connectionFailed || settings.reconnects() ? links.remove(robot) : null;

@@ -14,13 +14,19 @@ import org.jspecify.annotations.Nullable;
 /**
  * The actor as a service: offers wall following, space wandering, and whatever else a table names, to other actors.
  *
- * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it and keeps the connection until that fails,
- * unless it is to reconnect: then the robot stands from the end of one service until the first reading of the next, a tick in lock step.
- * <p><b>Order.</b> A robot never has two services: one that is called while another is about to stop begins when that has stopped.
- * <p><b>Units and shapes.</b> Robots by Player index, from 0. A reference is 1 = run, 0 = stop, 2 = stopped and zero speed sent; whoever calls a service
- * sets it to 1 before and to 0 to end it.
- * <p><b>Errors.</b> A robot that does not exist, or whose service was not told to stop, rejects the promise; so does a server that goes away. The
- * next service connects anew.
+ * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it
+ * and keeps the connection until that fails, unless it is to reconnect: then the robot stands from the end of one
+ * service until the first reading of the next, a tick in lock step.
+ *
+ * <p><b>Order.</b> A robot never has two services: one that is called while another is about to stop begins when that
+ * has stopped.
+ *
+ * <p><b>Units and shapes.</b> Robots by Player index, from 0. A reference is 1 = run, 0 = stop, 2 = stopped and zero
+ * speed sent; whoever calls a service sets it to 1 before and to 0 to end it.
+ *
+ * <p><b>Errors.</b> A robot that does not exist, or whose service was not told to stop, rejects the promise; so does a
+ * server that goes away. The next service connects anew.
+ *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6, Figures 17 and 20.
  */
 public class RobotServices extends Actor {
@@ -28,7 +34,8 @@ public class RobotServices extends Actor {
      * Where the robots are, and what they are to do.
      *
      * @param table the services and colours in play
-     * @param reconnects whether every service makes a connection of its own with its robot and closes it when it ends, instead of one for all
+     * @param reconnects whether every service makes a connection of its own with its robot and closes it when it ends,
+     *     instead of one for all
      */
     public record Settings(
             String host, int port, SubsumptionTable table, ServiceObserver observer, boolean reconnects) {
@@ -80,7 +87,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets a robot wander until it sees a colour that ends the state by the table, its priorities and its hold time, or the reference is cleared.
+     * Lets a robot wander until it sees a colour that ends the state by the table, its priorities and its hold time, or
+     * the reference is cleared.
      *
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
      * @param stateColour the colour of the present state
@@ -102,7 +110,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets any service drive a robot, until its colour finder sees a colour that ends the state, or the reference is cleared.
+     * Lets any service drive a robot, until its colour finder sees a colour that ends the state, or the reference is
+     * cleared.
      *
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
      * @return the colour seen, once; empty if the robot was stopped before it saw one
@@ -128,8 +137,8 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets a robot wander until the reference is cleared, and sends every colour that it sees meanwhile, whatever it means, but not black, unless a state of the
-     * table has it.
+     * Lets a robot wander until the reference is cleared, and sends every colour that it sees meanwhile, whatever it
+     * means, but not black, unless a state of the table has it.
      *
      * @param colours is sent each colour at every reading, as a message of its own, and the end
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
@@ -143,11 +152,12 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets any service drive a robot until the reference is cleared, and sends every colour that it sees meanwhile, whatever it means, but not black, unless
-     * a state of the table has it.
+     * Lets any service drive a robot until the reference is cleared, and sends every colour that it sees meanwhile,
+     * whatever it means, but not black, unless a state of the table has it.
      *
-     * @param reports is sent each colour at every reading, as a message of its own, those of higher priority first and of equal ones the largest; and the
-     *     end. When nobody listens to it any more the service ends: a robot is not driven on with nobody to stop it.
+     * @param reports is sent each colour at every reading, as a message of its own, those of higher priority first and
+     *     of equal ones the largest; and the end. When nobody listens to it any more the service ends: a robot is not
+     *     driven on with nobody to stop it.
      * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
      */
     public void serve(
@@ -200,7 +210,9 @@ public class RobotServices extends Actor {
         });
     }
 
-    /** Each once, though there may be several patches of it. Black is walls everywhere, but a table may give it a state. */
+    /**
+     * Each once, though there may be several patches of it. Black is walls everywhere, but a table may give it a state.
+     */
     private IntStream coloursToSend(RobotDevices devices) {
         var table = settings.table();
         return ColourFinder.inOrder(devices.blobs(), table::priority)

@@ -13,8 +13,8 @@ import java.util.stream.Stream;
 /**
  * A behaviour that can be put in charge of a robot. A new one plugs in by being named in a {@link SubsumptionTable}.
  *
- * <p><b>Order.</b> Services that a {@link ServiceCatalogue} made are equal if they were made of the same words, and layers if they are of equal services;
- * others if they have the same supplier.
+ * <p><b>Order.</b> Services that a {@link ServiceCatalogue} made are equal if they were made of the same words, and
+ * layers if they are of equal services; others if they have the same supplier.
  *
  * @param name as printed; one name in a table means one service
  * @param findsColours whether the robot looks for colours meanwhile, so that it can change the state
@@ -53,7 +53,10 @@ public record Service(String name, boolean findsColours, boolean usesLaser, Supp
                 new Definition("wallFollower", arguments, false, () -> WallFollower.behaviour(cornerStyle)));
     }
 
-    /** This one as a layer above another: it drives when it wants to, else the other does. The robot looks for colours if one of them does. */
+    /**
+     * This one as a layer above another: it drives when it wants to, else the other does. The robot looks for colours
+     * if one of them does.
+     */
     public Service over(Service lower) {
         return layered(Stream.concat(layers().stream(), lower.layers().stream()).toList());
     }

@@ -9,8 +9,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What stands between the brackets of a service in a table's file: tuples of numbers, and words with or without a value, as in
- * {@code (1.5, -2; 3, 0; speed 0.3; again)}.
+ * What stands between the brackets of a service in a table's file: tuples of numbers, and words with or without a
+ * value, as in {@code (1.5, -2; 3, 0; speed 0.3; again)}.
  *
  * <p><b>Errors.</b> {@link SubsumptionTableException} at the place of a wrong argument.
  */

@@ -36,8 +36,9 @@ public final class ServiceCatalogue {
      * @param findsColours whether its robots look for colours, unless a table says otherwise
      * @param yields whether it has nothing to say at times, so that a layer below it makes sense
      * @param usesLaser whether its behaviour gets the robot's laser, see {@link Service#usesLaser}
-     * @param maker reads the arguments, once, and answers what makes the control law, anew each time the service takes charge; what it does not ask
-     *     for is refused, and so is what it refuses with an {@link IllegalArgumentException}
+     * @param maker reads the arguments, once, and answers what makes the control law, anew each time the service takes
+     *     charge; what it does not ask for is refused, and so is what it refuses with an
+     *     {@link IllegalArgumentException}
      */
     public record Kind(
             String name,
@@ -72,7 +73,10 @@ public final class ServiceCatalogue {
         this.kinds = Collections.unmodifiableMap(new LinkedHashMap<>(kinds));
     }
 
-    /** {@code wallFollower(corners backward)}, {@code spaceWanderer}, {@code goToGoal(x, y; ..; speed; within; again)}, {@code avoid(near; far; turn; onward)}. */
+    /**
+     * {@code wallFollower(corners backward)}, {@code spaceWanderer}, {@code goToGoal(x, y; ..; speed; within; again)},
+     * {@code avoid(near; far; turn; onward)}.
+     */
     public static ServiceCatalogue standard() {
         return STANDARD;
     }

@@ -37,7 +37,10 @@ final class ServiceCycle {
         return service;
     }
 
-    /** The reading at hand is the one at which the service takes charge; without a call that is the one of its first cycle. */
+    /**
+     * The reading at hand is the one at which the service takes charge; without a call that is the one of its first
+     * cycle.
+     */
     void takeCharge() {
         beganSeconds = devices.timeSeconds();
     }

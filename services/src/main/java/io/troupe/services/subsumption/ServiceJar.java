@@ -15,12 +15,13 @@ import java.util.ServiceLoader;
 import java.util.jar.JarFile;
 
 /**
- * The kinds of services that a jar brings: those of each {@link ServiceKinds} that it names in {@code
- * META-INF/services}.
+ * The kinds of services that a jar brings: those of each {@link ServiceKinds} that it names in
+ * {@code META-INF/services}.
  *
  * <p><b>Role.</b> The jar has a class loader to itself, which sees the classes of Troupe but none of other jars. It
  * stays open as long as services of these kinds run, since their classes are loaded when they are first used; so close
  * it after the run.
+ *
  * <p><b>Errors.</b> {@link ServiceJarException}, which names the jar: there is no such file, it is no jar, names no
  * provider, a provider cannot be loaded or throws, or a kind has the name of another.
  */

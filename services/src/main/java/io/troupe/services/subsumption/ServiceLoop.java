@@ -6,12 +6,14 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A service while it is in charge of a robot: one cycle for each new reading, as long as its reference says so. It takes over with a cycle on the
- * reading at hand, so that no robot stands still, or rolls on, between two services.
+ * A service while it is in charge of a robot: one cycle for each new reading, as long as its reference says so. It
+ * takes over with a cycle on the reading at hand, so that no robot stands still, or rolls on, between two services.
  *
- * <p><b>Order.</b> The reference goes from {@value #RUN} (run) over {@value #STOP} (stop) to {@value #STOPPED} (stopped): when it is {@value #STOPPED}, zero
- * speed has been sent and no cycle follows.
- * <p><b>Source.</b> Paper, sections 3.5 and 3.6: starting and stopping by atomic reference; the third value is in Figure 17.
+ * <p><b>Order.</b> The reference goes from {@value #RUN} (run) over {@value #STOP} (stop) to {@value #STOPPED}
+ * (stopped): when it is {@value #STOPPED}, zero speed has been sent and no cycle follows.
+ *
+ * <p><b>Source.</b> Paper, sections 3.5 and 3.6: starting and stopping by atomic reference; the third value is in
+ * Figure 17.
  */
 final class ServiceLoop {
     static final int STOP = 0;
@@ -79,8 +81,9 @@ final class ServiceLoop {
     }
 
     /**
-     * Does a cycle, at once when it takes over, or at the first reading of a new connection. It drives then and does not look for colours, because two
-     * robots that each see the other's colour would else switch for ever, and never move.
+     * Does a cycle, at once when it takes over, or at the first reading of a new connection. It drives then and does
+     * not look for colours, because two robots that each see the other's colour would else switch for ever, and never
+     * move.
      */
     private Promise<?> round() {
         boolean takesOver = firstRound && link.devices().hasData();

@@ -8,7 +8,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The robots of a table under their services, in one of the three modes, until it is closed.
  *
- * <p><b>Threads.</b> One of its own does everything: an actor space, or in synchronous mode a plain thread. Observer and listener are called there.
+ * <p><b>Threads.</b> One of its own does everything: an actor space, or in synchronous mode a plain thread. Observer
+ * and listener are called there.
+ *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
 public final class SubsumptionRun implements AutoCloseable {
@@ -17,7 +19,8 @@ public final class SubsumptionRun implements AutoCloseable {
      *
      * @param host where the robots are, with {@code port}: a world in this JVM or a Player server
      * @param clock the robots' time
-     * @param reconnects whether each service makes a connection of its own with its robot (section 3.5); not in synchronous mode, which connects once
+     * @param reconnects whether each service makes a connection of its own with its robot (section 3.5); not in
+     *     synchronous mode, which connects once
      * @param round what the synchronous mode does at a reading; of no effect in the others
      */
     public record Settings(

@@ -13,9 +13,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * Which colour puts which services in charge: any number of robots, services and colours.
  *
- * <p><b>Role.</b> Immutable; made by {@link #forRobots}, taken as the paper has it, {@link #ofThePaper()}, or read from a file by
- * {@link SubsumptionTableReader}. The first state is the one to begin with.
+ * <p><b>Role.</b> Immutable; made by {@link #forRobots}, taken as the paper has it, {@link #ofThePaper()}, or read from
+ * a file by {@link SubsumptionTableReader}. The first state is the one to begin with.
+ *
  * <p><b>Order.</b> Colours that are in no state change nothing, whether they are named as ignored or not.
+ *
  * <p><b>Source.</b> Paper, section 3.3, Tables 3 and 4 (Table 4 wins over the list of rules); challenge v.
  */
 public final class SubsumptionTable {
@@ -129,7 +131,10 @@ public final class SubsumptionTable {
         return names.containsValue(known) ? Colours.hex(colour) : known; // the table calls another colour so
     }
 
-    /** The state that follows when a robot sees a colour and the state has lasted long enough: another state, or nothing. */
+    /**
+     * The state that follows when a robot sees a colour and the state has lasted long enough: another state, or
+     * nothing.
+     */
     public Optional<State> next(State current, int seenColour) {
         return seenColour == current.colour() ? Optional.empty() : state(seenColour);
     }
@@ -140,7 +145,10 @@ public final class SubsumptionTable {
         return mayEnd ? next(current, seenColour) : Optional.empty();
     }
 
-    /** What the colour finders of a state look for: the colour of the highest priority that ends it, of equal ones the largest. */
+    /**
+     * What the colour finders of a state look for: the colour of the highest priority that ends it, of equal ones the
+     * largest.
+     */
     public ColourRule ruleIn(State state) {
         return (blobs, secondsInCharge) -> ColourFinder.inOrder(blobs, this::priority)
                 .filter(colour -> next(state, colour, secondsInCharge).isPresent())

@@ -13,7 +13,9 @@ import java.util.regex.Pattern;
  * Collects the states of a {@link SubsumptionTable} and checks them.
  *
  * <p><b>Role.</b> Made by {@link SubsumptionTable#forRobots}.
- * <p><b>Errors.</b> What is wrong by itself is refused at once, with an {@link IllegalArgumentException}; what is wrong with the table as a whole, by {@link #build}.
+ *
+ * <p><b>Errors.</b> What is wrong by itself is refused at once, with an {@link IllegalArgumentException}; what is wrong
+ * with the table as a whole, by {@link #build}.
  */
 public final class SubsumptionTableBuilder {
     private static final Pattern WORD = Pattern.compile(TableLine.WORD);
@@ -110,7 +112,10 @@ public final class SubsumptionTableBuilder {
         return this;
     }
 
-    /** Lets a colour count more (or less) than the others, which have 0: a robot that sees several reports the one that counts most. */
+    /**
+     * Lets a colour count more (or less) than the others, which have 0: a robot that sees several reports the one that
+     * counts most.
+     */
     public SubsumptionTableBuilder priority(int colour, int priority) {
         Integer before = priorities.putIfAbsent(colour, priority);
         if (before != null) {
@@ -138,9 +143,9 @@ public final class SubsumptionTableBuilder {
     /**
      * The table.
      *
-     * @throws IllegalStateException if something is missing in it, or contradicts itself: no state, a state that never begins, or never ends although
-     *     that was not allowed, an ignored colour with a state, a declared colour or service without one, two services of one name, layers that
-     *     never drive
+     * @throws IllegalStateException if something is missing in it, or contradicts itself: no state, a state that never
+     *     begins, or never ends although that was not allowed, an ignored colour with a state, a declared colour or
+     *     service without one, two services of one name, layers that never drive
      */
     public SubsumptionTable build() {
         finding().ifPresent(finding -> {

@@ -22,10 +22,11 @@ import java.nio.file.Path;
  * allow final                                            # states in which nobody looks for colours
  * }
  *
- * <p>The table begins with the first state. Colours are names ({@link Colours#names()}), or {@code #RRGGBB}. Services are those that the file declares, and the kinds
- * of the catalogue with nothing between their brackets.
+ * <p>The table begins with the first state. Colours are names ({@link Colours#names()}), or {@code #RRGGBB}. Services
+ * are those that the file declares, and the kinds of the catalogue with nothing between their brackets.
  *
- * <p><b>Errors.</b> {@link SubsumptionTableException} for everything that is wrong with a file, one that cannot be opened included.
+ * <p><b>Errors.</b> {@link SubsumptionTableException} for everything that is wrong with a file, one that cannot be
+ * opened included.
  */
 public final class SubsumptionTableReader {
     private SubsumptionTableReader() {}

@@ -16,10 +16,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * The synchronous mode: one connection for all robots, and their services' cycles one after the other.
  *
- * <p><b>Threads.</b> One of its own does everything, so there is nothing to be atomic and no message to be sent. <b>Order.</b> A colour that is seen changes the state
- * at once, after that robot's cycle; nobody is told to stop, and no zero speed is sent in between. A robot whose turn comes only after its speed has expired
- * ({@link DriverLimits}) gets the same speed again meanwhile, so that it rolls on as long as this thread lives, and no longer.
+ * <p><b>Threads.</b> One of its own does everything, so there is nothing to be atomic and no message to be sent.
+ * <b>Order.</b> A colour that is seen changes the state at once, after that robot's cycle; nobody is told to stop, and
+ * no zero speed is sent in between. A robot whose turn comes only after its speed has expired ({@link DriverLimits})
+ * gets the same speed again meanwhile, so that it rolls on as long as this thread lives, and no longer.
+ *
  * <p><b>Errors.</b> What goes wrong stops all robots and is told to the one who started it.
+ *
  * <p><b>Source.</b> Paper, section 3.4, Figure 14.
  */
 final class SynchronousLoop implements AutoCloseable {

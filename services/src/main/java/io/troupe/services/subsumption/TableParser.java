@@ -13,7 +13,10 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 
-/** Reads one text into a table: first its lines by their keywords, then colours and services, then the states that use them. */
+/**
+ * Reads one text into a table: first its lines by their keywords, then colours and services, then the states that use
+ * them.
+ */
 final class TableParser {
     /** A table is held in memory with a service for each robot and state. As many as the largest crowd has. */
     private static final int MOST_ROBOTS = 20_000;

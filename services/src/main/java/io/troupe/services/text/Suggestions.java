@@ -15,9 +15,11 @@ public final class Suggestions {
     private Suggestions() {}
 
     /**
-     * The known name with the fewest slips in it: letters left out, added, changed, or swapped with their neighbour; upper and lower case count as the same.
+     * The known name with the fewest slips in it: letters left out, added, changed, or swapped with their neighbour;
+     * upper and lower case count as the same.
      *
-     * @return the first of those with the fewest; empty if even that has more slips than a third of the written letters (one is always allowed)
+     * @return the first of those with the fewest; empty if even that has more slips than a third of the written letters
+     *     (one is always allowed)
      */
     public static Optional<String> nearest(String written, Collection<String> known) {
         if (written.length() > LONGEST) {

@@ -23,8 +23,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Random programs that call through one connection, while providers come, die, are withdrawn and replaced, some of it in one turn, and a model of where each call has to end: every request is answered
- * exactly once, by the provider that did it, or rejected with a reason; every one-way call was done once, or is told to the observer, or is a dead letter.
+ * Random programs that call through one connection, while providers come, die, are withdrawn and replaced, some of it
+ * in one turn, and a model of where each call has to end: every request is answered exactly once, by the provider that
+ * did it, or rejected with a reason; every one-way call was done once, or is told to the observer, or is a dead letter.
  */
 class AccountingTest {
     /** Actor under test: does at once, or keeps the asker waiting. */

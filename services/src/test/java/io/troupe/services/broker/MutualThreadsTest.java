@@ -20,7 +20,10 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Two actors that are publisher and subscriber of each other, over a broker; all three on spaces, and so threads, of their own. */
+/**
+ * Two actors that are publisher and subscriber of each other, over a broker; all three on spaces, and so threads, of
+ * their own.
+ */
 @Timeout(600)
 class MutualThreadsTest {
     private static final Duration PATIENCE = Patience.LONG;
@@ -36,7 +39,10 @@ class MutualThreadsTest {
 
     private final BlockingQueue<String> diary = new LinkedBlockingQueue<>();
 
-    /** Follows the provider of another service, whoever that is at the moment, and publishes the number after each that it hears. */
+    /**
+     * Follows the provider of another service, whoever that is at the moment, and publishes the number after each that
+     * it hears.
+     */
     private final class Answerer extends Actor implements Station, Broker.Connection {
         private final String name;
         private final Need other;

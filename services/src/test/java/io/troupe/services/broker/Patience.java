@@ -2,7 +2,10 @@ package io.troupe.services.broker;
 
 import java.time.Duration;
 
-/** Limits for tests on threads of their own, so long that a busy machine does not reach them: a test that hangs ends with its time-out. */
+/**
+ * Limits for tests on threads of their own, so long that a busy machine does not reach them: a test that hangs ends
+ * with its time-out.
+ */
 final class Patience {
     static final Duration LONG = Duration.ofMinutes(10);
     static final BrokerSettings BROKER =

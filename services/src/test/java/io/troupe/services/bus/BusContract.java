@@ -12,7 +12,10 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 
-/** What every bus promises is tested twice: the near and the far side are one node, or two that see nothing of each other but bytes. */
+/**
+ * What every bus promises is tested twice: the near and the far side are one node, or two that see nothing of each
+ * other but bytes.
+ */
 abstract class BusContract {
     /** Where the two sides of a test are. */
     enum Wiring {

@@ -136,7 +136,10 @@ final class BusModel {
         }
     }
 
-    /** What an answerer has begun, as far as it knows: it learns that an asker has given up only of those on its own node. */
+    /**
+     * What an answerer has begun, as far as it knows: it learns that an asker has given up only of those on its own
+     * node.
+     */
     private List<Question> begun(String name, Answerer answerer) {
         return answerer.kept.stream()
                 .filter(question -> isKnownToWait(question, name))

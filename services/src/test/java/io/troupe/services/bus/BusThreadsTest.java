@@ -136,7 +136,10 @@ class BusThreadsTest {
         assertThat(others).isEmpty();
     }
 
-    /** Questions of several threads to one address, where answerers come and go, each of which stays until it was of use. */
+    /**
+     * Questions of several threads to one address, where answerers come and go, each of which stays until it was of
+     * use.
+     */
     static final class Askers {
         private final int lives;
         final AtomicLong answered = new AtomicLong();

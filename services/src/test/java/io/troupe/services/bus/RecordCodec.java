@@ -17,7 +17,9 @@ import java.util.Map;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** Writes records of values to bytes, component by component, and reads them back: proof that nothing else is in them. */
+/**
+ * Writes records of values to bytes, component by component, and reads them back: proof that nothing else is in them.
+ */
 final class RecordCodec {
     private RecordCodec() {}
 

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.function.LongConsumer;
 
 /**
- * Repeats a test that looks for what happens rarely: a little in every build, or for a third of {@code -Dsoak.minutes=10} each of the three that there are. Begins with the round
- * {@code -Dsoak.first=17}.
+ * Repeats a test that looks for what happens rarely: a little in every build, or for a third of
+ * {@code -Dsoak.minutes=10} each of the three that there are. Begins with the round {@code -Dsoak.first=17}.
  */
 public final class Soak {
     private static final long MINUTES = Long.getLong("soak.minutes", 0);

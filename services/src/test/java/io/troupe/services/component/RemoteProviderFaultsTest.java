@@ -26,7 +26,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.NullSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Components controlled over the bus that are slow, hang, or go away; the limit of their control messages is shorter than the broker's own ones. */
+/**
+ * Components controlled over the bus that are slow, hang, or go away; the limit of their control messages is shorter
+ * than the broker's own ones.
+ */
 class RemoteProviderFaultsTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);
     private static final Need COUNTING = Need.ofService("user", "counting");

@@ -69,7 +69,10 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         }
     }
 
-    /** From now on the robot sees a large blob of each of those colours, the first the largest; black stands for the walls and is always there. */
+    /**
+     * From now on the robot sees a large blob of each of those colours, the first the largest; black stands for the
+     * walls and is always there.
+     */
     public void show(int robot, int... shown) {
         colours[robot] = shown;
     }
@@ -106,7 +109,10 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
                 .count();
     }
 
-    /** Delivers the readings of the next moment, so many milliseconds after the last, to all clients in one turn of the space. */
+    /**
+     * Delivers the readings of the next moment, so many milliseconds after the last, to all clients in one turn of the
+     * space.
+     */
     public void tick(int millis) {
         long number = tick++;
         timeMillis += millis;

@@ -15,7 +15,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** Tables made by chance, built by hand on one side and on the other read from a text that says the same in any of its ways. */
+/**
+ * Tables made by chance, built by hand on one side and on the other read from a text that says the same in any of its
+ * ways.
+ */
 class RandomSubsumptionTableTest {
     private static final int TABLES = 2_000;
     private static final List<Integer> COLOURS = List.of(

@@ -10,7 +10,10 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.I_Result;
 
-/** A listener that a home registers while another thread settles the promise does not overtake the one it registered before. */
+/**
+ * A listener that a home registers while another thread settles the promise does not overtake the one it registered
+ * before.
+ */
 @JCStressTest
 @Outcome(id = "12", expect = Expect.ACCEPTABLE, desc = "In the order of registration.")
 @Outcome(expect = Expect.FORBIDDEN, desc = "Overtaken, lost or run twice.")

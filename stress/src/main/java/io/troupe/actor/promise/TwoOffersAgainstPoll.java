@@ -8,7 +8,10 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.II_Result;
 
-/** What one thread offers while another polls comes out once, in order, with what was written before; runs on two processors. */
+/**
+ * What one thread offers while another polls comes out once, in order, with what was written before; runs on two
+ * processors.
+ */
 @JCStressTest
 @Outcome(
         id = {"0, 12", "1, 12"},

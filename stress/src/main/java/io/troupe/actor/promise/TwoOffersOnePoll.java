@@ -8,7 +8,10 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.III_Result;
 
-/** Two threads offer one node each while a third polls: every node comes out exactly once, with what its thread wrote before; needs three processors. */
+/**
+ * Two threads offer one node each while a third polls: every node comes out exactly once, with what its thread wrote
+ * before; needs three processors.
+ */
 @JCStressTest
 @Outcome(
         id = {"0, 1, 2", "1, 1, 2"},

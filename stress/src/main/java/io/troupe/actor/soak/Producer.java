@@ -10,8 +10,9 @@ import java.util.function.Consumer;
 /**
  * A thread that sends numbered messages to every sink in turn.
  *
- * <p><b>Order.</b> After each window of messages it asks a sink how many have arrived; the answer must be exactly as many as it had sent, for the question
- * came behind them. It waits for the answer to the question before, so that at most two windows of its messages are on their way.
+ * <p><b>Order.</b> After each window of messages it asks a sink how many have arrived; the answer must be exactly as
+ * many as it had sent, for the question came behind them. It waits for the answer to the question before, so that at
+ * most two windows of its messages are on their way.
  */
 final class Producer implements Runnable {
     private static final Duration PATIENCE = Duration.ofSeconds(60);

@@ -16,9 +16,9 @@ import java.util.stream.IntStream;
 /**
  * Producers that send to an actor, and through another one to an actor in a second space.
  *
- * <p>With a mailbox without bounds the producers are slowed down by the answers to their questions ({@link Producer}), for both actors. With a bounded one
- * the room in it slows them down; only the receiver in the second space, to which an actor forwards, which must not wait, still
- * needs the questions.
+ * <p>With a mailbox without bounds the producers are slowed down by the answers to their questions ({@link Producer}),
+ * for both actors. With a bounded one the room in it slows them down; only the receiver in the second space, to which
+ * an actor forwards, which must not wait, still needs the questions.
  */
 final class Soak {
     private static final Duration PATIENCE = Duration.ofSeconds(60);

@@ -4,7 +4,9 @@ package io.troupe.petri.drawing;
 final class Dot {
     private Dot() {}
 
-    /** A quoted label that shows exactly this text: backslashes, quotes and entities mean nothing, a line break is one. */
+    /**
+     * A quoted label that shows exactly this text: backslashes, quotes and entities mean nothing, a line break is one.
+     */
     static String quoted(String text) {
         return '"'
                 + text.replace("&", "&amp;")

@@ -7,16 +7,19 @@ import io.troupe.petri.ReachabilityGraph.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A picture of a reachability graph: the initial marking with a double border, dead markings filled, open ones dashed, and,
- * if wanted, a shortest path in colour.
+ * A picture of a reachability graph: the initial marking with a double border, dead markings filled, open ones dashed,
+ * and, if wanted, a shortest path in colour.
  *
- * <p>Up to {@link #MOST_WRITTEN_MARKINGS} markings are written out, and the edges have the names of their transitions; in a
- * larger graph the markings are dots in rows, each row a firing farther from the initial marking, and of the edges only those of
- * the path have names, at the left of their rows.
+ * <p>Up to {@link #MOST_WRITTEN_MARKINGS} markings are written out, and the edges have the names of their transitions;
+ * in a larger graph the markings are dots in rows, each row a firing farther from the initial marking, and of the edges
+ * only those of the path have names, at the left of their rows.
  *
  * <p><b>Role.</b> {@code GraphDrawing.of(graph).pathTo(graph.dead().getFirst()).svg()}.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Order.</b> The same graph and path give the same bytes.
+ *
  * <p><b>Cost.</b> {@link #svg} takes some seconds for {@link #MOST_SVG_MARKINGS} markings.
  */
 public final class GraphDrawing {
@@ -62,7 +65,8 @@ public final class GraphDrawing {
     /**
      * A complete SVG file, laid out from top to bottom.
      *
-     * @throws IllegalArgumentException if the graph has more than {@link #MOST_SVG_MARKINGS} markings or {@link #MOST_SVG_EDGES} edges
+     * @throws IllegalArgumentException if the graph has more than {@link #MOST_SVG_MARKINGS} markings or
+     *     {@link #MOST_SVG_EDGES} edges
      */
     public String svg() {
         require(graph.size(), MOST_SVG_MARKINGS, "markings");

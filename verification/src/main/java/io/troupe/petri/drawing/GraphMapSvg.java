@@ -8,7 +8,8 @@ import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 /**
  * Writes a reachability graph too large for names as dots in rows, one row for each distance from the initial marking.
  *
- * <p>Only the edges to the next row take part in the layout: the others, bent and in another colour, would pull it apart.
+ * <p>Only the edges to the next row take part in the layout: the others, bent and in another colour, would pull it
+ * apart.
  */
 final class GraphMapSvg {
     private static final double FONT_PX = 12;
@@ -107,7 +108,10 @@ final class GraphMapSvg {
         return List.of(towards(from, to), towards(to, from));
     }
 
-    /** A curve that leaves the straight way by a tenth, so that edges there and back stay apart; a loop from a marking to itself. */
+    /**
+     * A curve that leaves the straight way by a tenth, so that edges there and back stay apart; a loop from a marking
+     * to itself.
+     */
     private Svg.Curve bent(GraphContent.Edge edge) {
         var from = centres[edge.from()];
         var to = centres[edge.to()];

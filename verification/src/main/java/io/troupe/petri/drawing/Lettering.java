@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How much room text needs. The reader's fonts are not known here, so the estimate is that of a wide sans-serif: text may
- * be narrower, and hardly ever wider.
+ * How much room text needs. The reader's fonts are not known here, so the estimate is that of a wide sans-serif: text
+ * may be narrower, and hardly ever wider.
  */
 final class Lettering {
     /** The fonts that the drawings ask for. */

@@ -67,7 +67,10 @@ final class NetArcs {
                 coloured ? Colours.PATH : Colours.LINE);
     }
 
-    /** The layout ends an arc at the square around the circle: it goes on, in the direction it has, until it meets the circle. */
+    /**
+     * The layout ends an arc at the square around the circle: it goes on, in the direction it has, until it meets the
+     * circle.
+     */
     private static Point ontoCircle(Point end, Point before, Point centre) {
         if (before.y() == end.y()) {
             var dy = end.y() - centre.y();

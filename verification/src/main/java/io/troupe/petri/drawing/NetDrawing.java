@@ -15,12 +15,15 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A picture of a net: places as circles with their tokens, transitions as boxes, weights on arcs and priorities where they
- * are not 1 and 0.
+ * A picture of a net: places as circles with their tokens, transitions as boxes, weights on arcs and priorities where
+ * they are not 1 and 0.
  *
  * <p><b>Role.</b> {@code NetDrawing.of(net).marked(dead).highlighting(trace).svg()}.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Order.</b> The same net, marking and firings give the same bytes.
+ *
  * <p><b>Errors.</b> A marking or a transition of another net throws {@link IllegalArgumentException}.
  */
 public final class NetDrawing {
@@ -62,7 +65,9 @@ public final class NetDrawing {
                 && net.places().get(place.index()).equals(place);
     }
 
-    /** The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times. */
+    /**
+     * The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times.
+     */
     public NetDrawing highlighting(Collection<Transition> firings) {
         var distinct = new LinkedHashSet<Transition>(firings); // an error names the first that is wrong
         var all = net.transitions();
@@ -101,7 +106,7 @@ public final class NetDrawing {
      * A complete SVG file, laid out from left to right.
      *
      * @throws IllegalArgumentException if the net has more than {@link #MOST_SVG_NODES} places and transitions or
-     * {@link #MOST_SVG_ARCS} arcs
+     *     {@link #MOST_SVG_ARCS} arcs
      */
     public String svg() {
         requireAtMost(net.places().size() + net.transitions().size(), MOST_SVG_NODES, "places and transitions");

@@ -5,7 +5,10 @@ import java.util.List;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.jspecify.annotations.Nullable;
 
-/** What is to be laid out: how large everything is, and what is joined with what. Nodes and edges are known by their number, in the order they are added. */
+/**
+ * What is to be laid out: how large everything is, and what is joined with what. Nodes and edges are known by their
+ * number, in the order they are added.
+ */
 final class Sketch {
     /** What a node needs. */
     record Node(Size size, @Nullable Size caption) {}
@@ -19,9 +22,8 @@ final class Sketch {
      * @param downwards from top to bottom, not from left to right
      * @param wrapped goes on in a new row where one row would be too long; ELK cannot do that with labels of edges
      * @param order which edges go forward: {@code MODEL_ORDER} those to a node added later, {@code DEPTH_FIRST} as long
-     * a
-     *     chain as there is, {@code BFS_NODE_ORDER} a node stands as near to the first ones as edges lead to it, which
-     *     keeps a large net with many loops compact
+     *     a chain as there is, {@code BFS_NODE_ORDER} a node stands as near to the first ones as edges lead to it,
+     *     which keeps a large net with many loops compact
      */
     record Style(
             boolean downwards,

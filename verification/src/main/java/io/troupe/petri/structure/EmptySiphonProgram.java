@@ -22,8 +22,9 @@ import org.ojalgo.optimisation.integer.IntegerStrategy.GMICutConfiguration;
  * here any will do, which is faster, and a minimal one in it is reported. The firing counts need not be integer: they
  * have no bounds, so that branching on them need not end. This can only add candidates.
  *
- * <p><b>Cost.</b> A mixed-integer program of the size of the net: about ten seconds for 40 places. Where the
- * siphons are few enough to be listed, {@link SiphonAnalysis} is faster and its proofs are exact.
+ * <p><b>Cost.</b> A mixed-integer program of the size of the net: about ten seconds for 40 places. Where the siphons
+ * are few enough to be listed, {@link SiphonAnalysis} is faster and its proofs are exact.
+ *
  * <p><b>Source.</b> Chu and Xie, Deadlock analysis of Petri nets using siphons and mathematical programming (1997).
  */
 public final class EmptySiphonProgram {

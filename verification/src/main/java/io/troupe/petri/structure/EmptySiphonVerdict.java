@@ -7,11 +7,11 @@ public sealed interface EmptySiphonVerdict {
     /**
      * No siphon can be emptied, by the state equation: the program has no solution.
      *
-     * <p>No more than the solver's word: it computes in floating point and leaves no proof behind. For an exact proof see
-     * {@link SiphonVerdict.HoldsMarkedTrap} and {@link SiphonVerdict.HoldsTokens}.
+     * <p>No more than the solver's word: it computes in floating point and leaves no proof behind. For an exact proof
+     * see {@link SiphonVerdict.HoldsMarkedTrap} and {@link SiphonVerdict.HoldsTokens}.
      *
      * @param excludesDeadMarkings whether it follows that no reachable marking is dead; so it does if the net has
-     * transitions, and all their input arcs have weight 1
+     *     transitions, and all their input arcs have weight 1
      */
     record NoneCanBeEmptied(boolean excludesDeadMarkings) implements EmptySiphonVerdict {}
 

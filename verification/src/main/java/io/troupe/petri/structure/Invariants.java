@@ -14,14 +14,17 @@ import java.util.function.ToIntFunction;
  * Minimal semi-positive invariants in integers: weights of places whose sum of weighted tokens no firing changes, and
  * firing counts that in the end change nothing.
  *
- * <p>A semi-positive invariant has weights of 0 or more, not all 0; it is minimal if no other has its support within its
- * own, and its weights have no common divisor. Every other semi-positive invariant is a sum of minimal ones times
+ * <p>A semi-positive invariant has weights of 0 or more, not all 0; it is minimal if no other has its support within
+ * its own, and its weights have no common divisor. Every other semi-positive invariant is a sum of minimal ones times
  * positive fractions. These, not a basis of the null space (which may need negative weights), are what bounds tokens
  * and names cycles.
  *
  * <p><b>Threads.</b> For any.
+ *
  * <p><b>Cost.</b> There can be exponentially many; and the work can be much more than the result.
+ *
  * <p><b>Errors.</b> A weight beyond a {@code long} throws {@link ArithmeticException}.
+ *
  * <p><b>Source.</b> The method of Farkas, as refined by Martinez and Silva, A simple and fast algorithm to obtain all
  * invariants of a generalised Petri net (1982).
  */
@@ -36,7 +39,7 @@ public final class Invariants {
      *
      * @param invariants each is minimal, also when the search stopped early; its weights above 0
      * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may
-     * be more
+     *     be more
      */
     public record Found<T>(List<Map<T, Long>> invariants, boolean isComplete) {
         public Found {

@@ -9,7 +9,7 @@ import java.util.List;
  *
  * @param sets each is minimal, also when the search stopped early
  * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may be
- * more
+ *     more
  */
 public record MinimalSets(List<PlaceSet> sets, boolean isComplete) {
     public MinimalSets {

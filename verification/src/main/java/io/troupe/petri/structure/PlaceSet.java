@@ -14,7 +14,9 @@ import java.util.List;
  *
  * <p><b>Role.</b> What {@link Siphons} finds, and what its questions are about. Equal when the members and the places
  * of the net are equal.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Errors.</b> A place of another net throws {@link IllegalArgumentException}.
  */
 public final class PlaceSet {

@@ -14,6 +14,7 @@ import java.util.function.Supplier;
  *
  * <p><b>Role.</b> Asks the cheapest proof first: a marked trap, then the state equation. What neither decides is a
  * candidate, for {@link #confirm}.
+ *
  * <p><b>Cost.</b> The search for all minimal siphons, and two linear programs for each without a marked trap.
  *
  * @param siphons what the search found
@@ -40,7 +41,7 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
      * Judges the minimal siphons found in up to {@code maxSteps} (1 or more) steps, as long as there is time.
      *
      * @param left how much time is left, asked often and on the calling thread; once it is zero or less, the search
-     * ends, and a siphon that is not judged yet may be emptied, for all that is known
+     *     ends, and a siphon that is not judged yet may be emptied, for all that is known
      */
     public static SiphonAnalysis of(PetriNet net, long maxSteps, Supplier<Duration> left) {
         BooleanSupplier cancelled = () -> !left.get().isPositive();

@@ -59,8 +59,8 @@ public sealed interface SiphonVerdict {
     }
 
     /**
-     * A candidate only: nothing excludes that the siphon is emptied, and nothing shows that it is. Confirm it by {@link
-     * SiphonAnalysis#confirm}.
+     * A candidate only: nothing excludes that the siphon is emptied, and nothing shows that it is. Confirm it by
+     * {@link SiphonAnalysis#confirm}.
      *
      * @param leastTokens the fewest tokens by the state equation; nothing if its solver failed
      */

@@ -17,8 +17,10 @@ import java.util.function.Supplier;
  * never reported.
  *
  * <p><b>Threads.</b> For any.
+ *
  * <p><b>Cost.</b> The largest one in a set takes time in proportion to arcs x places. There can be exponentially many
  * minimal ones.
+ *
  * <p><b>Source.</b> The search splits as in Cordone, Ferrarini and Piroddi, Enumeration algorithms for minimal siphons
  * in Petri nets based on place constraints (2005).
  */

@@ -24,7 +24,9 @@ import org.ojalgo.optimisation.Variable;
  * <p><b>Role.</b> Every reachable marking is such an m, but not every m is reachable, and s need not be integer: a
  * bound holds for all reachable markings, but may not be met by any. Priorities only take markings away, so it holds
  * with them, too.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Cost.</b> One or two linear programs for each question.
  */
 public final class StateEquation {

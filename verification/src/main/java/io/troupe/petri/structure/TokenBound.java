@@ -11,6 +11,7 @@ import java.util.Map;
  * solution of the linear program of {@link StateEquation}, in integers.
  *
  * <p><b>Cost.</b> Made in time in proportion to the arcs, which is what checking the proof takes.
+ *
  * <p><b>Errors.</b> Weights that prove nothing throw {@link IllegalArgumentException}: who holds one holds a proof in
  * exact arithmetic. A sum beyond a {@code long} throws {@link ArithmeticException}.
  *

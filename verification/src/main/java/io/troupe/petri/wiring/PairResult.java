@@ -11,7 +11,7 @@ import java.util.List;
  * @param one the one that was added to the wiring first
  * @param figures of the net of the two
  * @param stories of its dead markings, nearest first, at most 16; without any of these, how one of the two can wait for
- * ever although the other goes on
+ *     ever although the other goes on
  */
 public record PairResult(String one, String other, Figures figures, List<Story> stories) {
     public PairResult {

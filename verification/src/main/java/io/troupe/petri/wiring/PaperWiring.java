@@ -12,6 +12,7 @@ import java.util.stream.IntStream;
  * The paper's four components as declarations, in the reading in which the service gets ready by a private step.
  *
  * <p><b>Errors.</b> Fewer than one robot throws {@link IllegalArgumentException}.
+ *
  * <p><b>Source.</b> Section 5 of the paper.
  */
 public final class PaperWiring {

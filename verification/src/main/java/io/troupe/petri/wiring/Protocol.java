@@ -26,7 +26,9 @@ import java.util.TreeSet;
  * }
  *
  * <p><b>Role.</b> Put to work under a name in a {@link Wiring}, as often as wanted.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Errors.</b> {@link ProtocolBuilder} throws {@link IllegalArgumentException} for a call that is offered twice, a
  * step to an undeclared state, a state that cannot be reached, and one that nothing leads out of.
  */

@@ -11,7 +11,9 @@ import java.util.List;
  * Collects the states of a {@link Protocol}.
  *
  * <p><b>Role.</b> From {@link Protocol#of}; goes on with {@link #in}.
+ *
  * <p><b>Threads.</b> For one thread.
+ *
  * <p><b>Errors.</b> A bad name throws {@link IllegalArgumentException} at once; what needs the whole declaration is
  * told by {@link #build}.
  */

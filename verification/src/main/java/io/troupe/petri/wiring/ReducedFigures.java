@@ -11,7 +11,8 @@ import io.troupe.petri.SearchEnd;
  * @param edges that were followed
  * @param deadMarkings among these
  * @param end why the search ended; {@link SearchEnd#COMPLETE} if no reachable marking is dead but these
- * @param showsBlocks whether these markings were also enough to tell if some component can be blocked while others go on
+ * @param showsBlocks whether these markings were also enough to tell if some component can be blocked while others go
+ *     on
  */
 public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEnd end, boolean showsBlocks) {
     static ReducedFigures of(DeadlockSearch search) {

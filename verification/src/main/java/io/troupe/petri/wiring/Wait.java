@@ -65,7 +65,7 @@ public sealed interface Wait {
      * A call, and who might make it.
      *
      * @param callers those that can get to the call without another answer of the component that offers it, such as the
-     * one that holds it; if there are none, all that make the call
+     *     one that holds it; if there are none, all that make the call
      */
     record Offer(String call, List<String> callers) {
         public Offer {

@@ -5,8 +5,9 @@ import static java.util.Objects.requireNonNull;
 /**
  * A way out of a state of a {@link Protocol}: what happens, and the state after it.
  *
- * <p><b>Role.</b> Made by {@link Protocol#does}, {@link Protocol#requests}, {@link Protocol#provides} and {@link
- * Protocol#stops}, and handed to {@link ProtocolBuilder#in}.
+ * <p><b>Role.</b> Made by {@link Protocol#does}, {@link Protocol#requests}, {@link Protocol#provides} and
+ * {@link Protocol#stops}, and handed to {@link ProtocolBuilder#in}.
+ *
  * <p><b>Threads.</b> Immutable.
  */
 public final class Way {

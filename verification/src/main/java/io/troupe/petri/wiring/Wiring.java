@@ -12,8 +12,8 @@ import java.util.Set;
 /**
  * An application: named components, each with its {@link Protocol}, and who calls whom.
  *
- * <p>A request {@code player.setValues} goes to the component called {@code player}, unless {@link WiringBuilder#bind} says
- * otherwise. Several components may call the same one; it serves them one at a time.
+ * <p>A request {@code player.setValues} goes to the component called {@code player}, unless {@link WiringBuilder#bind}
+ * says otherwise. Several components may call the same one; it serves them one at a time.
  *
  * {@snippet :
  * var wiring = Wiring.of("two clients")
@@ -23,7 +23,9 @@ import java.util.Set;
  * }
  *
  * <p><b>Role.</b> Asked whether it can deadlock by {@link WiringCheck}.
+ *
  * <p><b>Threads.</b> Immutable.
+ *
  * <p><b>Errors.</b> {@link WiringBuilder#build} throws {@link IllegalArgumentException} for a request to an unknown
  * component, for a call that the other side never offers, and for an offer that nobody calls and that is not declared
  * open; the message has the nearest known name.
@@ -93,12 +95,12 @@ public final class Wiring {
     }
 
     /**
-     * The same components, of which each of {@code groups} stops in a step of its own, as all do in {@link
-     * #withSynchronisedStop}. What is in no group never stops: for example robots that leave one by one, each with its
-     * session, while what they share stays up.
+     * The same components, of which each of {@code groups} stops in a step of its own, as all do in
+     * {@link #withSynchronisedStop}. What is in no group never stops: for example robots that leave one by one, each
+     * with its session, while what they share stays up.
      *
-     * @throws IllegalArgumentException for an unknown component, one in two groups, a group in which nobody stops, and a
-     * component in no group that has a state in which it can only stop
+     * @throws IllegalArgumentException for an unknown component, one in two groups, a group in which nobody stops, and
+     *     a component in no group that has a state in which it can only stop
      */
     public Wiring withSynchronisedStops(List<? extends Set<String>> groups) {
         var seen = new HashSet<String>();

@@ -13,7 +13,9 @@ import java.util.Set;
  * Collects the components and bindings of a {@link Wiring}.
  *
  * <p><b>Role.</b> From {@link Wiring#of}; goes on with {@link #component} and {@link #bind}.
+ *
  * <p><b>Threads.</b> For one thread.
+ *
  * <p><b>Errors.</b> A bad or repeated name throws {@link IllegalArgumentException} at once; what needs the whole wiring
  * is told by {@link #build}.
  */

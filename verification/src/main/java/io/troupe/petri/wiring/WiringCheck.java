@@ -14,10 +14,10 @@ import java.util.Optional;
  * Tells whether the components of a {@link Wiring} can come to wait for each other for ever.
  *
  * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
- * full. Of the whole, a search by stubborn sets finds all dead markings, with a shortest way to each, among a small part
- * of the markings; if there are none, another one finds out whether some components can be blocked while others go on.
- * The full graph, as far as it is within the limit, adds its figures and how a block begins, and decides what the others
- * could not. What was beyond all limits, the result says. In a unit test:
+ * full. Of the whole, a search by stubborn sets finds all dead markings, with a shortest way to each, among a small
+ * part of the markings; if there are none, another one finds out whether some components can be blocked while others go
+ * on. The full graph, as far as it is within the limit, adds its figures and how a block begins, and decides what the
+ * others could not. What was beyond all limits, the result says. In a unit test:
  *
  * {@snippet :
  * @Test
@@ -30,11 +30,14 @@ import java.util.Optional;
  * When this fails, its message is the story of the deadlock.
  *
  * <p><b>Threads.</b> Any.
+ *
  * <p><b>Cost.</b> That of {@link DeadlockSearch#run}, {@link ProgressSearch#run} and {@link ReachabilityGraph#explore},
  * for each pair (alike ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with
  * the number of components. Once the verdict is known, the full graph is not followed beyond 300,000 markings.
+ *
  * <p><b>Errors.</b> A limit below 1, and a wiring whose {@link Wiring#withSynchronisedStop synchronised stop} could be
  * taken in more than 1000 combinations of states, throw {@link IllegalArgumentException}.
+ *
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
  */
 public final class WiringCheck {

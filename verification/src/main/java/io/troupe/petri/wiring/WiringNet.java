@@ -17,8 +17,8 @@ import java.util.stream.Stream;
 
 /*
  * The net of some components of a wiring. What they call or offer outside of these stays a private transition, as if it
- * were answered, or called, at any time. Names of places and transitions are sentences, so that a firing sequence can be
- * read.
+ * were answered, or called, at any time. Names of places and transitions are sentences, so that a firing sequence can
+ * be read.
  */
 final class WiringNet {
     /** Who takes part in a transition, and for whom it is a stop. */

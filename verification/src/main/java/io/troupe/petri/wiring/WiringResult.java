@@ -16,7 +16,8 @@ public sealed interface WiringResult {
 
     /**
      * No reachable marking is dead, and from every one each component can still go on. That it does so some day, and is
-     * not passed over for ever, is not said. This is known from all markings, or from those of the {@link #reduced} search.
+     * not passed over for ever, is not said. This is known from all markings, or from those of the {@link #reduced}
+     * search.
      */
     record Proved(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public Proved {
@@ -50,9 +51,9 @@ public sealed interface WiringResult {
      *
      * @param stories of the dead markings, nearest first, at most 16
      * @param causes the nearest ways in which a component begins to wait for ever while others may go on; none if the
-     * search of all markings ended early
+     *     search of all markings ended early
      * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
-     * more than 1000 combinations of states
+     *     more than 1000 combinations of states
      */
     record Deadlock(
             Figures figures,
@@ -85,7 +86,7 @@ public sealed interface WiringResult {
      *
      * @param stories ways to this; the nearest ones if the search of all markings is complete
      * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
-     * more than 1000 combinations of states
+     *     more than 1000 combinations of states
      */
     record Blocked(
             Figures figures,

@@ -2,7 +2,9 @@ package io.troupe.player.structures.laser;
 
 import io.troupe.player.structures.PlayerPoint2d;
 
-/** A scan from the least angle (right) to the greatest (left): radians and metres; the points are in the laser's frame. */
+/**
+ * A scan from the least angle (right) to the greatest (left): radians and metres; the points are in the laser's frame.
+ */
 public class PlayerLaserData {
     private float min_angle;
     private float max_angle;

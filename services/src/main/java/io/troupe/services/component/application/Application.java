@@ -22,14 +22,21 @@ import org.jspecify.annotations.Nullable;
 /**
  * An application that runs.
  *
- * <p><b>Role.</b> Puts the components of its plan on the bus, registers them with the broker, and asks the broker for all its needs: that is what starts components, and
- * only those that are needed. Then it keeps each user connected with the provider that the broker names.
- * <p><b>Threads.</b> One actor space, on which it is started, stopped, and tells its observers. Bus and broker belong to it, and are closed with it.
- * <p><b>Order.</b> Needs are met one after the other, in the order of the plan; replacements are timed from the moment when all are. When one provider takes the place
- * of another its wires do so in one turn of the space.
- * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application: everything that was started is stopped, and then
- * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}. So do two needs that would feed one
- * topic, with an {@link ApplicationException}. {@link #replace} and {@link #add} are rejected with one when it is being stopped, or has been.
+ * <p><b>Role.</b> Puts the components of its plan on the bus, registers them with the broker, and asks the broker for
+ * all its needs: that is what starts components, and only those that are needed. Then it keeps each user connected with
+ * the provider that the broker names.
+ *
+ * <p><b>Threads.</b> One actor space, on which it is started, stopped, and tells its observers. Bus and broker belong
+ * to it, and are closed with it.
+ *
+ * <p><b>Order.</b> Needs are met one after the other, in the order of the plan; replacements are timed from the moment
+ * when all are. When one provider takes the place of another its wires do so in one turn of the space.
+ *
+ * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application:
+ * everything that was started is stopped, and then {@link #started} or {@link #ended} is rejected with the broker's
+ * {@link MissingServiceException}. So do two needs that would feed one topic, with an {@link ApplicationException}.
+ * {@link #replace} and {@link #add} are rejected with one when it is being stopped, or has been.
+ *
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
 public final class Application {
@@ -154,7 +161,8 @@ public final class Application {
     }
 
     /**
-     * Puts a component in the place of another, under the service that this one is registered for, while the application runs.
+     * Puts a component in the place of another, under the service that this one is registered for, while the
+     * application runs.
      *
      * @param by a component of the plan that is not in use
      */

@@ -18,13 +18,15 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * An application before it runs: which components there are, who needs which service, which topics are connected, and what is replaced when.
+ * An application before it runs: which components there are, who needs which service, which topics are connected, and
+ * what is replaced when.
  *
- * <p><b>Role.</b> Made in code by {@link #named(String)}, or read from a file by {@link ApplicationReader}. Immutable; the same plan may run many times.
+ * <p><b>Role.</b> Made in code by {@link #named(String)}, or read from a file by {@link ApplicationReader}. Immutable;
+ * the same plan may run many times.
  *
  * @param components by their names on the bus, in the order in which they are registered
- * @param needs what the broker is asked for, in this order; the user of a need is its {@code by}: a robot or a component, whose topics are connected with those of
- *     the provider, or the application itself
+ * @param needs what the broker is asked for, in this order; the user of a need is its {@code by}: a robot or a
+ *     component, whose topics are connected with those of the provider, or the application itself
  * @param wires what is connected all the time
  * @param replacements who takes another's place
  */

@@ -23,6 +23,7 @@ import java.util.regex.Pattern;
  * Reads the declaration of an application.
  *
  * <p><b>Units and shapes.</b> One statement a line:
+ *
  * <pre>
  * application NAME
  * component NAME is KIND [PARAMETER=VALUE ..] [service=NAME] [capabilities=NAME,..]
@@ -30,7 +31,10 @@ import java.util.regex.Pattern;
  * connect TOPIC to TOPIC
  * at TIME replace COMPONENT by COMPONENT
  * </pre>
- * A user is the application, a component, or a robot of one. Times are {@code 500ms}, {@code 20s} or {@code 2min}, from when all needs are met.
+ *
+ * A user is the application, a component, or a robot of one. Times are {@code 500ms}, {@code 20s} or {@code 2min}, from
+ * when all needs are met.
+ *
  * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first mistake.
  */
 public final class ApplicationReader {

@@ -8,7 +8,9 @@ import io.troupe.services.bus.BusPort;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** One need while the application runs: whichever provider the broker names is connected with the user, and no other. */
+/**
+ * One need while the application runs: whichever provider the broker names is connected with the user, and no other.
+ */
 final class Usage implements Broker.Connection {
     /** Hears when the need is not met any more. */
     interface Losses {

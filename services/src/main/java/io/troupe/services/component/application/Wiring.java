@@ -18,7 +18,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * Connects topics: of a user and its provider those that have the same last name and type.
  *
- * <p><b>Role.</b> What the user's side publishes goes to the provider if that hears it, and what the provider publishes to the user's side if that hears it.
+ * <p><b>Role.</b> What the user's side publishes goes to the provider if that hears it, and what the provider publishes
+ * to the user's side if that hears it.
+ *
  * <p><b>Threads.</b> The application's space.
  */
 final class Wiring {
@@ -51,8 +53,8 @@ final class Wiring {
      * Lets a need, or the declaration itself, feed topics.
      *
      * @param need null for wires of the declaration, which may join several into one
-     * @throws ApplicationException if another feeds one already: a robot that two drive obeys none, and a control law that hears two robots drives neither; or if values
-     *     would go round in a circle
+     * @throws ApplicationException if another feeds one already: a robot that two drive obeys none, and a control law
+     *     that hears two robots drives neither; or if values would go round in a circle
      */
     void claim(@Nullable Need need, List<Wire<?>> wires) {
         for (var wire : wires) {
@@ -79,7 +81,10 @@ final class Wiring {
         feeds.removeIf(each -> each.need() == need);
     }
 
-    /** What is to be connected between a user and a provider; a provider that is no component of this application has no topics that are known here. */
+    /**
+     * What is to be connected between a user and a provider; a provider that is no component of this application has no
+     * topics that are known here.
+     */
     List<Wire<?>> between(String user, String provider) {
         Component<?, ?> serving = components.get(provider);
         if (serving == null || user.equals(provider)) {

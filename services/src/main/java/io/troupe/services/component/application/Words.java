@@ -8,8 +8,8 @@ import java.util.regex.Pattern;
 /**
  * The words of one line of a declaration, read one after the other.
  *
- * <p><b>Units and shapes.</b> Blanks part words, quotes hold one together, {@code #} before a word begins a comment, <code>${name}</code> stands for a value that the
- * program gives. Columns count from 1.
+ * <p><b>Units and shapes.</b> Blanks part words, quotes hold one together, {@code #} before a word begins a comment,
+ * <code>${name}</code> stands for a value that the program gives. Columns count from 1.
  */
 final class Words {
     /** One of them, without its quotes. */

@@ -22,11 +22,12 @@ import java.util.function.Supplier;
 /**
  * Any behaviour as a component.
  *
- * <p><b>Role.</b> Under the name {@code c} it hears {@code c/sonar} and {@code c/position}, and for each ring of ranges, but not more often than every 100 ms, says
- * {@code c/velocity} if it wants to move. Where no position comes it knows only the pose (0, 0, 0), not stalled.
- * One that asks for blobs or laser subscribes to {@code c/blobs} or {@code c/laser} too; until the first of them comes
- * there are no blobs, and the scan is empty. Its last command, when it is terminated or its law throws, is to stand
- * still.
+ * <p><b>Role.</b> Under the name {@code c} it hears {@code c/sonar} and {@code c/position}, and for each ring of
+ * ranges, but not more often than every 100 ms, says {@code c/velocity} if it wants to move. Where no position comes it
+ * knows only the pose (0, 0, 0), not stalled. One that asks for blobs or laser subscribes to {@code c/blobs} or
+ * {@code c/laser} too; until the first of them comes there are no blobs, and the scan is empty. Its last command, when
+ * it is terminated or its law throws, is to stand still.
+ *
  * <p><b>Source.</b> Paper, sections 3.1 and 3.2.
  */
 public final class BehaviourComponent {

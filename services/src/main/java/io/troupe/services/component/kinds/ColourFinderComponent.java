@@ -15,7 +15,8 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The colour finder as a component: under the name {@code c} it hears {@code c/blobs}, and says {@code c/colours} whenever another colour than before is the largest in sight.
+ * The colour finder as a component: under the name {@code c} it hears {@code c/blobs}, and says {@code c/colours}
+ * whenever another colour than before is the largest in sight.
  *
  * <p><b>Source.</b> Paper, section 3.2.
  */

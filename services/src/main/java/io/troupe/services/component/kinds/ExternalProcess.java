@@ -26,8 +26,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The CCU of a process of the operating system.
  *
- * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what is sent to it, one waits for its end, and one ends it. The actor space
- * never waits for the process, and neither does the common pool: {@link Process#onExit} would, and blocks it while a process that has outlived its parent holds the pipe.
+ * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what is sent to it, one
+ * waits for its end, and one ends it. The actor space never waits for the process, and neither does the common pool:
+ * {@link Process#onExit} would, and blocks it while a process that has outlived its parent holds the pipe.
  */
 final class ExternalProcess implements ComponentCommunication<String, String> {
     /** A longer line is cut here. */
@@ -36,7 +37,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     /** Killed processes end at once, unless the system cannot end them. */
     private static final Duration KILL_LIMIT = Duration.ofSeconds(10);
 
-    /** An application that ends with the virtual machine stops its components in its own order, and has this time for it. */
+    /**
+     * An application that ends with the virtual machine stops its components in its own order, and has this time for
+     * it.
+     */
     private static final Duration SHUTDOWN_GRACE = Duration.ofSeconds(2);
 
     /** Starts the program. */
@@ -217,7 +221,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
-    /** As {@link java.io.BufferedReader#readLine} divides text, but a line that does not end takes no more memory than a long one. */
+    /**
+     * As {@link java.io.BufferedReader#readLine} divides text, but a line that does not end takes no more memory than a
+     * long one.
+     */
     private static void readLines(Reader from, Consumer<String> lines, Runnable cut) throws IOException {
         var line = new StringBuilder();
         boolean skipping = false;
@@ -287,7 +294,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     /**
-     * Ends the process and those that it has started. Rejected with what is left if some are alive {@link #KILL_LIMIT} after they were killed; the next call tries again.
+     * Ends the process and those that it has started. Rejected with what is left if some are alive {@link #KILL_LIMIT}
+     * after they were killed; the next call tries again.
      */
     @Override
     public Promise<@Nullable Void> terminate() {
@@ -295,7 +303,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         return tree == null ? Promise.done() : Promise.from(end());
     }
 
-    /** Waits for a start that has begun, and then for an application that stops its components; ends the process if it is alive after that. */
+    /**
+     * Waits for a start that has begun, and then for an application that stops its components; ends the process if it
+     * is alive after that.
+     */
     void endAtShutdown() {
         awaitAtShutdown(begun, killLimit);
         if (tree == null) {

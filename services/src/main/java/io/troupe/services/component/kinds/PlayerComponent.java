@@ -14,9 +14,12 @@ import java.util.Map;
  * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and {@code robotn/blobs} and
  * {@code robotn/laser} if the settings say that it has these; it drives as {@code robotn/velocity} says. When no
  * velocity has come for {@value PlayerRobot#PATIENCE_READINGS} readings, the robot is stopped, and this is told.
- * <p><b>Threads.</b> A server in this JVM is found by its port; its world waits, in lock step, until the space of the interface has nothing left to do. Connecting to
- * a server behind a socket holds the space meanwhile.
- * <p><b>Errors.</b> It cannot be started where there is no server, or no such robot; it fails when the server goes away.
+ *
+ * <p><b>Threads.</b> A server in this JVM is found by its port; its world waits, in lock step, until the space of the
+ * interface has nothing left to do. Connecting to a server behind a socket holds the space meanwhile.
+ *
+ * <p><b>Errors.</b> It cannot be started where there is no server, or no such robot; it fails when the server goes
+ * away.
  */
 public final class PlayerComponent {
     /**

@@ -13,13 +13,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * One robot of a Player server, and how long it has gone without a command.
  *
- * <p><b>Role.</b> Player keeps the last command for ever. A robot that nobody commands any more is stopped here, since whoever drove it may be gone; a server that knows {@link DriverLimits} does the same even if this
- * program hangs.
+ * <p><b>Role.</b> Player keeps the last command for ever. A robot that nobody commands any more is stopped here, since
+ * whoever drove it may be gone; a server that knows {@link DriverLimits} does the same even if this program hangs.
  */
 final class PlayerRobot {
     /**
-     * Readings without a command at which a robot that was driven is stopped: half a second in the worlds of the paper. This is for foreign servers: ours stops it before that, at
-     * {@link DriverLimits#COMMAND_LIMIT}.
+     * Readings without a command at which a robot that was driven is stopped: half a second in the worlds of the paper.
+     * This is for foreign servers: ours stops it before that, at {@link DriverLimits#COMMAND_LIMIT}.
      */
     static final int PATIENCE_READINGS = 5;
 

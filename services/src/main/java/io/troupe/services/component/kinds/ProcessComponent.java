@@ -10,17 +10,27 @@ import java.time.Duration;
 import java.util.List;
 
 /**
- * A process of the operating system as a component: a program in any language that reaches the robots by itself, by the Player protocol for example.
+ * A process of the operating system as a component: a program in any language that reaches the robots by itself, by the
+ * Player protocol for example.
  *
- * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its standard output, and is ended, with the processes that it has started, as the system does that. Data
- * signals are lines of text: under the name {@code c} it hears {@code c/in} on its standard input, and each line of its standard output is said as
- * {@code c/out}, cut after 65,536 characters.
- * <p><b>Processes.</b> On Linux, where there is the command {@code setsid}, the program leads a session, without a terminal, and every process of the session ends with it: when it is terminated, when it ends
- * by itself, and when this virtual machine shuts down: then an application has 2 s to stop its components in its own order, before the processes that are left are ended. A virtual machine that is killed
- * ({@code kill -9}, {@code Runtime.halt}, a crash) ends none: a program that must not go on alone ends at the end of its standard input, or when its connection with the server has gone. One that opens a session itself, as a daemon does, lives on if its parent has ended, and so do, where there is no {@code setsid}, processes whose parent has ended.
- * <p><b>Errors.</b> It has failed when it ends by itself, which is reported when the processes that it had started have ended, too; the error has its exit status and the end of what it wrote to its standard
- * error. A termination is rejected with the processes that are left if some are alive 10 s after they were killed. What it moved over a connection of its own is for the server to stop: ours does when nobody
- * has the robot open any more.
+ * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its
+ * standard output, and is ended, with the processes that it has started, as the system does that. Data signals are
+ * lines of text: under the name {@code c} it hears {@code c/in} on its standard input, and each line of its standard
+ * output is said as {@code c/out}, cut after 65,536 characters.
+ *
+ * <p><b>Processes.</b> On Linux, where there is the command {@code setsid}, the program leads a session, without a
+ * terminal, and every process of the session ends with it: when it is terminated, when it ends by itself, and when this
+ * virtual machine shuts down: then an application has 2 s to stop its components in its own order, before the processes
+ * that are left are ended. A virtual machine that is killed ({@code kill -9}, {@code Runtime.halt}, a crash) ends none:
+ * a program that must not go on alone ends at the end of its standard input, or when its connection with the server has
+ * gone. One that opens a session itself, as a daemon does, lives on if its parent has ended, and so do, where there is
+ * no {@code setsid}, processes whose parent has ended.
+ *
+ * <p><b>Errors.</b> It has failed when it ends by itself, which is reported when the processes that it had started have
+ * ended, too; the error has its exit status and the end of what it wrote to its standard error. A termination is
+ * rejected with the processes that are left if some are alive 10 s after they were killed. What it moved over a
+ * connection of its own is for the server to stop: ours does when nobody has the robot open any more.
+ *
  * <p><b>Source.</b> Paper, section 2.1.1: packages may be built in different programming languages.
  */
 public final class ProcessComponent {

@@ -26,21 +26,29 @@ import org.jspecify.annotations.Nullable;
 /**
  * A program and the processes that it has started.
  *
- * <p><b>Role.</b> On Linux, where there is the command {@code setsid}, the program leads a session: all processes of the session belong to it, also after their parents
- * have ended. Elsewhere its descendants belong to it, and these are found only while their parents live. A process that opens a session itself is found while its parent lives.
+ * <p><b>Role.</b> On Linux, where there is the command {@code setsid}, the program leads a session: all processes of
+ * the session belong to it, also after their parents have ended. Elsewhere its descendants belong to it, and these are
+ * found only while their parents live. A process that opens a session itself is found while its parent lives.
+ *
  * <p><b>Threads.</b> Any. It reads the process table, so it is not for an actor space.
  */
 final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
 
-    /** Process number, name, which may have blanks and brackets, state, parent, group and session; no match for a zombie. */
+    /**
+     * Process number, name, which may have blanks and brackets, state, parent, group and session; no match for a
+     * zombie.
+     */
     private static final Pattern STAT =
             Pattern.compile("[^(]*\\(.*\\) [^ZX] (\\d{1,18}) -?\\d+ (\\d{1,18})\\b", Pattern.DOTALL);
 
     private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
-    /** A line of the process table of Linux; zombies, which only wait for their parents to notice their end, are left out. */
+    /**
+     * A line of the process table of Linux; zombies, which only wait for their parents to notice their end, are left
+     * out.
+     */
     record Entry(long pid, long parent, long session) {}
 
     private final Process root;

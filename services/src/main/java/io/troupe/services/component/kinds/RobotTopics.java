@@ -6,10 +6,11 @@ import io.troupe.services.bus.Topic;
 import java.util.List;
 
 /**
- * What is said on the bus of a robot: topics named {@code owner/sonar} and so on, where the owner is a robot ({@code robot1}) or a component that
- * takes part in driving one.
+ * What is said on the bus of a robot: topics named {@code owner/sonar} and so on, where the owner is a robot
+ * ({@code robot1}) or a component that takes part in driving one.
  *
- * <p><b>Units and shapes.</b> Metres, radians, seconds on the robot's clock; x forward, y left, left turns positive. Colours are {@code 0x00RRGGBB}.
+ * <p><b>Units and shapes.</b> Metres, radians, seconds on the robot's clock; x forward, y left, left turns positive.
+ * Colours are {@code 0x00RRGGBB}.
  */
 public final class RobotTopics {
     /** A ring's readings, in the order of the sonars. */

@@ -383,7 +383,10 @@ class ApplicationTest {
         assertThat(robots.commands(0)).as("it drives nobody").containsExactly(FOLLOWER_AHEAD);
     }
 
-    /** Fails at its first reading, as often as there are deaths; while more than one is left it does not even start again. */
+    /**
+     * Fails at its first reading, as often as there are deaths; while more than one is left it does not even start
+     * again.
+     */
     private static Component<?, ?> mortal(List<Integer> deaths) {
         var lives = new ArrayList<Integer>();
         return BehaviourComponent.of("mortal", "dying", List.of(), () -> {

@@ -15,7 +15,10 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A component that wants one velocity for each ring of ranges, answers its control as a test says, and can drive unasked. */
+/**
+ * A component that wants one velocity for each ring of ranges, answers its control as a test says, and can drive
+ * unasked.
+ */
 final class ScriptedDriver {
     private final String name;
     private final Velocity wanted;

@@ -61,7 +61,10 @@ class ExternalProcessTest {
         assertThat(left).as("processes left").isEmpty();
     }
 
-    /** The processes of this test, which have its directory among their arguments. One that has ended has none, collected or not. */
+    /**
+     * The processes of this test, which have its directory among their arguments. One that has ended has none,
+     * collected or not.
+     */
     private List<ProcessHandle> alive() {
         return ProcessHandle.allProcesses()
                 .filter(each -> each.info().commandLine().orElse("").contains(directory.toString()))
