@@ -6,7 +6,7 @@ repositories {
     mavenCentral()
 }
 
-dependencies { implementation("io.troupe:actor-core:0.1.0-SNAPSHOT") }
+dependencies { implementation("io.troupe:troupe-actor-core:0.1.0-SNAPSHOT") }
 
 // -Pjdk=25 compiles and runs on an installed JDK 25, whatever JDK runs Gradle
 providers.gradleProperty("jdk").orNull?.let { jdk -> java.toolchain.languageVersion.set(JavaLanguageVersion.of(jdk)) }

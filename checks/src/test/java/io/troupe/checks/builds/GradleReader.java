@@ -168,7 +168,7 @@ final class GradleReader {
     private Dependency dependency(String file, boolean isPublished, Statement statement) {
         var onModule = ON_MODULE.matcher(statement.head());
         if (!statement.block() && onModule.matches()) {
-            var coordinates = property("group") + ":" + onModule.group(2);
+            var coordinates = property("group") + ":" + Module.artifact(onModule.group(2));
             return new Dependency(scope(isPublished, onModule.group(1)), coordinates, property("version"));
         }
         var onLibrary = ON_LIBRARY.matcher(statement.head());

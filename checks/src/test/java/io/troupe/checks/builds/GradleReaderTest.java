@@ -72,7 +72,7 @@ class GradleReaderTest {
                 .containsExactly(
                         new Dependency(Scope.TEST, "org.junit:junit", "5"),
                         new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9"),
-                        new Dependency(Scope.COMPILE, "g:core", "1"),
+                        new Dependency(Scope.COMPILE, "g:troupe-core", "1"),
                         new Dependency(Scope.PROCESSOR, "org.ow2.asm:asm", "9.9"));
     }
 
@@ -82,7 +82,7 @@ class GradleReaderTest {
         assertThat(GradleReader.read(root).modules().get("core").dependencies())
                 .contains(
                         new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9"),
-                        new Dependency(Scope.RUNTIME, "g:core", "1"));
+                        new Dependency(Scope.RUNTIME, "g:troupe-core", "1"));
     }
 
     @Test

@@ -59,6 +59,15 @@ class HonestBuildsTest {
                 .contains("<phase>compile</phase><goals><goal>copy-dependencies</goal></goals>");
     }
 
+    /** The POMs have their artifact ids checked by {@link PomReader}; Gradle would use the name of the folder. */
+    @Test
+    void artifactsOfGradle_areCalledAsThoseOfMaven() throws IOException {
+        assertThat(file("build.gradle.kts"))
+                .contains("archivesName.set(\"troupe-${project.name}\")")
+                .contains("artifactId = \"troupe-${project.name}\"");
+        assertThat(Module.artifact("services")).isEqualTo("troupe-services");
+    }
+
     /** JMH itself exits with 0 when its forks fail. */
     @Test
     void benchmarksThatFail_failTheirBuild() throws IOException {

@@ -6,6 +6,11 @@ import java.util.SequencedCollection;
 
 /** One module as a build describes it; {@code automaticName} is empty when its jar gives no module name. */
 record Module(String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
+    /** The artifact id of the module in a folder: with the name of the project, since jars meet in one folder. */
+    static String artifact(String folder) {
+        return "troupe-" + folder;
+    }
+
     Map<String, Dependency> byKey() {
         var byKey = new LinkedHashMap<String, Dependency>();
         for (var dependency : dependencies) {

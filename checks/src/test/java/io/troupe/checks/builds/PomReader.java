@@ -79,7 +79,7 @@ final class PomReader {
         var parent = all(project, "parent").getFirst();
         require(file, "parent's version", text(parent, "version"), value("project.version"));
         require(file, "parent's groupId", text(parent, "groupId"), value("project.groupId"));
-        require(file, "artifactId", text(project, "artifactId"), name);
+        require(file, "artifactId", text(project, "artifactId"), Module.artifact(name));
         Map<String, String> properties = new LinkedHashMap<>(shared);
         properties.putAll(properties(project));
 

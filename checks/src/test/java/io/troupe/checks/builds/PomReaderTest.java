@@ -17,7 +17,7 @@ class PomReaderTest {
               </dependencies>
             </project>
             """;
-    private static final String HEAD = "<artifactId>core</artifactId>"
+    private static final String HEAD = "<artifactId>troupe-core</artifactId>"
             + "<parent><groupId>g</groupId><artifactId>root</artifactId><version>1</version></parent>";
 
     @Test
