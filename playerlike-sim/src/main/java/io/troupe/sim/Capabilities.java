@@ -3,12 +3,12 @@ package io.troupe.sim;
 import io.troupe.player.wire.Interfaces;
 import java.util.List;
 
-/** Which messages the simulated devices understand, by the numbers of Player. */
+/** The messages that the simulated devices understand, as Player's type and subtype numbers. */
 final class Capabilities {
     private static final int DATA = 1;
     private static final int COMMAND = 2;
     private static final int REQUEST = 3;
-    /** The question itself. */
+    /** Subtype of the capability request itself. */
     private static final int CAPABILITY = 255;
 
     private Capabilities() {}

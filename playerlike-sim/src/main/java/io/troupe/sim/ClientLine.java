@@ -22,10 +22,10 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One client of a simulated world.
+ * A client's connection to a simulated world.
  *
- * <p><b>Threads.</b> Any thread. Everything that changes is guarded by the simulation's lock: what a client says before
- * its answer is with the simulation when that sees the answer.
+ * <p><b>Threads.</b> Any thread. All mutable state is guarded by the simulation's lock, so a command that a client
+ * sends before its answer has arrived when the simulation sees that answer.
  */
 final class ClientLine implements PlayerConnection {
     private static final System.Logger LOG = System.getLogger(ClientLine.class.getName());
@@ -36,15 +36,15 @@ final class ClientLine implements PlayerConnection {
     private final @Nullable ActorSpace space;
     private final int number;
     private final Set<Offer> subscribed = new LinkedHashSet<>();
-    private List<Offer> inFrameOrder = List.of(); // the same
+    private List<Offer> inFrameOrder = List.of(); // the same devices, sorted
     private final PendingCommands pending = new PendingCommands();
     private final DeviceDesk desk;
     private boolean begun;
     private boolean answers = true;
     private long publishedTick = NO_TICK;
     private long answeredTick = NO_TICK;
-    private long turnTick = NO_TICK; // whose frame began a turn of the space that has to end, even if the client leaves
-    private boolean asks; // on a space that is never idle: it answers by asking in vain, as a thread does
+    private long turnTick = NO_TICK; // tick whose turn must complete even if the client disconnects
+    private boolean asks; // never-idle space: an unsuccessful poll counts as the answer
     private @Nullable String closed;
 
     ClientLine(Simulation simulation, PortServer server, DataSink sink, @Nullable ActorSpace space) {
@@ -56,7 +56,7 @@ final class ClientLine implements PlayerConnection {
         this.number = simulation.add(this);
     }
 
-    // ---- for the simulation, under its lock
+    // ---- called by the simulation, under its lock
 
     @Nullable
     ActorSpace space() {
@@ -78,7 +78,7 @@ final class ClientLine implements PlayerConnection {
         return !isWaitedFor() && isSubscribed();
     }
 
-    /** Whether it has subscribed to what it wants and waits for its first data, or has done so. */
+    /** True once the client waits for data and is subscribed to a device that publishes. */
     boolean hasBegun() {
         return begun && isSubscribed();
     }
@@ -100,7 +100,7 @@ final class ClientLine implements PlayerConnection {
         return pending.take();
     }
 
-    // ---- for the simulation, not under its lock
+    // ---- called by the simulation, without its lock
 
     void deliver(Snapshot now) {
         List<DataMessage> messages = simulation.quietly(() -> messages(now));
@@ -126,30 +126,34 @@ final class ClientLine implements PlayerConnection {
     }
 
     /**
-     * The answer of a client on a space, which may have closed itself in the same turn. Under the simulation's lock.
+     * Records the answer of a client on a space; the client may have closed itself in the same turn. Called under the
+     * simulation's lock.
      */
     void spaceIsIdle(long tick) {
         answeredTick = Math.max(answeredTick, tick);
         asks = false;
     }
 
-    /** A client ends with the space it lives on, and a turn that was not ended there is not waited for. */
+    /**
+     * Disconnects the client because its actor space has been closed. A turn that did not complete there is not waited
+     * for.
+     */
     void endWithSpace() {
         shut("actor space " + space + ", on which this client lived, has been closed", false);
     }
 
-    /** It is not waited for any more, even if it had left in its turn before. */
+    /** Disconnects the client. Ticks no longer wait for it, even if it had closed itself during its turn. */
     void lose(String reason) {
         if (shut(reason, false)) {
             try {
                 sink.lost(reason);
-            } catch (RuntimeException | Error e) { // the other clients have to learn it all the same
+            } catch (RuntimeException | Error e) { // the other clients must still be disconnected
                 LOG.log(System.Logger.Level.WARNING, this + " failed when it was disconnected", e);
             }
         }
     }
 
-    // ---- for the client
+    // ---- called by the client
 
     @Override
     public List<DeviceAddress> devices() {
@@ -194,7 +198,7 @@ final class ClientLine implements PlayerConnection {
         if (subscribed.remove(offer)) {
             sortSubscribed();
             if (offer.type() == Interfaces.POSITION2D) {
-                pending.takeAll(offer).forEach(Runnable::run); // said before it left
+                pending.takeAll(offer).forEach(Runnable::run); // sent before it unsubscribed
                 simulation.countDrivers(offer.robot(), -1);
             }
         }
@@ -206,7 +210,7 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
-        // nobody waits for a command, and a thousand of them would wake the one who ticks a thousand times
+        // no tick waits for a command, and a thousand commands would wake the ticking thread a thousand times
         simulation.quietly(() -> {
             Offer offer = find(device);
             desk.command(offer, command);
@@ -247,7 +251,7 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public void delivery(Delivery mode) {
-        // frames always come whole, and a client answers by waiting
+        // frames are always delivered whole, and a client answers by waiting for the next one
     }
 
     @Override
@@ -257,12 +261,15 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public void close() {
-        // by another thread it is gone at once: its space may be busy with something that never ends
+        // when another thread closes it, the client is removed at once: its space may run a turn that never ends
         boolean inItsTurn = space != null && ActorSpace.current() == space;
         shut("this line to port " + server.port() + " has been closed", inItsTurn);
     }
 
-    /** In one step, so that a tick never sees the client gone and its robot still driving. */
+    /**
+     * Closes the connection in one step under the lock, so that a tick never sees the client gone and its robot still
+     * driving.
+     */
     private boolean shut(String reason, boolean inItsTurn) {
         return simulation.under(() -> {
             if (!inItsTurn) {
@@ -272,7 +279,7 @@ final class ClientLine implements PlayerConnection {
                 return false;
             }
             List.copyOf(subscribed).forEach(this::drop);
-            pending.takeAll().forEach(Runnable::run); // acknowledged before it left
+            pending.takeAll().forEach(Runnable::run); // these commands were acknowledged before the client left
             closed = reason;
             simulation.endPauseOf(desk);
             simulation.remove(this);

@@ -5,11 +5,11 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/** Touches of the physics in the words of the world. */
+/** Converts the touches of the physics, which have indices, to contacts with names. */
 final class Contacts {
     private Contacts() {}
 
-    /** @param startMicros when the physics began to count its time */
+    /** @param startMicros simulated time at which the physics began to count its own */
     static List<Contact> of(Touches touches, WorldSpec spec, long startMicros) {
         return IntStream.range(0, touches.count())
                 .mapToObj(i -> {

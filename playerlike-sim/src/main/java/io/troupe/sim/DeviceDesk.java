@@ -16,15 +16,15 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Understands what a client tells and asks the simulated devices. What changes the world waits for the end of the tick;
- * {@code Pause} does not, since a world that stands still has no ticks.
+ * Handles the commands and requests that a client sends to the simulated devices. Changes of the world are deferred to
+ * the end of the tick. {@code Pause} takes effect at once, because a paused world has no ticks.
  *
- * <p><b>Threads.</b> None of its own; guarded by the simulation's lock.
+ * <p><b>Threads.</b> Any thread; guarded by the simulation's lock.
  *
- * <p><b>Source.</b> What Stage acknowledges, what it refuses and what it ignores.
+ * <p><b>Source.</b> What Stage acknowledges, refuses and ignores.
  */
 final class DeviceDesk {
-    /** Takes what shall happen at the end of the tick. */
+    /** Queues an action for the end of the tick. */
     interface Later {
         void add(Offer offer, Kind kind, Runnable action);
     }
@@ -38,7 +38,7 @@ final class DeviceDesk {
     private final Simulation simulation;
     private final World world;
     private final Later later;
-    /** For how long the client's speeds hold, where it has asked for a limit. */
+    /** Time in microseconds for which the client's speed commands hold, for each device with a limit set. */
     private final Map<Offer, Long> commandLimitsMicros = new HashMap<>();
 
     DeviceDesk(Simulation simulation, Later later) {
@@ -56,8 +56,8 @@ final class DeviceDesk {
     }
 
     /**
-     * Sideways speeds are ignored: these robots have two wheels. So is the byte {@code state}, as Stage does: 0 drives,
-     * too.
+     * Handles a motion command. Sideways speeds are ignored because the robots have a differential drive. The byte
+     * {@code state} is ignored as in Stage: a command with state 0 also drives.
      */
     private void drive(Offer offer, DeviceCommand command) {
         int robot = offer.robot();
@@ -151,7 +151,7 @@ final class DeviceDesk {
                 later.add(offer, Kind.POWER, () -> world.motorPower(offer.robot(), power.on()));
                 yield ACK;
             }
-            // each command says by itself what it is about
+            // ignored: the type of each command determines its mode
             case DeviceRequest.PositionMode mode ->
                 mode.mode() == 0 || mode.mode() == 1
                         ? ACK
@@ -163,7 +163,8 @@ final class DeviceDesk {
     }
 
     /**
-     * For the commands that follow; it belongs to the client and not to the world, so a reset of the world leaves it.
+     * Sets the time for which later commands hold. The limit belongs to the client and not to the world, so a reset of
+     * the world keeps it.
      */
     private DeviceReply commandLimit(Offer offer, DeviceRequest.SetIntegerProperty set) {
         if (!set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
@@ -187,8 +188,8 @@ final class DeviceDesk {
     }
 
     /**
-     * Stage refuses to switch a sensor off too. In lock step a client without data has nothing to answer, and one that
-     * others rely on would leave them without theirs.
+     * Refuses to switch a sensor off, as Stage does. In lock step a client without data has nothing to answer, and
+     * other clients may rely on the sensor's data.
      */
     private static DeviceReply sensorPower(Offer offer, boolean on) {
         return on ? ACK : new DeviceReply.Nack(offer + " of a simulated robot cannot be switched off");
@@ -267,7 +268,8 @@ final class DeviceDesk {
         if (refusal != null) {
             return new DeviceReply.Nack(refusal);
         }
-        var itself = new Offer(offer.address(), Interfaces.SIMULATION, robot, 0); // the newest for each robot counts
+        // one address per robot, so that only the newest teleport of each robot counts
+        var itself = new Offer(offer.address(), Interfaces.SIMULATION, robot, 0);
         later.add(itself, Kind.PLACE, () -> world.teleportLater(robot, pose));
         return ACK;
     }

@@ -17,7 +17,7 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 import java.util.Objects;
 
-/** Readings of the world in the words of Player. */
+/** Converts readings of the world to Player device data. */
 final class DeviceMessages {
     private DeviceMessages() {}
 
@@ -42,12 +42,12 @@ final class DeviceMessages {
         return new DataMessage(offer.address(), now.timeMicros() / 1e6, data);
     }
 
-    /** Whether a device is the robot's sonar ring, offered as a ranger. */
+    /** True if a device is the robot's sonar ring, offered as a ranger. */
     static boolean isRing(Interfaces type, int ranger) {
         return type == Interfaces.RANGER && ranger == DeviceBinding.SONAR_RING;
     }
 
-    /** Of the robot's ring, or where it has none of the ranger that stands for one. */
+    /** Ranges of the robot's sonar ring or, without a ring, of the ranger that replaces it. */
     private static List<Double> sonarM(Offer offer, WorldSpec world, RobotReading reading) {
         return world.robots().get(offer.robot()).sonar() == null
                 ? reading.rangersM().get(offer.ranger())
@@ -88,7 +88,7 @@ final class DeviceMessages {
                 (float) blob.rangeM());
     }
 
-    /** From right to left, as Stage lists them. The image is 0 x 0 when it shows no blob, as Stage's is. */
+    /** Blobs from right to left, in Stage's order. As in Stage, the image size is 0 x 0 when there is no blob. */
     private static DeviceData blobs(BlobImage image) {
         boolean empty = image.blobs().isEmpty();
         return new DeviceData.Blobs(

@@ -7,12 +7,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * What is random about a robot's devices; each draws from a stream of its own, known by the names of robot and device.
+ * Random errors of a robot's devices. Each device has a separate random stream, seeded with the names of robot and
+ * device.
  */
 final class Noise {
     private Noise() {}
 
-    /** This run's error: evenly from plus or minus half of what the specification says. */
+    /** Odometry error of this run, uniform within plus or minus half of the specified proportions. */
     static OdometryError ofOdometry(RobotSpec robot, long seed) {
         OdometryError most = robot.odometryError();
         if (most.equals(OdometryError.NONE)) {

@@ -12,15 +12,15 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that a world has been told and takes in when its next interval begins, and the recording of it.
+ * Commands for the robots of a world, buffered until the next interval begins, and the recording of them.
  *
- * <p><b>Threads.</b> Any thread may tell; {@link #takeReset} and {@link #latch} belong to the one that advances the
- * world.
+ * <p><b>Threads.</b> Any thread may send commands. {@link #takeReset} and {@link #latch} belong to the thread that
+ * advances the world.
  */
 final class Orders {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
 
-    /** The snapshot of the newest question about a teleport. */
+    /** Occupancy at the snapshot of the newest teleport check. */
     private record Seen(Snapshot at, Room.Occupancy occupancy) {}
 
     private final WorldSpec spec;
@@ -42,13 +42,13 @@ final class Orders {
 
     // ---- from any thread
 
-    /** @param limitMicros how long it holds; 0 = until another command */
+    /** @param limitMicros time for which the command holds; 0 = until another command */
     void drive(int robot, double forwardMps, double turnRadps, long limitMicros) {
         check(robot, forwardMps, turnRadps);
         pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps), limitMicros);
     }
 
-    /** From the thread that advances the world: newer than what the others have said so far. */
+    /** Speed command from the thread that advances the world; replaces all commands sent so far by other threads. */
     void driveNow(int robot, double forwardMps, double turnRadps) {
         check(robot, forwardMps, turnRadps);
         pilots.get(robot).driveNow(forwardMps, turnRadps);
@@ -62,7 +62,7 @@ final class Orders {
         }
     }
 
-    /** @param limitMicros how long it holds; 0 = until another command */
+    /** @param limitMicros time for which the command holds; 0 = until another command */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
         RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
@@ -94,7 +94,7 @@ final class Orders {
         pilots.get(robot).odometry(pose);
     }
 
-    /** Why a robot's odometry cannot be set to that, or null. */
+    /** Reason why a robot's odometry cannot be set to a pose, or null. */
     @Nullable
     String odometryRefusal(int robot, Pose pose) {
         RobotSpec target = robot(robot);
@@ -104,13 +104,13 @@ final class Orders {
                         + ", expected finite numbers of at most " + Position2d.FARTHEST;
     }
 
-    /** Checked only when it takes effect. */
+    /** Queues a teleport that is checked only when it takes effect. */
     void teleport(int robot, Pose pose) {
         robot(robot);
         pilots.get(robot).teleport(pose);
     }
 
-    /** Why a robot could not be put there where everything is at a snapshot, or null. */
+    /** Reason why a robot could not be placed at a pose in the world of a snapshot, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose, Snapshot at) {
         robot(robot);
@@ -122,7 +122,7 @@ final class Orders {
         return known.occupancy().refusal(robot, pose);
     }
 
-    /** What anybody says from now on holds after the reset. */
+    /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
         pilots.forEach(Pilot::forgetUntaken);
         resetWanted.set(true);
@@ -161,7 +161,7 @@ final class Orders {
 
     // ---- from the thread that advances the world
 
-    /** Whether the world shall begin again; what it was told and has taken in is forgotten then. */
+    /** True if a reset was requested; it discards all commands taken so far. */
     boolean takeReset(long nowMicros) {
         if (!resetWanted.get() || !resetWanted.getAndSet(false)) {
             return false;
@@ -175,8 +175,8 @@ final class Orders {
     }
 
     /**
-     * Takes in teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless somebody on
-     * another thread has said something.
+     * Takes teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless another thread
+     * has sent a command.
      */
     void latch(long tick, long nowMicros, Physics physics, List<RobotDevices> devices) {
         Recording log = recording.get();
@@ -222,12 +222,12 @@ final class Orders {
         }
     }
 
-    /** In the interval that has ended. */
+    /** Speed in the interval that has ended. */
     double forwardMps(int robot) {
         return pilots.get(robot).forwardMps();
     }
 
-    /** In the interval that has ended. */
+    /** Turn rate in the interval that has ended. */
     double turnRadps(int robot) {
         return pilots.get(robot).turnRadps();
     }

@@ -7,18 +7,18 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one robot has been told: what waits for the next interval, and what holds.
+ * The commands for one robot: the pending ones, which wait for the next interval, and the current one.
  *
- * <p><b>Threads.</b> Any thread may tell, unless a method says otherwise; the rest belongs to the one that advances the
- * world.
+ * <p><b>Threads.</b> Any thread may send commands, unless a method is documented otherwise; the rest belongs to the
+ * thread that advances the world.
  *
- * <p><b>Cost.</b> What the advancing thread tells by {@link #driveNow} allocates nothing.
+ * <p><b>Cost.</b> {@link #driveNow} allocates nothing.
  */
 final class Pilot {
     /**
      * A command that waits for the next interval.
      *
-     * @param limitMicros how long a speed holds; 0 = until another command
+     * @param limitMicros time for which a speed holds; 0 = until another command
      */
     private record Order(Drive drive, long limitMicros) {}
 
@@ -32,14 +32,14 @@ final class Pilot {
     private boolean toldNow; // by the thread that advances the world
     private double toldForwardMps;
     private double toldTurnRadps;
-    private @Nullable Drive steering; // else the speeds below hold
+    private @Nullable Drive steering; // null: the held speeds below apply
     private double heldForwardMps;
     private double heldTurnRadps;
     private double forwardMps; // in force in the interval that has ended
     private double turnRadps;
     private boolean powered = true;
     private long toldAtMicros;
-    private long limitMicros; // of what holds; 0 = none
+    private long limitMicros; // of the current command; 0 = none
 
     Pilot(DriveSpec spec, int robot, WorldSettings settings) {
         this.spec = spec;
@@ -48,12 +48,12 @@ final class Pilot {
         hold(spec.startForwardMps(), spec.startTurnRadps(), 0, 0);
     }
 
-    /** @param newLimitMicros how long a speed holds; 0 = until another command, as a goal always does */
+    /** @param newLimitMicros time for which a speed holds; 0 = until another command, as always for a goal */
     void drive(Drive command, long newLimitMicros) {
         newestDrive.set(new Order(command, command instanceof Drive.GoTo ? 0 : newLimitMicros));
     }
 
-    /** A speed told by the thread that advances the world, newer than what the others said. */
+    /** Speed command from the thread that advances the world; replaces a pending command of another thread. */
     void driveNow(double newForwardMps, double newTurnRadps) {
         if (newestDrive.get() != null) {
             newestDrive.set(null);
@@ -75,7 +75,7 @@ final class Pilot {
         newestPlace.set(pose);
     }
 
-    /** Forgets what waits for the next interval. */
+    /** Discards the pending commands. */
     void forgetUntaken() {
         newestDrive.set(null);
         newestPower.set(null);
@@ -93,14 +93,14 @@ final class Pilot {
         return take(newestOdometry);
     }
 
-    /** Looks before it takes: that is cheaper, and mostly there is nothing. */
+    /** Reads before it swaps: that is cheaper, and mostly the value is null. */
     private static <T> @Nullable T take(AtomicReference<@Nullable T> newest) {
         return newest.get() == null ? null : newest.getAndSet(null);
     }
 
     /**
-     * What holds from now on: the newest command, unless its own time is over, the motors are off, which forgets what
-     * they were told, or the watchdog has barked.
+     * Applies the newest command. Motors off, an expired command limit or an expired watchdog stop the robot and
+     * discard its command.
      */
     void latch(long nowMicros, @Nullable Recording recording) {
         Boolean power = take(newestPower);
@@ -135,7 +135,10 @@ final class Pilot {
         limitMicros = 0;
     }
 
-    /** Recorded as a command to stand still: a replay knows no clients, and so nothing of their limits. */
+    /**
+     * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay has no
+     * clients and so no command limits.
+     */
     private void expire(@Nullable Recording recording) {
         if (recording != null && (steering != null || differs(0, 0))) {
             recording.drive(robot, Drive.STILL);
@@ -182,14 +185,17 @@ final class Pilot {
         return settings.watchdogMicros() > 0;
     }
 
-    /** A goal is reached some time; a speed would hold for ever. */
+    /**
+     * True if the watchdog has expired. It does not watch a robot on its way to a goal: that command ends by itself,
+     * while a speed would hold for ever.
+     */
     private boolean isLate(long nowMicros) {
         return isWatched()
                 && !(steering instanceof Drive.GoTo)
                 && nowMicros - toldAtMicros >= settings.watchdogMicros();
     }
 
-    /** Turns what holds into the speeds of the next interval, given where odometry says that the robot is. */
+    /** Computes the speeds of the next interval from the current command and the reported odometry. */
     void steer(Position2d odometry) {
         Drive how = steering;
         if (how == null) {
@@ -218,7 +224,7 @@ final class Pilot {
         return turnRadps;
     }
 
-    /** The world starts again. */
+    /** Resets the robot to its start speeds. */
     void forget(long nowMicros) {
         hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros, 0);
         toldNow = false;

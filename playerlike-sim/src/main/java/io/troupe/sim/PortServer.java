@@ -15,15 +15,15 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** The devices of one port of a simulation. */
+/** The devices of one port of a simulation, as a Player server. */
 final class PortServer implements PlayerServer {
-    /** 127.0.0.1 as Player writes it. */
+    /** 127.0.0.1 in Player's byte order. */
     private static final int LOOPBACK = 0x0100007f;
 
     /**
-     * A device.
+     * A device offered on a port.
      *
-     * @param robot it belongs to, -1 for the simulation device
+     * @param robot index of the robot, -1 for the simulation device
      * @param ranger which of the robot's rangers answers, as in {@link DeviceBinding}
      */
     record Offer(DeviceAddress address, Interfaces type, int robot, int ranger) {
@@ -37,7 +37,7 @@ final class PortServer implements PlayerServer {
         }
     }
 
-    /** In which a client gets its messages. */
+    /** Order of the messages in a frame. */
     static final Comparator<Offer> FRAME_ORDER = Comparator.comparingInt(Offer::robot)
             .thenComparing(Offer::type)
             .thenComparing(each -> each.address.index());
@@ -100,7 +100,7 @@ final class PortServer implements PlayerServer {
         return addresses;
     }
 
-    /** The device of an address, or null. */
+    /** The device with an address, or null. */
     @Nullable
     Offer find(DeviceAddress address) {
         return byAddress.get(address);

@@ -18,14 +18,14 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** A robot's devices. */
+/** The sensors and the odometry of one robot. */
 record RobotDevices(
         Position2d position2d,
         @Nullable Sonar sonar,
         @Nullable Blobfinder blobfinder,
         List<Ranger> rangers,
         List<double[]> rangersM) {
-    /** The devices of all robots; those of one kind share what never changes. */
+    /** Creates the devices of all robots. Devices of one specification share their immutable tables. */
     static List<RobotDevices> of(List<RobotSpec> robots, List<Pose> starts, long seed) {
         Map<SonarSpec, Sonar> sonars = new HashMap<>();
         Map<BlobfinderSpec, Blobfinder> blobfinders = new HashMap<>();
@@ -57,11 +57,14 @@ record RobotDevices(
         return all;
     }
 
-    /** The first ranger that can stand for a ring of sonars, as its sensors cast one ray each; -1 if there is none. */
+    /**
+     * Index of the first ranger that can replace a sonar ring, because each of its sensors casts one ray; -1 if there
+     * is none.
+     */
     int sonarRanger() {
         for (int i = 0; i < rangers.size(); i++) {
             RangerSpec spec = rangers.get(i).spec();
-            // one reading for each sensor, as each has one at least
+            // each sensor casts at least one ray, so equal counts mean exactly one ray each
             if (spec.kind() == RangerSpec.Kind.RANGER
                     && rangers.get(i).size() == spec.sensors().size()) {
                 return i;
@@ -70,7 +73,7 @@ record RobotDevices(
         return -1;
     }
 
-    /** Reads what casts rays. */
+    /** Updates the devices that cast rays. */
     void sense(Scene scene, int robot, Scratch scratch) {
         if (sonar != null) {
             sonar.sense(scene, robot, scratch);

@@ -4,7 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** In lock step a client did not answer a tick in time; the message names it. */
+/** A client did not answer a tick in time, in lock step; the message names the client. */
 public final class UnansweredTickException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -21,20 +21,19 @@ import org.jspecify.annotations.Nullable;
 /**
  * A world of robots that advances by fixed intervals of simulated time.
  *
- * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the
- * specification, the settings and, for each interval, the commands given before it; equal input gives equal snapshots,
- * bit for bit.
+ * <p><b>Role.</b> The simulator without server, wall clock or waiting. Its behaviour follows from the specification,
+ * the settings and the commands given before each interval; equal input gives equal snapshots, bit for bit.
  *
  * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else
  * may be called from any thread.
  *
- * <p><b>Order.</b> An interval latches a reset, teleports, odometry resets, motor power and commands (of several for
- * one robot the newest; by robot index), runs the physics steps and reads all devices; the last one of an advance
- * publishes a snapshot, and each one that is recorded or for which somebody waits who asked for the {@link #latest}
- * since the one before.
+ * <p><b>Order.</b> At the start of an interval the world takes a reset, teleports, odometry resets, motor power and
+ * commands, by robot index (of several commands for one robot the newest). Then it runs the physics steps and reads all
+ * devices. The last interval of an advance publishes a snapshot. An earlier interval publishes one if the world is
+ * recorded, or if another thread has called {@link #latest} since the previous one.
  *
- * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies
- * touch and no more blobs are seen than ever before.
+ * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as there are no more
+ * touching bodies and no more visible blobs than ever before.
  *
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
@@ -55,16 +54,16 @@ public final class World implements AutoCloseable {
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private List<RobotDevices> devices;
     private Physics physics;
-    private long physicsStartMicros; // physics counts its time from the last reset
+    private long physicsStartMicros; // the physics counts its time from the last reset
     private long tick;
     private boolean advancing;
     private volatile boolean closed;
-    private volatile boolean wanted; // somebody looked at the latest snapshot
+    private volatile boolean wanted; // latest() was called since the last publication
     private volatile Snapshot latest;
 
     /**
-     * A world at tick 0, its devices read once. A robot that overlaps something is held there, and stalls, until it is
-     * put elsewhere.
+     * Creates a world at tick 0, its devices read once. A robot that overlaps something is held there, and stalls,
+     * until it is teleported.
      *
      * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated,
      * {@link IllegalArgumentException} for settings that fit no world.
@@ -105,8 +104,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The newest snapshot; that of tick 0 right after creation. Whoever asks while the world advances by many intervals
-     * gets it made sooner.
+     * The newest snapshot; that of tick 0 right after creation. During a long advance, reading this publishes an
+     * intermediate snapshot.
      */
     public Snapshot latest() {
         if (!wanted) {
@@ -115,7 +114,7 @@ public final class World implements AutoCloseable {
         return latest;
     }
 
-    /** The world as it is now, for the thread that advances it. */
+    /** The current state of the world, for the thread that advances it. */
     public WorldView view() {
         return view;
     }
@@ -136,7 +135,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The same for a client whose commands expire.
+     * As {@link #command(int, double, double)}, for a client whose commands expire.
      *
      * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it
      *     takes effect, but for one interval at least; 0 = until another command
@@ -145,7 +144,7 @@ public final class World implements AutoCloseable {
         orders.drive(robot, forwardMps, turnRadps, limitMicros);
     }
 
-    /** The same for the thread that advances the world. */
+    /** As {@link #command(int, double, double)}, for the thread that advances the world. */
     void commandNow(int robot, double forwardMps, double turnRadps) {
         orders.driveNow(robot, forwardMps, turnRadps);
     }
@@ -159,29 +158,32 @@ public final class World implements AutoCloseable {
         steer(robot, forwardMps, headingRad, 0);
     }
 
-    /** The same for a client whose commands expire. */
+    /** As {@link #steer(int, double, double)}, for a client whose commands expire. */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
         orders.steer(robot, forwardMps, headingRad, limitMicros);
     }
 
     /**
-     * Drives to a pose in the odometry frame in the way of Stage's position control, and stands there, until another
-     * command replaces it. It stops nearer than 2 cm along x and y and then turns; things in its way it does not see.
+     * Drives to a pose in the odometry frame by Stage's position control, and stands there, until another command
+     * replaces it. The robot stops nearer than 2 cm along x and y and then turns. It does not avoid obstacles.
      */
     public void goTo(int robot, Pose goal) {
         orders.goTo(robot, goal);
     }
 
-    /** Switches a robot's motors; while they are off it stands still and forgets what it is told. On at the start. */
+    /**
+     * Switches a robot's motors, which are on at the start. While they are off, the robot stands still and commands are
+     * discarded.
+     */
     public void motorPower(int robot, boolean on) {
         orders.power(robot, on);
     }
 
     /**
-     * Puts a robot elsewhere when the next {@link #advance} begins.
+     * Moves a robot to a pose when the next {@link #advance} begins.
      *
-     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something where everything is at the
-     * newest snapshot. If something else has got there by then, the robot stays where it is, and the log says so.
+     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something in the newest snapshot. If
+     * another body is in the way when the teleport takes effect, the robot stays where it is, and a warning is logged.
      */
     public void teleport(int robot, Pose pose) {
         String refusal = teleportRefusal(robot, pose);
@@ -191,7 +193,7 @@ public final class World implements AutoCloseable {
         teleportLater(robot, pose);
     }
 
-    /** Why {@link #teleport} would refuse, or null. */
+    /** Reason why {@link #teleport} would be refused, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose) {
         return orders.teleportRefusal(robot, pose, latest);
@@ -202,24 +204,24 @@ public final class World implements AutoCloseable {
         orders.teleport(robot, pose);
     }
 
-    /** Index of the robot of that name, or -1. */
+    /** Index of the robot with a name, or -1. */
     int robotNumber(String name) {
         return robotNames.indexOf(name);
     }
 
     /**
-     * Puts everything back to its start when the next {@link #advance} begins: poses, odometry, motors, random streams;
-     * what robots were told before is forgotten. Ticks and time go on. A controller sees the start before it is asked.
-     * What follows is what followed at the beginning, bit for bit, if the commands are the same.
+     * Resets the world when the next {@link #advance} begins: poses, odometry, motors, random streams. Earlier commands
+     * are discarded; ticks and time continue. A controller is called after the reset, and sees the start. With the same
+     * commands, the run then repeats bit for bit.
      */
     public void reset() {
         orders.reset();
     }
 
     /**
-     * Begins to write down all that enters this world; to be called before anybody advances it.
+     * Starts a recording of all input; must be called before the first advance.
      *
-     * @param out is closed with the recording if it can be
+     * @param out is closed with the recording if it is closeable
      * @throws IllegalStateException if the world has advanced already or is being recorded
      */
     public Recording record(Appendable out) {
@@ -231,13 +233,13 @@ public final class World implements AutoCloseable {
         return orders.recording();
     }
 
-    /** The same as a command to stand still. */
+    /** Stops a robot; the same as a command with zero speeds. */
     public void stop(int robot) {
         command(robot, 0, 0);
     }
 
     /**
-     * Makes odometry report this pose where the robot stands when the next {@link #advance} begins.
+     * Sets the pose that odometry reports at the robot's place when the next {@link #advance} begins.
      *
      * @param pose of finite numbers, at most {@link Position2d#FARTHEST}
      */
@@ -245,7 +247,7 @@ public final class World implements AutoCloseable {
         orders.odometry(robot, pose);
     }
 
-    /** Why {@link #setOdometry} would refuse, or null. */
+    /** Reason why {@link #setOdometry} would be refused, or null. */
     @Nullable
     String odometryRefusal(int robot, Pose pose) {
         return orders.odometryRefusal(robot, pose);
@@ -256,14 +258,14 @@ public final class World implements AutoCloseable {
         return advance(1);
     }
 
-    /** Advances by so many intervals and publishes the snapshot at the end of the last one. */
+    /** Advances by the given number of intervals and publishes the snapshot at the end of the last one. */
     public Snapshot advance(long intervals) {
         return advance(intervals, view -> {});
     }
 
     /**
-     * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the
-     * last one.
+     * Advances by the given number of intervals, calls the controller before each one, and publishes the snapshot at
+     * the end of the last one.
      *
      * @param intervals at least 1
      * @throws IllegalStateException if the world is closed, or called by its own controller
@@ -303,8 +305,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Ends the sensing threads; an advance that is under way goes on to its end, another one is refused. A world of one
-     * thread needs no closing.
+     * Ends the sensing threads. A current advance runs to its end; later ones are refused. A world with one thread
+     * needs no closing.
      */
     @Override
     public void close() {
@@ -345,7 +347,7 @@ public final class World implements AutoCloseable {
             physics = Bodies.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
             devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
-            sense(); // as at the start: each reading moves the random streams on
+            sense(); // as at the start: each reading advances the random streams
         }
     }
 
