@@ -1,7 +1,7 @@
 package io.troupe.sim.device;
 
 /**
- * A run of image columns of one colour.
+ * A run of neighbouring image columns of one colour.
  *
  * @param colour {@code 0x00RRGGBB}
  * @param areaPx2 (right - left) x (bottom - top), never negative

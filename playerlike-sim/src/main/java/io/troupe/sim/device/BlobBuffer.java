@@ -2,7 +2,7 @@ package io.troupe.sim.device;
 
 import java.util.Arrays;
 
-/** Blobs in arrays that are used again from look to look. */
+/** Growing arrays of blobs, reused for each image. */
 final class BlobBuffer {
     private static final int FIRST_LENGTH = 4;
 

@@ -2,7 +2,7 @@ package io.troupe.sim.device;
 
 import java.util.List;
 
-/** What a blobfinder sees, from left to right. */
+/** The blobs in a blobfinder's image, from left to right. */
 public record BlobImage(int widthPx, int heightPx, List<Blob> blobs) {
     public BlobImage {
         blobs = List.copyOf(blobs);

@@ -1,6 +1,6 @@
 package io.troupe.sim.device;
 
-/** For each thing a circle that holds it. */
+/** A bounding circle for each thing. */
 final class Circles {
     final double[] x;
     final double[] y;
@@ -12,7 +12,7 @@ final class Circles {
         radiusM = new double[things];
     }
 
-    /** A circle around this point that holds the outline; a thing without polygons gets an empty one. */
+    /** Sets a circle around a point that encloses the outline; a thing without polygons gets radius 0. */
     void set(int thing, double centreX, double centreY, Outline outline) {
         x[thing] = centreX;
         y[thing] = centreY;

@@ -2,11 +2,11 @@ package io.troupe.sim.physics;
 
 import java.util.Arrays;
 
-/** Pairs of bodies that touch, sorted, and by how many of their polygons they do. */
+/** Sorted pairs of touching bodies, with the number of polygon contacts of each pair. */
 final class OpenPairs {
     private long[] pairs = new long[64];
     private int[] counts = new int[64];
-    private long[] before = new long[64]; // the pairs when `remember` was called
+    private long[] before = new long[64]; // the pairs at the last call of `remember`
     private int size;
     private int sizeBefore;
 
@@ -26,7 +26,7 @@ final class OpenPairs {
         sizeBefore = size;
     }
 
-    /** Whether the bodies touched when this was last asked to remember. */
+    /** True if the bodies touched at the last call of {@link #remember}. */
     boolean touchedBefore(long pair) {
         return Arrays.binarySearch(before, 0, sizeBefore, pair) >= 0;
     }

@@ -1,13 +1,13 @@
 package io.troupe.sim.physics;
 
 /**
- * Compares, over the last 0.2 s, how far a robot was told to go with how far it went.
+ * Compares the commanded with the actual motion of a robot over the last 0.2 s.
  *
- * <p><b>Cost.</b> Recording, at every step, only stores; the arithmetic is done when somebody asks.
+ * <p><b>Cost.</b> Recording, at every step, only stores numbers; the arithmetic is done when the result is read.
  */
 final class StallMeter {
     private static final int WINDOW_MICROS = 200_000;
-    /** Less than this in a window (metres or radians) is rounding, not travel. */
+    /** Smaller sums in a window (metres or radians) are rounding, not travel. */
     private static final double NEGLIGIBLE = 1e-4;
 
     private static final int TOLD_X = 0;
@@ -19,7 +19,7 @@ final class StallMeter {
     private static final int FIELDS = 6;
 
     private final double stepS;
-    private final double[] steps; // a ring of records
+    private final double[] steps; // a ring buffer of records
     private int next;
 
     StallMeter(int stepMicros) {
@@ -27,7 +27,10 @@ final class StallMeter {
         steps = new double[FIELDS * Math.max(1, WINDOW_MICROS / stepMicros)];
     }
 
-    /** One step: what the robot was told and what it did, in metres; turns left positive, {@code wentRad} unwrapped. */
+    /**
+     * Records the commanded and the actual motion of one step, in metres; turns left positive, {@code wentRad}
+     * unwrapped.
+     */
     void record(double toldX, double toldY, double wentX, double wentY, double toldTurnRadps, double wentRad) {
         steps[next + TOLD_X] = toldX;
         steps[next + TOLD_Y] = toldY;
@@ -41,7 +44,7 @@ final class StallMeter {
         }
     }
 
-    /** Whether less than half of what was told was achieved, in driving or in turning. */
+    /** True if less than half of the commanded motion was achieved, in driving or in turning. */
     boolean heldBack() {
         double toldSumM = 0;
         double wentSumM = 0;

@@ -8,11 +8,11 @@ import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.contacts.Contact;
 
 /**
- * Who touches whom. Bodies are known by id: robots from 0, obstacles after them.
+ * Tracks which bodies touch. Bodies have ids: robots from 0, obstacles after them.
  *
- * <p>jbox2d reports fixtures, and inside its step, where its world must be left alone: the callbacks only write to a
- * buffer, and {@link #settle} afterwards turns it into pairs of bodies. A body of several polygons touches once,
- * however many of them do.
+ * <p>jbox2d reports contacts of fixtures, and does so inside its step, where its world must not be changed. The
+ * callbacks therefore only write to a buffer, and {@link #settle} converts it into pairs of bodies after the step. Two
+ * bodies touch once, however many of their polygons do.
  */
 final class TouchLedger implements ContactListener {
     private static final long END = 1L << 63;
@@ -24,7 +24,7 @@ final class TouchLedger implements ContactListener {
     private int buffered;
     private long[] started = new long[64];
     private int startedCount;
-    private boolean recent; // the last step changed something, so that `touched` may hold a touch that is over
+    private boolean recent; // the last step had contact events, so `touched` may contain a touch that has ended
 
     TouchLedger(int robotCount) {
         touched = new boolean[robotCount];
@@ -64,7 +64,7 @@ final class TouchLedger implements ContactListener {
         return (Integer) body.getUserData();
     }
 
-    /** Takes over what happened in the step that ended at this time. */
+    /** Processes the contact events of the step that ended at this time. */
     void settle(long timeMicros) {
         if (buffered == 0 && !recent) {
             return;
@@ -111,7 +111,7 @@ final class TouchLedger implements ContactListener {
         }
     }
 
-    /** Whether anything touched the robot in the last step. */
+    /** True if anything touched the robot in the last step. */
     boolean touched(int robot) {
         return touched[robot];
     }
