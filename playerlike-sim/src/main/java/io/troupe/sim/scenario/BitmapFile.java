@@ -21,7 +21,11 @@ final class BitmapFile {
 
     private BitmapFile() {}
 
-    /** The dark pixels of a file that {@code asker} names; at least one. */
+    /**
+     * The dark pixels of a file; at least one.
+     *
+     * @param asker where the file is named
+     */
     static Pixels read(Path file, SourcePosition asker) {
         if (!Files.isRegularFile(file)) {
             throw new WorldFileException(
@@ -64,14 +68,15 @@ final class BitmapFile {
             reader.addIIOReadWarningListener((source, warning) -> damage.add(warning));
             BufferedImage image = reader.read(0);
             if (!damage.isEmpty()) {
-                // a decoder that meets the end too early gives what it has, without the rest of the walls
+                // a decoder that reaches the end of the file early returns the image so far, without the other
+                // walls
                 throw new WorldFileException(asker, "the image " + file + " is damaged: " + damage.getFirst());
             }
             return image;
         } catch (WorldFileException e) {
             throw e;
         } catch (RuntimeException e) {
-            // what decoders throw at damaged files: bad indices, negative sizes, missing tables
+            // exceptions of decoders for damaged files: bad indices, negative sizes, missing tables
             throw unreadable(file, asker, e);
         } finally {
             reader.dispose();
@@ -91,7 +96,7 @@ final class BitmapFile {
         for (int row = 0; row < pixels.height; row++) {
             raster.getSamples(0, row, pixels.width, 1, 0, samples);
             for (int x = 0; x < pixels.width; x++) {
-                // the file's own numbers: getRGB would brighten gray images
+                // the stored values: getRGB would brighten gray images
                 long level = colours instanceof IndexColorModel palette
                         ? palette.getRed(samples[x])
                         : samples[x] * 255L / brightest;

@@ -3,7 +3,7 @@ package io.troupe.sim.scenario;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Reads the outline in a {@code block ( points N point[0] [x y] .. )}, in whatever unit its author drew it. */
+/** Reads the outline in a {@code block ( points N point[0] [x y] .. )}, in the units of the file's author. */
 final class BlockReader {
     private static final int MOST_POINTS = 1000;
     private static final double LARGEST = 1e6;

@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 
-/** Turns the tree of a Player {@code .cfg} file into a {@link Scenario}. */
+/** Converts the tree of a Player {@code .cfg} file to a {@link Scenario}. */
 final class ConfigReader {
     private static final String STAGE = "stage";
 
@@ -19,14 +19,14 @@ final class ConfigReader {
         this.findings = findings;
     }
 
-    /** Finds the world that a configuration names. */
+    /** Loads the world that a configuration names. */
     @FunctionalInterface
     interface Worlds {
-        /** @param asker where it is named */
+        /** @param asker position where the world is named */
         WorldSpec world(Path file, SourcePosition asker);
     }
 
-    /** The configuration with the world that it names. */
+    /** Reads a configuration and the world that it names. */
     static Scenario read(Path file, Findings findings) {
         return read(file, findings, (world, asker) -> {
             Document document = EntityParser.parse(Vocabulary.WORLD, world, asker, findings);
@@ -49,7 +49,7 @@ final class ConfigReader {
         return new Scenario(reader.world, reader.devices);
     }
 
-    /** Whether a driver is one of Stage, or its name a slip for that. */
+    /** True if a driver's name is "stage" or close to it. */
     static boolean mayBeStage(Entity driver) {
         return !Suggestions.nearest(driver.text("name", STAGE), List.of(STAGE)).isEmpty();
     }

@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * Colours for the panels of a crowd's halls: named ones, each as far from all others as can be, and from those of walls
- * and robots.
+ * Chooses named colours for the panels of a crowd's halls. Each is as far as possible from all earlier ones and from
+ * those of walls and robots.
  */
 final class CrowdColours {
     private static final List<String> TAKEN = List.of("black", "orange", "white");
@@ -16,7 +16,7 @@ final class CrowdColours {
 
     private CrowdColours() {}
 
-    /** So many names, the paper's three first. */
+    /** The given number of names, starting with the three colours of the paper. */
     static List<String> names(int count) {
         Map<String, Integer> candidates = new TreeMap<>(Colours.byName());
         var chosen = new ArrayList<String>(FIRST.subList(0, Math.min(count, FIRST.size())));

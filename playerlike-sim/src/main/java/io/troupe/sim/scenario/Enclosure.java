@@ -4,8 +4,7 @@ import java.util.ArrayDeque;
 import java.util.List;
 
 /**
- * Tells walls around a space from things that stand about in the open, by pouring water from outside over a grid of
- * cells.
+ * Tells walls around a space from separate obstacles in the open, by a flood fill from outside over a grid of cells.
  *
  * <p>A gap narrower than a cell, a hundredth of the extent, counts as closed.
  */
@@ -13,14 +12,14 @@ final class Enclosure {
     private static final int CELLS = 100;
 
     private final Box extent;
-    /** One row of cells more on each side, where the water starts. */
+    /** With one more row of cells on each side, from which the flood fill starts. */
     private final boolean[][] taken = new boolean[CELLS + 2][CELLS + 2];
 
     private Enclosure(Box extent) {
         this.extent = extent;
     }
 
-    /** Whether there is free space inside the extent that cannot be reached from outside. */
+    /** True if the extent contains free space that cannot be reached from outside. */
     static boolean isClosed(Box extent, List<List<Point>> convexPieces) {
         if (convexPieces.isEmpty()) {
             return false;

@@ -11,10 +11,10 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the grammar that world and configuration files share into a tree, without knowing any entity or property.
+ * Parses the grammar that world and configuration files share into a tree. It knows no entities or properties.
  *
- * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one; {@code define
- * new old ( .. )} makes a macro, also of a macro.
+ * <p>{@code include "file"} is relative to the including file or else, as in Stage, to the first file; {@code define
+ * new old ( .. )} defines a macro, which may be based on another macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;
@@ -22,12 +22,12 @@ final class EntityParser {
     private static final int HIGHEST_INDEX = 1_000_000;
 
     /**
-     * Each macro has a table of its own of what it takes from another; real worlds stay far below. Instances share the
-     * table of their macro.
+     * Limit of inherited properties. Each macro has a separate table of those that it inherits; real worlds are far
+     * below. Instances share the table of their macro.
      */
     private static final long MOST_INHERITED = 1_000_000;
 
-    /** All macros are checked, used or not, with those that stand in them. */
+    /** Limit of entities in macros. All macros are checked, used or not, with the entities that they contain. */
     private static final long MOST_MACRO_ENTITIES = 1_000_000;
 
     private final Map<String, Entity> macros = new LinkedHashMap<>();
@@ -49,10 +49,10 @@ final class EntityParser {
     }
 
     /**
-     * The tree of a file.
+     * Parses a file.
      *
      * @param rootType the entity type that stands for the file itself
-     * @param asker where the file is named; null if the user named it
+     * @param asker position where the file is named; null if the user named it
      */
     static Document parse(String rootType, Path file, @Nullable SourcePosition asker, Findings findings) {
         var parser = new EntityParser(rootType, file, findings);
@@ -60,7 +60,7 @@ final class EntityParser {
         return new Document(parser.root.build(), parser.macros);
     }
 
-    /** The tree of a text, as if it were read from {@code file}, which need not exist. */
+    /** Parses a text as if it were read from {@code file}, which need not exist. */
     static Document parseText(String rootType, String text, Path file, Findings findings) {
         var parser = new EntityParser(rootType, file, findings);
         parser.text(text, file);
@@ -204,12 +204,15 @@ final class EntityParser {
         };
     }
 
-    /** The second half of {@code polygon[0].points}. */
+    /** True for the second half of {@code polygon[0].points}. */
     private static boolean isPart(Token token) {
         return token.kind() == Kind.WORD && token.text().startsWith(".");
     }
 
-    /** {@code point[0] [1 2]} has an index, {@code scale [1]} has not: an index is followed by a value or by a part. */
+    /**
+     * True if the brackets are an index: {@code point[0] [1 2]} has one, {@code scale [1]} has none. An index is
+     * followed by a value or by a part.
+     */
     private static boolean hasIndex(TokenCursor cursor) {
         if (cursor.peek(0).kind() != Kind.OPEN_TUPLE
                 || cursor.peek(1).kind() != Kind.NUMBER

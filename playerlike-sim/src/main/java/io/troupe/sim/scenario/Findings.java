@@ -6,18 +6,18 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * What becomes of things in a file that need not stop its reading: what Stage or Player knows and is not simulated here
- * is a warning, what neither knows an error of a strict reader and a warning of a lenient one.
+ * Reports problems in a file that need not stop its reading. A feature of Stage or Player that is not simulated here is
+ * a warning. An unknown name is an error for a strict reader and a warning for a lenient one.
  */
 final class Findings {
-    /** More help nobody, and a file may hold as many as it has words. */
+    /** Limit of warnings: a file could cause one per word. */
     static final int MOST_WARNINGS = 1000;
 
     private static final System.Logger LOG = System.getLogger(ScenarioReader.class.getName());
 
     private final Consumer<WorldFileWarning> warnings;
     private final boolean lenient;
-    /** What stands in a macro is found in every instance of it. */
+    /** Warnings already reported: a problem in a macro is found in every instance of it. */
     private final Set<WorldFileWarning> reported = new HashSet<>();
 
     private Findings(Consumer<WorldFileWarning> warnings, boolean lenient) {
@@ -29,7 +29,7 @@ final class Findings {
         return new Findings(warnings, false);
     }
 
-    /** Strict; warnings go to the log. */
+    /** Strict, with warnings to the log. */
     static Findings logged() {
         return strict(warning -> LOG.log(Level.WARNING, "{0}", warning));
     }
@@ -38,12 +38,12 @@ final class Findings {
         return new Findings(warnings, true);
     }
 
-    /** As strict as this one, with the warnings to another place. */
+    /** As strict as this one, with warnings to another consumer. */
     Findings with(Consumer<WorldFileWarning> others) {
         return new Findings(others, lenient);
     }
 
-    /** Reports a thing that Stage or Player reads, and that is left out or changed here. */
+    /** Reports a feature of Stage or Player that is left out or changed here. */
     void warn(SourcePosition where, String problem) {
         warn(new WorldFileWarning(where, problem));
     }
@@ -60,7 +60,7 @@ final class Findings {
     }
 
     /**
-     * Reports an unknown name; if the reader goes on, the thing is left out.
+     * Reports an unknown name, which a lenient reader leaves out.
      *
      * @throws WorldFileException if the reader is strict
      */

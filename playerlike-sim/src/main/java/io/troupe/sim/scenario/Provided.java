@@ -4,21 +4,21 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** One item of {@code provides}, {@code key:host:port:interface:index}; leading fields may be left out or empty. */
+/** One item of {@code provides}, {@code key:host:port:interface:index}; leading fields may be missing or empty. */
 record Provided(int port, String interfaceName, int index) {
     private static final int HIGHEST = 65_535;
     private static final Set<String> HERE = Set.of("", "localhost", "127.0.0.1");
 
-    /** The item, null if it is left out. */
+    /** Parses an item; null if it is left out. */
     static @Nullable Provided parse(Value.Text item, Findings findings) {
-        // Player does not mind blanks around a field
+        // Player allows blanks around a field
         String[] fields =
                 Stream.of(item.text().split(":", -1)).map(String::strip).toArray(String[]::new);
         if (fields.length > 5) {
             throw new WorldFileException(
                     item.where(), "\"" + item.text() + "\" has more fields than key:host:port:interface:index");
         }
-        // interface alone means index 0
+        // an interface alone means index 0
         int last = fields.length - 1;
         String interfaceName = fields[Math.max(0, last - 1)];
         int index = last == 0 ? 0 : number(fields[last], "index", 0, item);
@@ -36,7 +36,7 @@ record Provided(int port, String interfaceName, int index) {
         return new Provided(port, interfaceName, index);
     }
 
-    /** False for an interface that is known to Player and not offered here. */
+    /** False for an interface that is not provided here. */
     private static boolean isOffered(String name, Value.Text item, Findings findings) {
         if (DeviceOffer.INTERFACES.contains(name)) {
             return true;

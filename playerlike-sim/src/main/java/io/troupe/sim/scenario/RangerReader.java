@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads ranging devices: the entity {@code laser} of the classic dialect, and a {@code ranger} with its {@code sensor}s
- * of that of Stage 4.
+ * Reads ranging devices: the entity {@code laser} of the classic dialect, and the {@code ranger} with {@code sensor}s
+ * of the Stage 4 dialect.
  */
 final class RangerReader {
     private static final int MOST_SAMPLES = 10_000;
@@ -18,7 +18,10 @@ final class RangerReader {
         this.units = units;
     }
 
-    /** Every sample is cast, whatever {@code resolution} says: Stage casts each n-th and guesses those between. */
+    /**
+     * Reads a laser. Every sample is cast, whatever the {@code resolution}: Stage casts each n-th and interpolates the
+     * others.
+     */
     RangerSpec laser(Entity laser, Pose mount) {
         int resolution = laser.whole("resolution", 1);
         if (resolution < 1) {
@@ -119,7 +122,7 @@ final class RangerReader {
         return samples;
     }
 
-    /** The size of a device; unlike a body it may have none. */
+    /** The size of a device; unlike that of a body it may be 0. */
     private double[] extent(Entity entity, double lengthM, double widthM) {
         if (!entity.has("size")) {
             return new double[] {lengthM, widthM};

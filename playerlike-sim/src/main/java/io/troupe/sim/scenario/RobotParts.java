@@ -5,9 +5,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Collects what hangs on a robot, at whatever depth: sensors, and models as cargo.
+ * Collects everything attached to a robot, at any depth: sensors, and models as cargo.
  *
- * <p>Each pose is relative to what the thing hangs on. Bodies of sensors are so small that they are left out.
+ * <p>Each pose is relative to the parent. Bodies of sensors are so small that they are left out.
  */
 final class RobotParts {
     private static final int MOST_CARGO = 1000;
@@ -54,7 +54,7 @@ final class RobotParts {
         return cargo;
     }
 
-    /** Adds everything that hangs on {@code holder}, which is at {@code at} in the robot's frame. */
+    /** Adds everything attached to {@code holder}, whose pose in the robot's frame is {@code at}. */
     void collect(Entity holder, Pose at) {
         for (Entity child : holder.children()) {
             Pose mount = at.compose(units.pose(child, "pose"));
@@ -71,7 +71,7 @@ final class RobotParts {
                     cargo(child, mount);
                 }
                 default -> {
-                    continue; // a block or a sensor: read with its holder; or something left out
+                    continue; // a block or a sensor, which is read with its parent; or something left out
                 }
             }
             collect(child, mount);

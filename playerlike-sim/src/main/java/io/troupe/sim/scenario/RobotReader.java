@@ -1,6 +1,6 @@
 package io.troupe.sim.scenario;
 
-/** Reads a {@code position} and what hangs on it. */
+/** Reads a {@code position} and everything attached to it. */
 final class RobotReader {
     private final Units units;
     private final Dialect dialect;

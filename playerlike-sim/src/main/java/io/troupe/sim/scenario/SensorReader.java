@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** Reads the sensors a robot carries: a {@code ranger} as its sonar ring, a {@code blobfinder}. */
+/**
+ * Reads two sensors of a robot: a {@code ranger} of the classic dialect as the sonar ring, and a {@code blobfinder}.
+ */
 final class SensorReader {
     private static final int MOST_SONARS = 1000;
     private static final int MOST_PIXELS = 10_000;
@@ -19,7 +21,7 @@ final class SensorReader {
         this.findings = findings;
     }
 
-    /** A {@code ranger} of the classic dialect, which has an {@code scount}, mounted at {@code pose}. */
+    /** Reads a {@code ranger} of the classic dialect, which has an {@code scount}, mounted at {@code pose}. */
     SonarSpec sonar(Entity ranger, Pose pose) {
         int count = ranger.whole("scount", 0);
         SourcePosition where = ranger.whereOf("scount");

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Works out the outline of a model: its blocks scaled to fill {@code size}, its boundary, or the plain box. */
+/** Computes the outline of a model: its blocks scaled to fill {@code size}, its boundary, or the plain rectangle. */
 final class ShapeReader {
     private static final double SMALLEST_M = 0.001;
     private static final double LARGEST_M = 10_000;
@@ -16,7 +16,7 @@ final class ShapeReader {
     private final Units units;
     private final BitmapShapes bitmaps;
 
-    /** @param mainFile of the world: bitmaps may stand beside it */
+    /** @param mainFile the world file: bitmaps may be beside it */
     ShapeReader(Units units, Path mainFile) {
         this.units = units;
         bitmaps = new BitmapShapes(mainFile);
@@ -66,7 +66,8 @@ final class ShapeReader {
     }
 
     /**
-     * What version 2 of Stage wrote as {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, as blocks.
+     * Converts the outlines of Stage 2, {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, to
+     * blocks.
      */
     private static List<Entity> outlinesOfStage2(Entity model, String word) {
         int count = model.whole(word + "s", 0);
@@ -89,7 +90,7 @@ final class ShapeReader {
             for (int j = 0; j < model.whole(prefix + "points", 0); j++) {
                 Property point = model.properties().get(Property.key(prefix + "point", j));
                 if (point == null) {
-                    break; // the reader of blocks says which one
+                    break; // BlockReader reports which one
                 }
                 var renamed = new Property("point", j, point.value(), point.where());
                 properties.put(renamed.key(), renamed);

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Finds and reads files that a user or another file named. */
+/** Finds and reads files that the user or another file names. */
 final class SourceText {
     private static final long MOST_BYTES = 16_000_000;
 
@@ -25,7 +25,7 @@ final class SourceText {
     /**
      * The text of a file.
      *
-     * @param asker where the file is named; null if the user named it
+     * @param asker position where the file is named; null if the user named it
      */
     static String read(Path file, @Nullable SourcePosition asker) {
         if (!Files.isRegularFile(file)) {
@@ -44,7 +44,7 @@ final class SourceText {
         }
     }
 
-    /** The file that another one names, relative to that other one. */
+    /** Path of a file that another one names, relative to that other one. */
     static Path sibling(Path file, String name, SourcePosition asker) {
         try {
             return file.resolveSibling(name).normalize();
@@ -54,7 +54,7 @@ final class SourceText {
     }
 
     /**
-     * The file that another one names: beside it, beside the first file, or where Stage keeps its worlds.
+     * Path of a file that another one names: beside it, beside the first file, or in Stage's world folders.
      *
      * @param first the file that the user named
      */
@@ -62,7 +62,7 @@ final class SourceText {
         return find(file, first, STAGE_FOLDERS, name, asker);
     }
 
-    /** The first of the places that has the file; where none has it, that beside the file that names it. */
+    /** The first candidate that exists; if none exists, the one beside the naming file. */
     static Path find(Path file, Path first, List<Path> folders, String name, SourcePosition asker) {
         Path beside = sibling(file, name, asker);
         return Stream.concat(

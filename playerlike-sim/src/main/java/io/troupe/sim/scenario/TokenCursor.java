@@ -4,7 +4,7 @@ import io.troupe.sim.scenario.Token.Kind;
 import java.nio.file.Path;
 import java.util.List;
 
-/** A place in the tokens of one file. */
+/** A read position in the tokens of one file. */
 final class TokenCursor {
     private final Path file;
     private final List<Token> tokens;
@@ -23,7 +23,7 @@ final class TokenCursor {
         return peek(0).kind() == kind;
     }
 
-    /** The token {@code ahead} places on; beyond the end the end. */
+    /** The token {@code ahead} positions further on; the end token beyond the end. */
     Token peek(int ahead) {
         return tokens.get(Math.min(next + ahead, tokens.size() - 1));
     }
@@ -34,13 +34,13 @@ final class TokenCursor {
         return token;
     }
 
-    /** The next token if it is of this kind, else an error that says what was expected. */
+    /** Takes the next token if it is of this kind, else throws an error with what was expected. */
     Token expect(Kind kind, String expected) {
         require(kind, expected);
         return next();
     }
 
-    /** The same, and stays before it. */
+    /** As {@link #expect}, without taking the token. */
     void require(Kind kind, String expected) {
         if (!at(kind)) {
             throw new WorldFileException(peek(0).where(), "expected " + expected + ", found " + peek(0).shown());

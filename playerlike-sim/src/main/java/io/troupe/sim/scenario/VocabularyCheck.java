@@ -6,11 +6,11 @@ import java.util.IdentityHashMap;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** Holds a tree against the {@link Vocabulary}: unknown names, wrong kinds of value, entities in the wrong place. */
+/** Checks a tree against the {@link Vocabulary}: unknown names, wrong kinds of value, entities in the wrong place. */
 final class VocabularyCheck {
     private final Document document;
     private final Findings findings;
-    /** An entity's own properties, and once for all instances those that they share with their macro. */
+    /** Properties already checked, by identity: those of a macro are shared by its instances and are checked once. */
     private final Set<Property> checkedInMacros = Collections.newSetFromMap(new IdentityHashMap<>());
 
     private final Set<Property> checkedInUse = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -21,8 +21,8 @@ final class VocabularyCheck {
     }
 
     /**
-     * Reports what is not in the vocabulary. Macros are checked too; what is known but has no effect is reported only
-     * where a macro is used, so that stock include files with more in them than a world needs can be read.
+     * Reports everything that is not in the vocabulary. Macros are checked too. A known property without effect is
+     * reported only where a macro is used, so that include files with more content than a world needs can be read.
      */
     static void check(Document document, Findings findings) {
         var check = new VocabularyCheck(document, findings);
@@ -69,10 +69,10 @@ final class VocabularyCheck {
         rule.check(property);
     }
 
-    /** False for what is left out. */
+    /** False for entities that are left out. */
     private boolean mayRead(Entity child, Entity parent, Vocabulary.Type parentType, boolean used) {
         if (parentType.children().contains(child.type())) {
-            // the properties of Player's other drivers are their own
+            // the properties of Player's other drivers are not in the vocabulary
             return !child.type().equals("driver") || !child.has("name") || ConfigReader.mayBeStage(child);
         }
         if (Vocabulary.isWithoutUse(child.type())) {

@@ -10,15 +10,15 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** What must hold of a world as a whole before it can start: names, places, nothing inside anything else. */
+/** Checks a world as a whole: unique names, distances from the origin, overlaps, robots outside the walls. */
 final class WorldChecks {
     private static final Logger LOG = System.getLogger(WorldChecks.class.getName());
     private static final double EXACT_WITHIN_M = 150;
     private static final double USABLE_WITHIN_M = 500;
-    /** Rays reach walls there, and no robot starts there. */
+    /** Farthest reach of an obstacle: rays still hit it, but no robot may start there. */
     private static final double WALLS_WITHIN_M = 5_000;
 
-    /** A body where it stands in the world. */
+    /** A body at its place in the world. */
     private record Body(String name, SourcePosition where, List<List<Point>> pieces, Box box) {
         static Body of(RobotSpec robot) {
             return of("robot \"" + robot.name() + '"', robot.where(), robot.pose(), robot.collisionShape());
@@ -100,7 +100,7 @@ final class WorldChecks {
         }
     }
 
-    /** As in Stage, a robot in something else cannot move; the simulator holds it. */
+    /** Reports overlaps. As in Stage, a robot that overlaps something cannot move; the simulator holds it. */
     private static void reportOverlaps(List<Body> robots, List<Body> walls, Findings findings) {
         for (int i = 0; i < robots.size(); i++) {
             Body robot = robots.get(i);
@@ -124,7 +124,7 @@ final class WorldChecks {
         Optional<RobotSpec> outside = robots.stream()
                 .filter(robot -> !arena.holds(robot.pose().x(), robot.pose().y()))
                 .findFirst();
-        // things that stand about in the open are no arena
+        // separate obstacles in the open are no arena
         if (outside.isPresent() && Enclosure.isClosed(arena, pieces)) {
             RobotSpec robot = outside.get();
             throw new WorldFileException(

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Turns the tree of a {@code .world} file into a {@link WorldSpec}. */
+/** Converts the tree of a {@code .world} file to a {@link WorldSpec}. */
 final class WorldReader {
     private static final int LONGEST_INTERVAL_MILLIS = 60_000;
 
@@ -27,7 +27,7 @@ final class WorldReader {
         this.robotReader = new RobotReader(units, dialect, shapes, findings);
     }
 
-    /** The world of a parsed file, checked. */
+    /** Reads and checks the world of a parsed file. */
     static WorldSpec read(Document document, Findings findings) {
         VocabularyCheck.check(document, findings);
         Entity root = document.root();
@@ -40,7 +40,7 @@ final class WorldReader {
             switch (entity.type()) {
                 case "position" -> reader.robot(entity);
                 case "model" -> reader.obstacle(entity, Pose.ORIGIN);
-                default -> {} // a window of the graphical program, or something left out
+                default -> {} // a window of Stage's graphical interface, or something left out
             }
         }
         Path file = root.where().file();
@@ -118,7 +118,7 @@ final class WorldReader {
         }
     }
 
-    /** The given name, or type and number within the type, as Stage does. */
+    /** The given name, or the type with its number within the type, as in Stage. */
     private String name(Entity entity) {
         int number = unnamed.merge(entity.type(), 1, Integer::sum) - 1;
         return entity.text("name", entity.type() + ":" + number);
