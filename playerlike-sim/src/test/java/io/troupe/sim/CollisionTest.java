@@ -49,7 +49,7 @@ class CollisionTest {
         assertThat(contact.robot()).isZero();
         assertThat(contact.other()).isEqualTo("wall");
         assertThat(contact.otherRobot()).isEqualTo(-1);
-        // the skin is reached after 0.98 m, or 1.96 s, and noticed in one of the next two steps
+        // the skin is reached after 0.98 m, or 1.96 s, and the contact is reported in one of the next two steps
         assertThat(contact.timeMicros()).isBetween(1_960_000L, 1_980_000L);
         assertThat(after.odometry().stalled()).isTrue();
         assertThat(after.odometry().forwardMps()).isEqualTo(0.5);
@@ -192,7 +192,7 @@ class CollisionTest {
         }
     }
 
-    /** A bar of 1 m x 1 cm that stands aslant in its own frame: the box around it is no measure of how thin it is. */
+    /** A bar of 1 m x 1 cm at an angle in its own frame: its bounding box does not show how thin it is. */
     @Test
     void thinRobotThatStandsAslantInItsFrame_doesNotPassAThinWall() {
         RobotSpec thin = aslant(new Pose(-1, 0, 0));
@@ -253,7 +253,7 @@ class CollisionTest {
         assertThat(contacts).hasSize(1);
     }
 
-    /** They push one another with all their might; at these speeds they used to press through walls. */
+    /** The robots push one another at full speed; at these speeds they used to pass through walls. */
     @ParameterizedTest
     @ValueSource(doubles = {50, 100, 150, 199})
     void fastRobots_crushedInARoom_stayInIt(double speedMps) {

@@ -5,7 +5,7 @@ import io.troupe.sim.scenario.Pose;
 import java.nio.ByteBuffer;
 import java.util.zip.CRC32;
 
-/** A checksum of snapshots: every number of them, bit by bit. */
+/** A checksum of snapshots over every bit of their numbers. */
 final class Fingerprint {
     private final CRC32 crc = new CRC32();
 

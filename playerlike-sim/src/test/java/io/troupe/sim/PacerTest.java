@@ -9,7 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** On a clock that only moves when somebody sleeps or works. */
+/** Runs on a clock that moves only during sleeps and work. */
 class PacerTest {
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
@@ -71,7 +71,7 @@ class PacerTest {
     @Test
     void largeDelay_atAnotherPace_isCountedInSimulatedTime() {
         tick(2, 0);
-        tick(2, 1050); // a second of the machine's time, two simulated ones
+        tick(2, 1050); // a second on the wall clock, two simulated ones
         assertThat(pacer.droppedMicros()).isEqualTo(1_750_000);
     }
 

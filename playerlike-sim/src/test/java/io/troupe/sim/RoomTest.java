@@ -28,7 +28,7 @@ class RoomTest {
         return new Room(Specs.world(robots));
     }
 
-    /** Each question looks at the robots that are near, not at all of them. */
+    /** Each check looks at the robots that are near, not at all robots. */
     @Test
     void teleportsOfAllRobots_lookAtAFewRobotsEach() {
         List<Pose> poses = new ArrayList<>(rows(4_000));

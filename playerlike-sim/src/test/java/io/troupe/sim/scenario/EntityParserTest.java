@@ -183,7 +183,7 @@ class EntityParserTest {
                         + " other macros");
     }
 
-    /** As many entities as are allowed, with as many properties as Stage's models have. */
+    /** The maximum number of entities, each with as many properties as Stage's models have. */
     @Test
     void macroWithTwentyProperties_hasAsManyInstancesAsAFileMayHaveEntities() {
         var text = new StringBuilder("define post model (" + properties(20) + " size [0.1 0.1 1] color \"red\" )\n");
