@@ -6,7 +6,7 @@ package io.troupe.sim.scenario;
  * @param shape in the robot's frame
  * @param colour {@code 0x00RRGGBB}
  * @param blocksBodies it collides with other bodies, as a part of the robot's body
- * @param blocksRangers it stops the rays of other robots; those of its own robot pass
+ * @param blocksRangers it stops the rays of other robots; those of the carrying robot pass
  * @param visible the blobfinders of other robots see it
  */
 public record CargoSpec(Shape shape, int colour, boolean blocksBodies, boolean blocksRangers, boolean visible) {}

@@ -4,7 +4,7 @@ import java.util.ArrayDeque;
 import java.util.List;
 
 /**
- * Tells walls around a space from separate obstacles in the open, by a flood fill from outside over a grid of cells.
+ * Distinguishes walls around a space from separate obstacles in the open, by a flood fill from outside over a grid of cells.
  *
  * <p>A gap narrower than a cell, a hundredth of the extent, counts as closed.
  */

@@ -119,8 +119,8 @@ class RayOracleTest {
         float[] best = {1};
         oracle.raycast(
                 (fixture, point, normal, fraction) -> {
-                    best[0] = Math.min(
-                            best[0], fraction); // a later hit may be farther: the callback receives hits unsorted
+                    // a later hit may be farther: the callback receives hits unsorted
+                    best[0] = Math.min(best[0], fraction);
                     return best[0];
                 },
                 from,
