@@ -27,9 +27,9 @@ public sealed interface Pace {
     record Unlimited() implements Pace {}
 
     /** Simulated seconds per second; infinite if ticks do not wait for the clock. */
-    default double factor(boolean somebodyNeverAnswers) {
+    default double factor(boolean hasFreeRunningClient) {
         return switch (this) {
-            case OfAnswers answers -> somebodyNeverAnswers ? 1 : Double.POSITIVE_INFINITY;
+            case OfAnswers answers -> hasFreeRunningClient ? 1 : Double.POSITIVE_INFINITY;
             case RealTime real -> real.factor();
             case Unlimited unlimited -> Double.POSITIVE_INFINITY;
         };

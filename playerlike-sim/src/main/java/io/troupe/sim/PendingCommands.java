@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.PortServer.PortDevice;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -26,13 +26,13 @@ final class PendingCommands {
         SPEED
     }
 
-    private record Subject(Offer device, Kind kind) {}
+    private record Subject(PortDevice device, Kind kind) {}
 
     private final Map<Subject, Runnable> now = new LinkedHashMap<>();
     private final Map<Subject, Runnable> later = new LinkedHashMap<>();
 
     /** @param late true if the client has already answered the current tick */
-    void add(Offer device, Kind kind, Runnable command, boolean late) {
+    void add(PortDevice device, Kind kind, Runnable command, boolean late) {
         putLast(late ? later : now, new Subject(device, kind), command);
     }
 
@@ -52,7 +52,7 @@ final class PendingCommands {
     }
 
     /** Takes all commands for one device, when a client unsubscribes from it. */
-    List<Runnable> takeAll(Offer device) {
+    List<Runnable> takeAll(PortDevice device) {
         var taken = new ArrayList<Runnable>();
         for (var commands : List.of(now, later)) {
             for (var each = commands.entrySet().iterator(); each.hasNext(); ) {

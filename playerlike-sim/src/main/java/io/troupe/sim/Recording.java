@@ -66,19 +66,19 @@ public final class Recording implements AutoCloseable {
         write();
     }
 
-    synchronized void drive(int robot, Drive drive) {
+    synchronized void drive(int robot, MotionCommand drive) {
         switch (drive) {
-            case Drive.Velocity velocity -> {
+            case MotionCommand.Velocity velocity -> {
                 begin("velocity").append(' ').append(robot);
                 line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.turnRadps());
                 write();
             }
-            case Drive.Heading heading -> {
+            case MotionCommand.Heading heading -> {
                 begin("heading").append(' ').append(robot);
                 line.append(' ').append(heading.forwardMps()).append(' ').append(heading.headingRad());
                 write();
             }
-            case Drive.GoTo goTo -> {
+            case MotionCommand.GoTo goTo -> {
                 begin("goto").append(' ').append(robot);
                 write(goTo.goal());
             }

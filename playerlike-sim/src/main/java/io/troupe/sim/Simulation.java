@@ -46,8 +46,8 @@ public final class Simulation implements AutoCloseable {
     private final World world;
     private final ManualClock clock = new ManualClock();
     private final Object lock = new Object();
-    private final TimeGate time = new TimeGate(lock);
-    private final Set<ClientLine> lines = new LinkedHashSet<>(); // in the order in which they connected
+    private final PauseControl time = new PauseControl(lock);
+    private final Set<ClientConnection> clients = new LinkedHashSet<>(); // in the order in which they connected
     private final List<PlayerPorts.Registration> ports = new ArrayList<>();
     private final int[] drivers;
     private Duration answerLimit = ANSWER_LIMIT;
@@ -130,7 +130,7 @@ public final class Simulation implements AutoCloseable {
      * Stage: slow clients miss frames, and only a recording makes a run repeatable.
      */
     public void lockStep(boolean waits) {
-        under(() -> lockStep = waits);
+        withLock(() -> lockStep = waits);
     }
 
     /** Called under the lock. A closed simulation waits for no client. */
@@ -143,12 +143,12 @@ public final class Simulation implements AutoCloseable {
      * the tick. For worlds that unknown clients may connect to.
      */
     public void disconnectSilentClients(boolean disconnects) {
-        under(() -> disconnectsSilent = disconnects);
+        withLock(() -> disconnectsSilent = disconnects);
     }
 
     /** True if any client is subscribed to a device. */
     public boolean hasSubscribers() {
-        return under(() -> lines.stream().anyMatch(ClientLine::isSubscribed));
+        return withLock(() -> clients.stream().anyMatch(ClientConnection::isSubscribed));
     }
 
     /**
@@ -164,22 +164,22 @@ public final class Simulation implements AutoCloseable {
     }
 
     /** As {@link #tick()}, and also waits until the interval has passed at the current pace. */
-    Snapshot tick(Pacer pacer, Pace pace) {
-        return tick(pacer, under(() -> pace.factor(lines.stream().anyMatch(ClientLine::isFreeRunning))));
+    Snapshot tick(RealTimePacer pacer, Pace pace) {
+        return tick(pacer, withLock(() -> pace.factor(clients.stream().anyMatch(ClientConnection::isFreeRunning))));
     }
 
-    private Snapshot tick(@Nullable Pacer pacer, double factor) {
-        time.awaitTime(whileWaiting);
+    private Snapshot tick(@Nullable RealTimePacer pacer, double factor) {
+        time.awaitUnpaused(whileWaiting);
         Snapshot now = world.latest();
-        List<ClientLine> audience = under(() -> {
+        List<ClientConnection> subscribers = withLock(() -> {
             if (closed) {
                 throw new IllegalStateException(CLOSED);
             }
-            lines.forEach(line -> line.tickBegins(now.tick()));
-            return lines.stream().filter(ClientLine::isSubscribed).toList();
+            clients.forEach(client -> client.tickBegins(now.tick()));
+            return clients.stream().filter(ClientConnection::isSubscribed).toList();
         });
-        publish(now, audience);
-        awaitAnswers(now.tick(), audience);
+        publish(now, subscribers);
+        awaitAnswers(now.tick(), subscribers);
         if (pacer != null) {
             if (time.takeStoodStill()) {
                 pacer.restart();
@@ -188,8 +188,8 @@ public final class Simulation implements AutoCloseable {
         }
         // Under the same lock as the last answer: all commands sent before the answers are here, later ones wait
         // for the next tick.
-        under(() -> {
-            lines.forEach(line -> line.takeCommands().forEach(Runnable::run));
+        withLock(() -> {
+            clients.forEach(client -> client.takeCommands().forEach(Runnable::run));
             return now;
         });
         return world.advance();
@@ -216,7 +216,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void setPaused(boolean wanted) {
-        under(() -> {
+        withLock(() -> {
             pausedBy = null;
             Recording recording = world.recording();
             if (time.pause(wanted) && recording != null) {
@@ -283,14 +283,14 @@ public final class Simulation implements AutoCloseable {
 
     /** As {@link #close()}, with a reason for the clients. */
     void close(String reason) {
-        List<ClientLine> left = under(() -> {
+        List<ClientConnection> left = withLock(() -> {
             closed = true;
             time.close();
-            return List.copyOf(lines);
+            return List.copyOf(clients);
         });
         ports.forEach(PlayerPorts.Registration::close);
         try (world) { // closed even if the recording throws
-            left.forEach(line -> line.lose(reason));
+            left.forEach(client -> client.disconnect(reason));
             Recording recording = world.recording();
             if (recording != null) {
                 recording.close();
@@ -298,71 +298,72 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    private void publish(Snapshot now, List<ClientLine> audience) {
+    private void publish(Snapshot now, List<ClientConnection> subscribers) {
         long nanos = now.timeMicros() * 1000;
-        Map<ActorSpace, List<ClientLine>> bySpace = new LinkedHashMap<>();
-        for (var line : audience) {
-            ActorSpace space = line.space();
+        Map<ActorSpace, List<ClientConnection>> bySpace = new LinkedHashMap<>();
+        for (var client : subscribers) {
+            ActorSpace space = client.space();
             if (space != null) {
-                bySpace.computeIfAbsent(space, each -> new ArrayList<>()).add(line);
+                bySpace.computeIfAbsent(space, each -> new ArrayList<>()).add(client);
             }
         }
         if (bySpace.isEmpty()) {
             clock.advanceTo(nanos);
         }
-        for (var line : audience) {
-            if (line.space() == null) {
-                line.deliver(now);
+        for (var client : subscribers) {
+            if (client.space() == null) {
+                client.deliver(now);
             }
         }
         bySpace.forEach((space, members) -> publish(now, nanos, space, members));
     }
 
-    private void publish(Snapshot now, long nanos, ActorSpace space, List<ClientLine> members) {
+    private void publish(Snapshot now, long nanos, ActorSpace space, List<ClientConnection> members) {
         Promise<@Nullable Void> end = space.whenClosed();
-        end.toCompletableFuture().thenRun(() -> members.forEach(ClientLine::endWithSpace));
+        end.toCompletableFuture().thenRun(() -> members.forEach(ClientConnection::spaceClosed));
         try {
             space.execute(() -> {
                 // In one turn, so that timers that are due run after the frames. This turn may run after a later
                 // tick: the world does not wait for a space whose clients have been closed by another thread.
                 clock.advanceToAtLeast(nanos);
-                members.forEach(line -> line.deliver(now));
+                members.forEach(client -> client.deliver(now));
             });
             space.onIdle(() -> {
                 end.cancel();
-                under(() -> {
-                    members.forEach(line -> line.spaceIsIdle(now.tick()));
+                withLock(() -> {
+                    members.forEach(client -> client.spaceIsIdle(now.tick()));
                     return now;
                 });
             });
         } catch (ActorStoppedException spaceIsClosed) {
             end.cancel();
-            members.forEach(ClientLine::endWithSpace);
+            members.forEach(ClientConnection::spaceClosed);
         }
     }
 
-    private void awaitAnswers(long tick, List<ClientLine> audience) {
+    private void awaitAnswers(long tick, List<ClientConnection> subscribers) {
         long deadline = time.runningNanos() + answerLimit.toNanos();
         int answered =
                 0; // number of leading clients that have answered, so that each new answer does not check all clients
-                   // again
+        // again
         while (true) {
             if (whileWaiting != null) {
                 whileWaiting.run();
             }
-            List<ClientLine> silent;
+            List<ClientConnection> silent;
             synchronized (lock) {
-                while (answered < audience.size() && audience.get(answered).hasAnswered(tick)) {
+                while (answered < subscribers.size()
+                        && subscribers.get(answered).hasAnswered(tick)) {
                     answered++;
                 }
                 long leftMillis = (deadline - time.runningNanos()) / 1_000_000;
-                if (answered < audience.size() && leftMillis > 0) {
+                if (answered < subscribers.size() && leftMillis > 0) {
                     await(whileWaiting == null ? leftMillis : 1);
                     continue;
                 }
                 answered = 0;
-                silent = audience.stream()
-                        .filter(line -> !line.hasAnswered(tick))
+                silent = subscribers.stream()
+                        .filter(client -> !client.hasAnswered(tick))
                         .toList();
                 if (silent.isEmpty()) {
                     return;
@@ -374,14 +375,14 @@ public final class Simulation implements AutoCloseable {
                     throw new UnansweredTickException(tick, answerLimit, silent);
                 }
             }
-            silent.forEach(line -> disconnect(line, tick));
+            silent.forEach(client -> disconnect(client, tick));
         }
     }
 
-    private void disconnect(ClientLine line, long tick) {
+    private void disconnect(ClientConnection client, long tick) {
         String reason = "tick " + tick + " was not answered within " + answerLimit;
-        LOG.log(System.Logger.Level.WARNING, line + " is disconnected: " + reason);
-        line.lose(reason);
+        LOG.log(System.Logger.Level.WARNING, client + " is disconnected: " + reason);
+        client.disconnect(reason);
     }
 
     private void await(long millis) {
@@ -396,7 +397,7 @@ public final class Simulation implements AutoCloseable {
     // ---- for client connections and runners
 
     /** Runs an action under the lock that guards the clients, and wakes a waiting tick. */
-    <T> T under(Supplier<T> action) {
+    <T> T withLock(Supplier<T> action) {
         synchronized (lock) {
             T result = action.get();
             lock.notifyAll();
@@ -404,25 +405,25 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** As {@link #under}, for changes that no tick waits for. */
-    <T> T quietly(Supplier<T> action) {
+    /** As {@link #withLock}, for changes that no tick waits for. */
+    <T> T withLockNoNotify(Supplier<T> action) {
         synchronized (lock) {
             return action.get();
         }
     }
 
-    int add(ClientLine line) {
-        return under(() -> {
+    int add(ClientConnection client) {
+        return withLock(() -> {
             if (closed) {
                 throw new LineClosedException(CLOSED);
             }
-            lines.add(line);
+            clients.add(client);
             return ++connected;
         });
     }
 
-    void remove(ClientLine line) {
-        lines.remove(line);
+    void remove(ClientConnection client) {
+        clients.remove(client);
     }
 
     /** Counts the clients that may drive a robot; a robot that lost its last one stops. */
@@ -439,13 +440,14 @@ public final class Simulation implements AutoCloseable {
     }
 
     boolean isClosed() {
-        return under(() -> closed);
+        return withLock(() -> closed);
     }
 
     /** Waits until the given number of clients wait for data; false if the simulation is closed. */
     boolean awaitClients(int count) throws InterruptedException {
         synchronized (lock) {
-            while (!closed && lines.stream().filter(ClientLine::hasBegun).count() < count) {
+            while (!closed
+                    && clients.stream().filter(ClientConnection::hasStarted).count() < count) {
                 time.standsStill();
                 lock.wait();
             }

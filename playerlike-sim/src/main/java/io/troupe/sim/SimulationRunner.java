@@ -30,7 +30,7 @@ public final class SimulationRunner implements AutoCloseable {
     private final int clients;
     private final Consumer<Snapshot> observer;
     private final Thread thread;
-    private final Pacer pacer;
+    private final RealTimePacer pacer;
     private volatile Pace pace;
     private volatile boolean stopping;
     private volatile @Nullable RuntimeException failure;
@@ -41,7 +41,7 @@ public final class SimulationRunner implements AutoCloseable {
         this.clients = clients;
         this.observer = observer;
         this.pace = pace;
-        this.pacer = new Pacer(Clock.system(), simulation::sleep);
+        this.pacer = new RealTimePacer(Clock.system(), simulation::sleep);
         this.thread = Thread.ofPlatform()
                 .name("simulation-" + simulation.world().spec().name())
                 .daemon()

@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
-import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.Pose;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -93,7 +93,7 @@ public final class SnapshotHash {
         add(image.widthPx());
         add(image.heightPx());
         add(image.blobs().size());
-        for (Blob blob : image.blobs()) {
+        for (ColourBlob blob : image.blobs()) {
             add(blob.colour());
             add(blob.areaPx2());
             add(blob.x());

@@ -8,9 +8,9 @@ import java.util.stream.Collectors;
 public final class UnansweredTickException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
-    UnansweredTickException(long tick, Duration limit, List<ClientLine> silent) {
+    UnansweredTickException(long tick, Duration limit, List<ClientConnection> silent) {
         super("tick " + tick + " was not answered within " + limit + " by "
-                + silent.stream().map(ClientLine::toString).collect(Collectors.joining(", "))
+                + silent.stream().map(ClientConnection::toString).collect(Collectors.joining(", "))
                 + ": a client answers by readAll(), by isDataReady() being false, or by its actor space becoming idle");
     }
 }

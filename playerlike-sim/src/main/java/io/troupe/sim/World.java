@@ -45,20 +45,20 @@ public final class World implements AutoCloseable {
     private final long intervalMicros;
     private final int stepsPerInterval;
     private final StartPoses starts;
-    private final Orders orders;
+    private final WorldCommands commands;
     private final List<String> robotNames;
     private final Scene scene;
     private final WorldView view = new WorldView(this);
     private final Scratch[] scratches;
-    private final Sensing sensing;
+    private final SensingThreads sensing;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
-    private List<RobotDevices> devices;
+    private List<SimulatedDevices> devices;
     private Physics physics;
     private long physicsStartMicros; // the physics counts its time from the last reset
     private long tick;
     private boolean advancing;
     private volatile boolean closed;
-    private volatile boolean wanted; // latest() was called since the last publication
+    private volatile boolean snapshotRequested; // latest() was called since the last publication
     private volatile Snapshot latest;
 
     /**
@@ -85,16 +85,16 @@ public final class World implements AutoCloseable {
         this.settings = settings;
         this.starts = starts;
         intervalMicros = spec.intervalMillis() * 1000L;
-        stepsPerInterval = Math.toIntExact(intervalMicros / Bodies.stepMicros(spec, settings));
+        stepsPerInterval = Math.toIntExact(intervalMicros / PhysicsSetup.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
         scene = new Scene(spec);
-        orders = new Orders(spec, settings);
+        commands = new WorldCommands(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
-        physics = Bodies.atStart(spec, settings, starts);
-        devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
+        physics = PhysicsSetup.atStart(spec, settings, starts);
+        devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
-        sensing = new Sensing(spec.name(), threads, robotCount, this::senseRange);
+        sensing = new SensingThreads(spec.name(), threads, robotCount, this::senseRange);
         sense();
         latest = snapshot();
     }
@@ -108,8 +108,8 @@ public final class World implements AutoCloseable {
      * intermediate snapshot.
      */
     public Snapshot latest() {
-        if (!wanted) {
-            wanted = true;
+        if (!snapshotRequested) {
+            snapshotRequested = true;
         }
         return latest;
     }
@@ -141,12 +141,12 @@ public final class World implements AutoCloseable {
      *     takes effect, but for one interval at least; 0 = until another command
      */
     void command(int robot, double forwardMps, double turnRadps, long limitMicros) {
-        orders.drive(robot, forwardMps, turnRadps, limitMicros);
+        commands.drive(robot, forwardMps, turnRadps, limitMicros);
     }
 
     /** As {@link #command(int, double, double)}, for the thread that advances the world. */
     void commandNow(int robot, double forwardMps, double turnRadps) {
-        orders.driveNow(robot, forwardMps, turnRadps);
+        commands.driveNow(robot, forwardMps, turnRadps);
     }
 
     /**
@@ -160,7 +160,7 @@ public final class World implements AutoCloseable {
 
     /** As {@link #steer(int, double, double)}, for a client whose commands expire. */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
-        orders.steer(robot, forwardMps, headingRad, limitMicros);
+        commands.steer(robot, forwardMps, headingRad, limitMicros);
     }
 
     /**
@@ -168,7 +168,7 @@ public final class World implements AutoCloseable {
      * replaces it. The robot stops nearer than 2 cm along x and y and then turns. It does not avoid obstacles.
      */
     public void goTo(int robot, Pose goal) {
-        orders.goTo(robot, goal);
+        commands.goTo(robot, goal);
     }
 
     /**
@@ -176,7 +176,7 @@ public final class World implements AutoCloseable {
      * discarded.
      */
     public void motorPower(int robot, boolean on) {
-        orders.power(robot, on);
+        commands.power(robot, on);
     }
 
     /**
@@ -196,12 +196,12 @@ public final class World implements AutoCloseable {
     /** Reason why {@link #teleport} would be refused, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose) {
-        return orders.teleportRefusal(robot, pose, latest);
+        return commands.teleportRefusal(robot, pose, latest);
     }
 
     /** A teleport that is checked only when it takes effect. */
     void teleportLater(int robot, Pose pose) {
-        orders.teleport(robot, pose);
+        commands.teleport(robot, pose);
     }
 
     /** Index of the robot with a name, or -1. */
@@ -215,7 +215,7 @@ public final class World implements AutoCloseable {
      * commands, the run then repeats bit for bit.
      */
     public void reset() {
-        orders.reset();
+        commands.reset();
     }
 
     /**
@@ -225,12 +225,12 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException if the world has advanced already or is being recorded
      */
     public Recording record(Appendable out) {
-        return orders.record(out, latest);
+        return commands.record(out, latest);
     }
 
     @Nullable
     Recording recording() {
-        return orders.recording();
+        return commands.recording();
     }
 
     /** Stops a robot; the same as a command with zero speeds. */
@@ -244,13 +244,13 @@ public final class World implements AutoCloseable {
      * @param pose of finite numbers, at most {@link Position2d#FARTHEST}
      */
     public void setOdometry(int robot, Pose pose) {
-        orders.odometry(robot, pose);
+        commands.odometry(robot, pose);
     }
 
     /** Reason why {@link #setOdometry} would be refused, or null. */
     @Nullable
     String odometryRefusal(int robot, Pose pose) {
-        return orders.odometryRefusal(robot, pose);
+        return commands.odometryRefusal(robot, pose);
     }
 
     /** Advances by one interval and publishes the snapshot at its end. */
@@ -285,13 +285,13 @@ public final class World implements AutoCloseable {
         advancing = true;
         try {
             for (long i = 0; i < intervals; i++) {
-                if (wanted) {
+                if (snapshotRequested) {
                     publish();
                 }
-                beginAgainIfWanted();
+                resetIfRequested();
                 controller.control(view);
                 advanceUnpublished();
-                Recording log = orders.recording();
+                Recording log = commands.recording();
                 if (log != null) {
                     publish();
                     log.advanced(latest);
@@ -315,14 +315,14 @@ public final class World implements AutoCloseable {
     }
 
     private void publish() {
-        wanted = false;
+        snapshotRequested = false;
         if (latest.tick() != tick) {
             latest = snapshot();
         }
     }
 
     private void advanceUnpublished() {
-        orders.latch(tick, tick * intervalMicros, physics, devices);
+        commands.apply(tick, tick * intervalMicros, physics, devices);
         physics.forgetTouches();
         for (int i = 0; i < stepsPerInterval; i++) {
             physics.step();
@@ -341,12 +341,12 @@ public final class World implements AutoCloseable {
         }
     }
 
-    private void beginAgainIfWanted() {
+    private void resetIfRequested() {
         long nowMicros = tick * intervalMicros;
-        if (orders.takeReset(nowMicros)) {
-            physics = Bodies.atStart(spec, settings, starts);
+        if (commands.takeReset(nowMicros)) {
+            physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
-            devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
+            devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
             sense(); // as at the start: each reading advances the random streams
         }
     }
@@ -381,17 +381,22 @@ public final class World implements AutoCloseable {
 
     private RobotReading read(int robot) {
         Pose pose = physics.pose(robot);
-        RobotDevices its = devices.get(robot);
+        SimulatedDevices robotDevices = devices.get(robot);
         var odometry = new Odometry(
-                its.position2d().reported(), orders.forwardMps(robot), orders.turnRadps(robot), physics.stalled(robot));
+                robotDevices.position2d().reported(),
+                commands.forwardMps(robot),
+                commands.turnRadps(robot),
+                physics.stalled(robot));
         return new RobotReading(
                 pose,
                 odometry,
-                its.sonar() == null ? null : its.sonar().rangesM(),
-                its.blobfinder() == null ? null : its.blobfinder().image(),
-                its.rangersM().isEmpty()
+                robotDevices.sonar() == null ? null : robotDevices.sonar().rangesM(),
+                robotDevices.blobfinder() == null
+                        ? null
+                        : robotDevices.blobfinder().image(),
+                robotDevices.rangersM().isEmpty()
                         ? List.of()
-                        : its.rangersM().stream()
+                        : robotDevices.rangersM().stream()
                                 .map(ranges -> Arrays.stream(ranges).boxed().toList())
                                 .toList(),
                 scene.wallGapM(robot));
@@ -408,14 +413,14 @@ public final class World implements AutoCloseable {
     }
 
     double forwardMps(int robot) {
-        return orders.forwardMps(robot);
+        return commands.forwardMps(robot);
     }
 
     double turnRadps(int robot) {
-        return orders.turnRadps(robot);
+        return commands.turnRadps(robot);
     }
 
-    RobotDevices devices(int robot) {
+    SimulatedDevices devices(int robot) {
         return devices.get(robot);
     }
 

@@ -12,7 +12,7 @@ import io.troupe.sim.device.Sonar;
  * <p><b>Threads.</b> The thread that advances the world, between intervals.
  *
  * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and
- * {@link io.troupe.sim.device.Blob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
+ * {@link io.troupe.sim.device.ColourBlob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
  *
  * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, ranger, blob or contact that does not exist;
  * {@link #sonarCount} is 0 for a robot without sonar, as is {@link #blobCount} without blobfinder.
@@ -85,23 +85,23 @@ public final class WorldView {
      * {@code ranger} whose sensors cast one ray each (dialect of Stage 4).
      */
     public int sonarCount(int robot) {
-        RobotDevices its = world.devices(robot);
-        Sonar sonar = its.sonar();
+        SimulatedDevices devices = world.devices(robot);
+        Sonar sonar = devices.sonar();
         if (sonar != null) {
             return sonar.count();
         }
-        int ring = its.sonarRanger();
-        return ring < 0 ? 0 : its.rangersM().get(ring).length;
+        int ring = devices.sonarRanger();
+        return ring < 0 ? 0 : devices.rangersM().get(ring).length;
     }
 
     /** Range of a sonar, numbered as {@link #sonarCount} counts. */
     public double rangeM(int robot, int sonar) {
-        RobotDevices its = world.devices(robot);
-        Sonar classic = its.sonar();
+        SimulatedDevices devices = world.devices(robot);
+        Sonar classic = devices.sonar();
         if (classic != null) {
             return classic.rangeM(sonar);
         }
-        int ring = its.sonarRanger();
+        int ring = devices.sonarRanger();
         if (ring < 0) {
             throw new IndexOutOfBoundsException("robot " + robot + " has no sonar");
         }

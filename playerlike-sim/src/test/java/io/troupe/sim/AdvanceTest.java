@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
@@ -89,7 +89,7 @@ class AdvanceTest {
         BlobImage image = reading.blobs();
         assertThat(view.blobCount(robot)).isEqualTo(image.blobs().size());
         for (int i = 0; i < view.blobCount(robot); i++) {
-            Blob blob = image.blobs().get(i);
+            ColourBlob blob = image.blobs().get(i);
             assertThat(List.of(view.blobColour(robot, i), view.blobLeft(robot, i), view.blobRight(robot, i)))
                     .isEqualTo(List.of(blob.colour(), blob.left(), blob.right()));
             assertThat(List.of(view.blobTop(robot, i), view.blobBottom(robot, i), view.blobRangeM(robot, i)))

@@ -3,7 +3,7 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.device.Blob;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
 import java.util.List;
@@ -33,7 +33,7 @@ class CargoTest {
 
         RobotReading eye = world.latest().robots().get(0);
         assertThat(eye.sonarM()).containsExactly(2.5);
-        assertThat(eye.blobs().blobs()).extracting(Blob::colour).contains(0x0000ff, 0x000000);
+        assertThat(eye.blobs().blobs()).extracting(ColourBlob::colour).contains(0x0000ff, 0x000000);
         // the other robot's sonar is behind its cargo and looks through it: the first robot's front is at 0.05
         assertThat(world.latest().robots().get(1).sonarM().getFirst()).isCloseTo(2.95, within(1e-9));
 

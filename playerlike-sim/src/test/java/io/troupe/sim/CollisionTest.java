@@ -197,9 +197,9 @@ class CollisionTest {
     void thinRobotThatStandsAslantInItsFrame_doesNotPassAThinWall() {
         RobotSpec thin = aslant(new Pose(-1, 0, 0));
         RobotSpec upright = withShape(robot("r1", Pose.ORIGIN), Specs.box(0.01, 1, 0));
-        assertThat(Bodies.stepMicros(Specs.world(thin), FAST))
+        assertThat(PhysicsSetup.stepMicros(Specs.world(thin), FAST))
                 .as("step in which it moves")
-                .isEqualTo(Bodies.stepMicros(Specs.world(upright), FAST));
+                .isEqualTo(PhysicsSetup.stepMicros(Specs.world(upright), FAST));
         for (double x = -1.14; x < -1; x += 0.02) {
             ObstacleSpec wall = Specs.box("thin", new Pose(1, 0, StrictMath.PI / 4), 40, 0.001, Specs.BLACK);
             World world = World.create(Specs.world(aslant(new Pose(x, 0, 0)), wall), FAST);

@@ -30,7 +30,7 @@ class FreeRunningTest {
     private final Simulation simulation = Simulation.open(scenario(), Arena.seed(2));
     private final ManualClock wall = new ManualClock();
     private final List<Long> sleptMillis = new ArrayList<>();
-    private final Pacer pacer = new Pacer(wall, nanos -> {
+    private final RealTimePacer pacer = new RealTimePacer(wall, nanos -> {
         sleptMillis.add(nanos / 1_000_000);
         wall.advance(Duration.ofNanos(nanos));
     });

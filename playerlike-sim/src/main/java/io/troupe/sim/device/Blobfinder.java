@@ -156,14 +156,15 @@ public final class Blobfinder {
                         : IntStream.range(0, blobs.count).mapToObj(this::blob).toList());
     }
 
-    private Blob blob(int i) {
+    private ColourBlob blob(int i) {
         int left = left(i);
         int right = right(i);
         int top = top(i);
         int bottom = bottom(i);
         int areaPx2 = (right - left) * (bottom - top);
         int centre = spec.heightPx() / 2;
-        return new Blob(colour(i), areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM(i));
+        return new ColourBlob(
+                colour(i), areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM(i));
     }
 
     /** Reads the camera and returns the image, with blobs from left to right. */

@@ -13,12 +13,12 @@ final class ColourGroup {
     private static final double MARGIN_M = 1e-6;
 
     final int colour;
-    private final Circles circles;
+    private final BoundingCircles circles;
     private final int[] things;
     private final double[] x; // sorted
     private final double greatestRadiusM;
 
-    ColourGroup(int colour, List<Integer> members, Circles circles) {
+    ColourGroup(int colour, List<Integer> members, BoundingCircles circles) {
         this.colour = colour;
         this.circles = circles;
         things = members.stream()

@@ -40,7 +40,7 @@ public final class Scene {
     private final CellIndex movingIndex;
     private final RayCaster caster;
     private final Direction direction = new Direction();
-    private final Circles circles;
+    private final BoundingCircles circles;
     private final List<ColourGroup> fixedGroups = new ArrayList<>();
     private final List<ColourGroup> movingGroups = new ArrayList<>();
 
@@ -59,7 +59,7 @@ public final class Scene {
         sin = new double[robotCount];
         int cargoCount =
                 spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
-        circles = new Circles(firstRobot + robotCount + cargoCount);
+        circles = new BoundingCircles(firstRobot + robotCount + cargoCount);
         Map<Integer, List<Integer>> fixedByColour = new LinkedHashMap<>();
         Map<Integer, List<Integer>> movingByColour = new LinkedHashMap<>();
         colours = new int[firstRobot + robotCount + cargoCount];

@@ -56,7 +56,7 @@ public final class Physics {
     private final RepairedTree tree;
     private final World world;
     private final List<RobotBody> robots = new ArrayList<>();
-    private final TouchLedger touches;
+    private final TouchTracker touches;
     private final int robotCount;
     private final int stepMicros;
     private final boolean mayGlide;
@@ -81,7 +81,7 @@ public final class Physics {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
-        touches = new TouchLedger(robotCount);
+        touches = new TouchTracker(robotCount);
         tree = new RepairedTree();
         world = new World(
                 new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);

@@ -10,12 +10,12 @@ final class StallMeter {
     /** Smaller sums in a window (metres or radians) are rounding, not travel. */
     private static final double NEGLIGIBLE = 1e-4;
 
-    private static final int TOLD_X = 0;
-    private static final int TOLD_Y = 1;
-    private static final int WENT_X = 2;
-    private static final int WENT_Y = 3;
-    private static final int TOLD_TURN_RADPS = 4;
-    private static final int WENT_RAD = 5;
+    private static final int COMMANDED_X = 0;
+    private static final int COMMANDED_Y = 1;
+    private static final int ACTUAL_X = 2;
+    private static final int ACTUAL_Y = 3;
+    private static final int COMMANDED_TURN_RADPS = 4;
+    private static final int ACTUAL_RAD = 5;
     private static final int FIELDS = 6;
 
     private final double stepS;
@@ -28,16 +28,22 @@ final class StallMeter {
     }
 
     /**
-     * Records the commanded and the actual motion of one step, in metres; turns left positive, {@code wentRad}
+     * Records the commanded and the actual motion of one step, in metres; turns left positive, {@code actualRad}
      * unwrapped.
      */
-    void record(double toldX, double toldY, double wentX, double wentY, double toldTurnRadps, double wentRad) {
-        steps[next + TOLD_X] = toldX;
-        steps[next + TOLD_Y] = toldY;
-        steps[next + WENT_X] = wentX;
-        steps[next + WENT_Y] = wentY;
-        steps[next + TOLD_TURN_RADPS] = toldTurnRadps;
-        steps[next + WENT_RAD] = wentRad;
+    void record(
+            double commandedX,
+            double commandedY,
+            double actualX,
+            double actualY,
+            double commandedTurnRadps,
+            double actualRad) {
+        steps[next + COMMANDED_X] = commandedX;
+        steps[next + COMMANDED_Y] = commandedY;
+        steps[next + ACTUAL_X] = actualX;
+        steps[next + ACTUAL_Y] = actualY;
+        steps[next + COMMANDED_TURN_RADPS] = commandedTurnRadps;
+        steps[next + ACTUAL_RAD] = actualRad;
         next += FIELDS;
         if (next == steps.length) {
             next = 0;
@@ -46,24 +52,26 @@ final class StallMeter {
 
     /** True if less than half of the commanded motion was achieved, in driving or in turning. */
     boolean heldBack() {
-        double toldSumM = 0;
-        double wentSumM = 0;
-        double toldSumRad = 0;
-        double wentSumRad = 0;
+        double commandedSumM = 0;
+        double actualSumM = 0;
+        double commandedSumRad = 0;
+        double actualSumRad = 0;
         for (int i = 0; i < steps.length; i += FIELDS) {
-            double toldX = steps[i + TOLD_X];
-            double toldY = steps[i + TOLD_Y];
-            double toldM = StrictMath.hypot(toldX, toldY);
-            toldSumM += toldM;
-            wentSumM += toldM == 0 ? 0 : (steps[i + WENT_X] * toldX + steps[i + WENT_Y] * toldY) / toldM;
-            double turnRadps = steps[i + TOLD_TURN_RADPS];
-            toldSumRad += Math.abs(turnRadps) * stepS;
-            wentSumRad += RobotBody.wrap(steps[i + WENT_RAD]) * Math.signum(turnRadps);
+            double commandedX = steps[i + COMMANDED_X];
+            double commandedY = steps[i + COMMANDED_Y];
+            double commandedM = StrictMath.hypot(commandedX, commandedY);
+            commandedSumM += commandedM;
+            actualSumM += commandedM == 0
+                    ? 0
+                    : (steps[i + ACTUAL_X] * commandedX + steps[i + ACTUAL_Y] * commandedY) / commandedM;
+            double turnRadps = steps[i + COMMANDED_TURN_RADPS];
+            commandedSumRad += Math.abs(turnRadps) * stepS;
+            actualSumRad += RobotBody.wrap(steps[i + ACTUAL_RAD]) * Math.signum(turnRadps);
         }
-        return lessThanHalf(wentSumM, toldSumM) || lessThanHalf(wentSumRad, toldSumRad);
+        return lessThanHalf(actualSumM, commandedSumM) || lessThanHalf(actualSumRad, commandedSumRad);
     }
 
-    private static boolean lessThanHalf(double went, double told) {
-        return told > NEGLIGIBLE && went < told / 2;
+    private static boolean lessThanHalf(double actual, double commanded) {
+        return commanded > NEGLIGIBLE && actual < commanded / 2;
     }
 }

@@ -18,7 +18,7 @@ final class CrowdColours {
 
     /** The given number of names, starting with the three colours of the paper. */
     static List<String> names(int count) {
-        Map<String, Integer> candidates = new TreeMap<>(Colours.byName());
+        Map<String, Integer> candidates = new TreeMap<>(X11Colours.byName());
         var chosen = new ArrayList<String>(FIRST.subList(0, Math.min(count, FIRST.size())));
         var values = new ArrayList<Integer>();
         TAKEN.forEach(name -> values.add(candidates.get(name)));

@@ -135,7 +135,7 @@ public final class CrowdWorld {
      * all others, walls and robots included.
      */
     public static List<Integer> colours(int count) {
-        return names(count).stream().map(Colours.byName()::get).toList();
+        return names(count).stream().map(X11Colours.byName()::get).toList();
     }
 
     private void write() {

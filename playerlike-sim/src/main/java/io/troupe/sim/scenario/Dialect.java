@@ -16,14 +16,14 @@ enum Dialect {
     STAGE_4;
 
     /** The dialect of a world. A world that mixes both is read as Stage 4, with a warning. */
-    static Dialect of(Entity world, Findings findings) {
+    static Dialect of(Entity world, Diagnostics diagnostics) {
         Mark newer = firstMark(world, STAGE_4);
         if (newer == null) {
             return CLASSIC;
         }
         Mark classic = firstMark(world, CLASSIC);
         if (classic != null) {
-            findings.warn(
+            diagnostics.warn(
                     classic.where,
                     "\"" + classic.word + "\" belongs to the classic dialect, but \"" + newer.word + "\" at "
                             + newer.where + " to that of Stage 4; the world is read as one of Stage 4");

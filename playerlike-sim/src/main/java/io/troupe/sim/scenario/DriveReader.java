@@ -8,12 +8,12 @@ import java.util.List;
 final class DriveReader {
     private final Units units;
     private final Dialect dialect;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
 
-    DriveReader(Units units, Dialect dialect, Findings findings) {
+    DriveReader(Units units, Dialect dialect, Diagnostics diagnostics) {
         this.units = units;
         this.dialect = dialect;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
     }
 
     DriveSpec read(Entity position) {
@@ -21,7 +21,7 @@ final class DriveReader {
         double[] velocity = position.numbers("velocity", 0, 0, 0);
         SourcePosition where = position.whereOf("velocity");
         if (velocity[1] != 0) {
-            findings.warn(
+            diagnostics.warn(
                     where,
                     "a robot with differential drive cannot move sideways: its start speed of " + velocity[1]
                             + " that way is left out");
@@ -39,7 +39,7 @@ final class DriveReader {
         if (!drive.equals("diff")) {
             SourcePosition where = position.whereOf("drive");
             if (List.of("omni", "car").contains(drive)) {
-                findings.warn(
+                diagnostics.warn(
                         where,
                         "\"drive\" \"" + drive
                                 + "\" is not simulated: the robot has two driven wheels, as with \"diff\"");

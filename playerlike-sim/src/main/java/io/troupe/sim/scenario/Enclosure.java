@@ -4,7 +4,8 @@ import java.util.ArrayDeque;
 import java.util.List;
 
 /**
- * Distinguishes walls around a space from separate obstacles in the open, by a flood fill from outside over a grid of cells.
+ * Distinguishes walls around a space from separate obstacles in the open, by a flood fill from outside over a grid of
+ * cells.
  *
  * <p>A gap narrower than a cell, a hundredth of the extent, counts as closed.
  */
@@ -25,8 +26,8 @@ final class Enclosure {
             return false;
         }
         var enclosure = new Enclosure(extent);
-        convexPieces.forEach(enclosure::take);
-        enclosure.pour();
+        convexPieces.forEach(enclosure::markTaken);
+        enclosure.flood();
         for (boolean[] column : enclosure.taken) {
             for (boolean cell : column) {
                 if (!cell) {
@@ -37,7 +38,7 @@ final class Enclosure {
         return false;
     }
 
-    private void take(List<Point> piece) {
+    private void markTaken(List<Point> piece) {
         double width = extent.width() / CELLS;
         double height = extent.height() / CELLS;
         Box box = Box.around(List.of(piece));
@@ -59,19 +60,19 @@ final class Enclosure {
         return Math.clamp((long) (distance / cellSize), 0, CELLS - 1);
     }
 
-    private void pour() {
+    private void flood() {
         var front = new ArrayDeque<int[]>();
-        wet(front, 0, 0);
+        fill(front, 0, 0);
         while (!front.isEmpty()) {
             int[] cell = front.remove();
-            wet(front, cell[0] - 1, cell[1]);
-            wet(front, cell[0] + 1, cell[1]);
-            wet(front, cell[0], cell[1] - 1);
-            wet(front, cell[0], cell[1] + 1);
+            fill(front, cell[0] - 1, cell[1]);
+            fill(front, cell[0] + 1, cell[1]);
+            fill(front, cell[0], cell[1] - 1);
+            fill(front, cell[0], cell[1] + 1);
         }
     }
 
-    private void wet(ArrayDeque<int[]> front, int x, int y) {
+    private void fill(ArrayDeque<int[]> front, int x, int y) {
         boolean inside = x >= 0 && y >= 0 && x < CELLS + 2 && y < CELLS + 2;
         if (inside && !taken[x][y]) {
             taken[x][y] = true;

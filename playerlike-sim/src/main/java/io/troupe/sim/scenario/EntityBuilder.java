@@ -28,7 +28,7 @@ final class EntityBuilder {
 
     private final String type;
     private final SourcePosition where;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
     private final Map<String, Property> inherited; // shared with the macro and its other instances
     private final Map<String, Property> own = new LinkedHashMap<>();
     private final List<Entity> children = new ArrayList<>();
@@ -36,10 +36,10 @@ final class EntityBuilder {
     private long childValues;
     private int depth = 1;
 
-    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where, Findings findings) {
+    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where, Diagnostics diagnostics) {
         this.type = macro == null ? word : macro.type();
         this.where = where;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
         this.inherited = macro == null ? Map.of() : macro.properties();
         if (macro != null) {
             macro.children().forEach(this::add);
@@ -51,7 +51,7 @@ final class EntityBuilder {
         own.put(property.key(), property);
         // the same position twice: a file that was included twice
         if (earlier != null && !earlier.where().equals(property.where())) {
-            findings.warn(
+            diagnostics.warn(
                     property.where(),
                     "\"" + property.key() + "\" is given twice, the first time at " + earlier.where()
                             + ", and the last counts");

@@ -35,41 +35,41 @@ final class EntityParser {
     private final List<Path> open = new ArrayList<>();
     private final EntityBuilder root;
     private final Path mainFile;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
     private int filesRead;
     private long tokensRead;
     private long inherited;
     private long macroEntities;
     private long macroValues;
 
-    private EntityParser(String rootType, Path file, Findings findings) {
-        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1), findings);
+    private EntityParser(String rootType, Path file, Diagnostics diagnostics) {
+        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1), diagnostics);
         mainFile = file;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
     }
 
     /**
      * Parses a file.
      *
      * @param rootType the entity type that stands for the file itself
-     * @param asker position where the file is named; null if the user named it
+     * @param namedAt position where the file is named; null if the user named it
      */
-    static Document parse(String rootType, Path file, @Nullable SourcePosition asker, Findings findings) {
-        var parser = new EntityParser(rootType, file, findings);
-        parser.file(file, asker);
+    static Document parse(String rootType, Path file, @Nullable SourcePosition namedAt, Diagnostics diagnostics) {
+        var parser = new EntityParser(rootType, file, diagnostics);
+        parser.file(file, namedAt);
         return new Document(parser.root.build(), parser.macros);
     }
 
     /** Parses a text as if it were read from {@code file}, which need not exist. */
-    static Document parseText(String rootType, String text, Path file, Findings findings) {
-        var parser = new EntityParser(rootType, file, findings);
+    static Document parseText(String rootType, String text, Path file, Diagnostics diagnostics) {
+        var parser = new EntityParser(rootType, file, diagnostics);
         parser.text(text, file);
         return new Document(parser.root.build(), parser.macros);
     }
 
-    private void file(Path file, @Nullable SourcePosition asker) {
-        String text = SourceText.read(file, asker);
-        guardIncludes(file, asker);
+    private void file(Path file, @Nullable SourcePosition namedAt) {
+        String text = SourceText.read(file, namedAt);
+        guardIncludes(file, namedAt);
         text(text, file);
     }
 
@@ -94,8 +94,8 @@ final class EntityParser {
         open.removeLast();
     }
 
-    private void guardIncludes(Path file, @Nullable SourcePosition asker) {
-        if (asker == null) {
+    private void guardIncludes(Path file, @Nullable SourcePosition namedAt) {
+        if (namedAt == null) {
             return;
         }
         Path absolute = file.toAbsolutePath().normalize();
@@ -103,10 +103,10 @@ final class EntityParser {
             String chain = Stream.concat(open.stream(), Stream.of(file))
                     .map(path -> String.valueOf(path.getFileName()))
                     .collect(Collectors.joining(" -> "));
-            throw new WorldFileException(asker, "a file cannot include itself: " + chain);
+            throw new WorldFileException(namedAt, "a file cannot include itself: " + chain);
         }
         if (++filesRead > MOST_FILES) {
-            throw new WorldFileException(asker, "more than " + MOST_FILES + " files are included");
+            throw new WorldFileException(namedAt, "more than " + MOST_FILES + " files are included");
         }
     }
 
@@ -124,7 +124,7 @@ final class EntityParser {
         }
         SourcePosition earlier = macroNames.putIfAbsent(name.text(), name.where());
         if (earlier != null && !earlier.equals(name.where())) {
-            findings.warn(
+            diagnostics.warn(
                     name.where(),
                     "macro \"" + name.text() + "\" is already defined at " + earlier + ", and the first counts");
         }
@@ -161,7 +161,7 @@ final class EntityParser {
             throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
         }
         Token opening = cursor.next();
-        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where(), findings);
+        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where(), diagnostics);
         while (!cursor.at(Kind.CLOSE)) {
             if (cursor.at(Kind.END)) {
                 throw new WorldFileException(

@@ -15,7 +15,7 @@ final class RobotParts {
     private final Units units;
     private final Dialect dialect;
     private final ShapeReader shapes;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
     private final boolean robotBlocksBodies;
     private final SensorReader sensors;
     private final RangerReader rangerReader;
@@ -26,13 +26,13 @@ final class RobotParts {
     private @Nullable BlobfinderSpec blobfinder;
     private @Nullable SourcePosition blobfinderAt;
 
-    RobotParts(Units units, Dialect dialect, ShapeReader shapes, Findings findings, boolean robotBlocksBodies) {
+    RobotParts(Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics, boolean robotBlocksBodies) {
         this.units = units;
         this.dialect = dialect;
         this.shapes = shapes;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
         this.robotBlocksBodies = robotBlocksBodies;
-        sensors = new SensorReader(units, findings);
+        sensors = new SensorReader(units, diagnostics);
         rangerReader = new RangerReader(units);
     }
 
@@ -64,7 +64,7 @@ final class RobotParts {
                 case "blobfinder" -> blobfinder(child, mount);
                 case "model" -> cargo(child, mount);
                 case "position" -> {
-                    findings.warn(
+                    diagnostics.warn(
                             child.where(),
                             "a position on a robot does not drive by itself here: it is read as a model that the robot"
                                     + " carries");
@@ -86,14 +86,14 @@ final class RobotParts {
             return;
         }
         if (!ranger.has("scount")) {
-            findings.warn(
+            diagnostics.warn(
                     ranger.where(),
                     "a ranger without \"scount\" sonars and without a sensor( .. ) as in Stage 4 measures nothing and is"
                             + " left out");
             return;
         }
         if (sonarAt != null) {
-            findings.warn(
+            diagnostics.warn(
                     ranger.where(),
                     "a second ring of sonars on one robot is not simulated and left out; the first is at " + sonarAt);
             return;
@@ -104,7 +104,7 @@ final class RobotParts {
 
     private void blobfinder(Entity camera, Pose mount) {
         if (blobfinderAt != null) {
-            findings.warn(
+            diagnostics.warn(
                     camera.where(),
                     "a second blobfinder on one robot is not simulated and left out; the first is at " + blobfinderAt);
             return;
@@ -126,7 +126,7 @@ final class RobotParts {
         }
         cargo.add(new CargoSpec(
                 shapes.shape(model).at(mount),
-                Colours.of(model),
+                X11Colours.of(model),
                 blocksBodies,
                 dialect.blocksRangers(model),
                 model.flag("blob_return", true)));

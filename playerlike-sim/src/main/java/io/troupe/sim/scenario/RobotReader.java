@@ -6,14 +6,14 @@ final class RobotReader {
     private final Dialect dialect;
     private final ShapeReader shapes;
     private final DriveReader drives;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
 
-    RobotReader(Units units, Dialect dialect, ShapeReader shapes, Findings findings) {
+    RobotReader(Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics) {
         this.units = units;
         this.dialect = dialect;
         this.shapes = shapes;
-        this.drives = new DriveReader(units, dialect, findings);
-        this.findings = findings;
+        this.drives = new DriveReader(units, dialect, diagnostics);
+        this.diagnostics = diagnostics;
     }
 
     RobotSpec read(Entity position, String name) {
@@ -24,13 +24,13 @@ final class RobotReader {
             throw new WorldFileException(position.whereOf("mass"), "\"mass\" must be above 0 kg, not " + mass);
         }
         boolean blocksBodies = position.flag("obstacle_return", true);
-        var parts = new RobotParts(units, dialect, shapes, findings, blocksBodies);
+        var parts = new RobotParts(units, dialect, shapes, diagnostics, blocksBodies);
         parts.collect(position, Pose.ORIGIN);
         return new RobotSpec(
                 name,
                 pose,
                 shapes.shape(position),
-                Colours.of(position),
+                X11Colours.of(position),
                 size[0],
                 size[1],
                 mass,

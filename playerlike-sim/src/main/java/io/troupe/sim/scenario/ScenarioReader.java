@@ -42,12 +42,12 @@ public final class ScenarioReader {
      * further lasers and rangers of one robot follow after all the first ones.
      */
     public static Scenario read(Path file) {
-        return read(file, Findings.logged());
+        return read(file, Diagnostics.logged());
     }
 
     /** As {@link #read(Path)}, with warnings to {@code warnings}, at most 1000 per call. */
     public static Scenario read(Path file, Consumer<WorldFileWarning> warnings) {
-        return read(file, Findings.strict(requireNonNull(warnings, "warnings")));
+        return read(file, Diagnostics.strict(requireNonNull(warnings, "warnings")));
     }
 
     /**
@@ -55,53 +55,53 @@ public final class ScenarioReader {
      * reading.
      */
     public static Scenario readLeniently(Path file, Consumer<WorldFileWarning> warnings) {
-        return read(file, Findings.lenient(requireNonNull(warnings, "warnings")));
+        return read(file, Diagnostics.lenient(requireNonNull(warnings, "warnings")));
     }
 
-    private static Scenario read(Path file, Findings findings) {
+    private static Scenario read(Path file, Diagnostics diagnostics) {
         requireNonNull(file, "file");
         String name = String.valueOf(file.getFileName());
         if (name.endsWith(".cfg")) {
-            return ConfigReader.read(file, findings);
+            return ConfigReader.read(file, diagnostics);
         }
         if (!name.endsWith(".world")) {
             throw new WorldFileException("expected a .world or a .cfg file, not " + file);
         }
-        WorldSpec world = WorldReader.read(parse(file, findings), findings);
+        WorldSpec world = WorldReader.read(parse(file, diagnostics), diagnostics);
         String base = name.substring(0, name.length() - ".world".length());
         Path config = file.resolveSibling(base + ".cfg");
-        return Files.exists(config) ? withNeighbour(world, config, findings) : DeviceOffer.everything(world);
+        return Files.exists(config) ? withNeighbour(world, config, diagnostics) : ProvidedInterfaces.everything(world);
     }
 
     /**
      * The world with the configuration beside it, if that fits. The user has not named the configuration, so its errors
      * are only warnings.
      */
-    private static Scenario withNeighbour(WorldSpec world, Path config, Findings findings) {
+    private static Scenario withNeighbour(WorldSpec world, Path config, Diagnostics diagnostics) {
         var itsWarnings = new ArrayList<WorldFileWarning>();
         try {
-            Scenario scenario = ConfigReader.read(config, findings.with(itsWarnings::add), (named, asker) -> {
+            Scenario scenario = ConfigReader.read(config, diagnostics.with(itsWarnings::add), (named, namedAt) -> {
                 if (!Files.exists(named) || !isSame(named, world.file())) {
-                    throw new WorldFileException(asker, "it is for another world, " + named);
+                    throw new WorldFileException(namedAt, "it is for another world, " + named);
                 }
                 return world;
             });
-            itsWarnings.forEach(findings::warn);
+            itsWarnings.forEach(diagnostics::warn);
             return scenario;
         } catch (WorldFileException e) {
-            findings.warn(
+            diagnostics.warn(
                     new SourcePosition(config, 1, 1),
                     "this file beside " + world.file()
                             + " is not used, and every robot is offered instead; name it to use" + " it: "
                             + e.getMessage());
-            return DeviceOffer.everything(world);
+            return ProvidedInterfaces.everything(world);
         }
     }
 
     /** Reads the world only, without devices. */
     public static WorldSpec readWorld(Path file) {
-        Findings findings = Findings.logged();
-        return WorldReader.read(parse(requireNonNull(file, "file"), findings), findings);
+        Diagnostics diagnostics = Diagnostics.logged();
+        return WorldReader.read(parse(requireNonNull(file, "file"), diagnostics), diagnostics);
     }
 
     /**
@@ -111,18 +111,18 @@ public final class ScenarioReader {
      */
     public static Scenario readText(String text, Path file) {
         requireNonNull(text, "text");
-        Findings findings = Findings.logged();
-        Document document = EntityParser.parseText(Vocabulary.WORLD, text, requireNonNull(file, "file"), findings);
-        return DeviceOffer.everything(WorldReader.read(document, findings));
+        Diagnostics diagnostics = Diagnostics.logged();
+        Document document = EntityParser.parseText(Vocabulary.WORLD, text, requireNonNull(file, "file"), diagnostics);
+        return ProvidedInterfaces.everything(WorldReader.read(document, diagnostics));
     }
 
     /** Reads a {@code .cfg} file and the world that its {@code worldfile} names, relative to it. */
     public static Scenario readConfig(Path file) {
-        return ConfigReader.read(requireNonNull(file, "file"), Findings.logged());
+        return ConfigReader.read(requireNonNull(file, "file"), Diagnostics.logged());
     }
 
-    private static Document parse(Path worldFile, Findings findings) {
-        return EntityParser.parse(Vocabulary.WORLD, worldFile, null, findings);
+    private static Document parse(Path worldFile, Diagnostics diagnostics) {
+        return EntityParser.parse(Vocabulary.WORLD, worldFile, null, diagnostics);
     }
 
     private static boolean isSame(Path one, Path other) {

@@ -14,11 +14,11 @@ final class SensorReader {
     static final double FULL_CIRCLE_RAD = 2 * Math.PI;
 
     private final Units units;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
 
-    SensorReader(Units units, Findings findings) {
+    SensorReader(Units units, Diagnostics diagnostics) {
         this.units = units;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
     }
 
     /** Reads a {@code ranger} of the classic dialect, which has an {@code scount}, mounted at {@code pose}. */
@@ -58,7 +58,7 @@ final class SensorReader {
         for (int i = 0; i < mounts.size(); i++) {
             String other = Property.key("sview", i);
             if (ranger.has(other) && !Arrays.equals(ranger.numbers(other), view)) {
-                findings.warn(
+                diagnostics.warn(
                         ranger.whereOf(other), "all sonars of a ring have one view here: that of " + where + " counts");
                 break;
             }
@@ -102,7 +102,7 @@ final class SensorReader {
                     "\"colors_count\" is " + count + ", but \"colors\" has " + names.size());
         }
         return names.stream()
-                .map(name -> Colours.named(name.text(), name.where()))
+                .map(name -> X11Colours.named(name.text(), name.where()))
                 .toList();
     }
 

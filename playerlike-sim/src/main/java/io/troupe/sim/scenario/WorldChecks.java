@@ -45,7 +45,7 @@ final class WorldChecks {
 
     private WorldChecks() {}
 
-    static void check(WorldSpec world, Findings findings) {
+    static void check(WorldSpec world, Diagnostics diagnostics) {
         checkNames(world);
         List<Body> robots = world.robots().stream()
                 .filter(RobotSpec::blocksBodies)
@@ -62,7 +62,7 @@ final class WorldChecks {
                 .map(Body::of);
         Stream.concat(robots.stream(), ghostRobots).forEach(body -> checkReach(body, USABLE_WITHIN_M));
         Stream.concat(walls.stream(), ghostWalls).forEach(body -> checkReach(body, WALLS_WITHIN_M));
-        reportOverlaps(robots, walls, findings);
+        reportOverlaps(robots, walls, diagnostics);
         checkArena(world.robots(), walls);
     }
 
@@ -101,12 +101,12 @@ final class WorldChecks {
     }
 
     /** Reports overlaps. As in Stage, a robot that overlaps something cannot move; the simulator holds it. */
-    private static void reportOverlaps(List<Body> robots, List<Body> walls, Findings findings) {
+    private static void reportOverlaps(List<Body> robots, List<Body> walls, Diagnostics diagnostics) {
         for (int i = 0; i < robots.size(); i++) {
             Body robot = robots.get(i);
             Stream.concat(robots.subList(0, i).stream(), walls.stream())
                     .filter(robot::overlaps)
-                    .forEach(other -> findings.warn(
+                    .forEach(other -> diagnostics.warn(
                             robot.where,
                             robot.name + " overlaps " + other.name + " (" + other.where
                                     + ") at the start: "

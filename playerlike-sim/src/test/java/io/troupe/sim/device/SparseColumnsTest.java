@@ -85,7 +85,7 @@ class SparseColumnsTest {
                     var some = new BlobfinderSpec(
                             all.mount(), all.widthPx(), all.heightPx(), all.rangeM(), all.fovRad(), colours);
                     Blobfinder camera = new Blobfinder(some).twin();
-                    List<Blob> expected = new Blobfinder(all)
+                    List<ColourBlob> expected = new Blobfinder(all)
                             .read(scene, robot).blobs().stream()
                                     .filter(blob -> colours.contains(blob.colour()))
                                     .toList();

@@ -23,7 +23,7 @@ class EntityParserTest {
     }
 
     private Document parse(String text) {
-        return EntityParser.parse(Vocabulary.WORLD, worlds.write("t.world", text), null, Findings.logged());
+        return EntityParser.parse(Vocabulary.WORLD, worlds.write("t.world", text), null, Diagnostics.logged());
     }
 
     @Test
@@ -191,7 +191,7 @@ class EntityParserTest {
             text.append("post ( pose [").append(i).append(" 0 0 0] color \"blue\" )\n");
         }
 
-        Document document = EntityParser.parseText("world", text.toString(), Path.of("t.world"), Findings.logged());
+        Document document = EntityParser.parseText("world", text.toString(), Path.of("t.world"), Diagnostics.logged());
 
         assertThat(document.root().children()).hasSize(60_000);
         Entity last = document.root().children().getLast();

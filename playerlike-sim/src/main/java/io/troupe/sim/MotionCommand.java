@@ -3,7 +3,7 @@ package io.troupe.sim;
 import io.troupe.sim.scenario.Pose;
 
 /** A motion command, in force until the next one. */
-sealed interface Drive {
+sealed interface MotionCommand {
     Velocity STILL = new Velocity(0, 0);
 
     /**
@@ -14,7 +14,7 @@ sealed interface Drive {
     Velocity now(Pose odometry);
 
     /** @param turnRadps left positive */
-    record Velocity(double forwardMps, double turnRadps) implements Drive {
+    record Velocity(double forwardMps, double turnRadps) implements MotionCommand {
         @Override
         public Velocity now(Pose odometry) {
             return this;
@@ -27,7 +27,7 @@ sealed interface Drive {
      *
      * <p>Stage ignores this command; the robot is steered as for {@link GoTo}.
      */
-    record Heading(double forwardMps, double headingRad) implements Drive {
+    record Heading(double forwardMps, double headingRad) implements MotionCommand {
         @Override
         public Velocity now(Pose odometry) {
             return new Velocity(forwardMps, turn(headingRad, odometry));
@@ -44,7 +44,7 @@ sealed interface Drive {
      * <p><b>Source.</b> Stage's position control. By a mistake there, its limit of 1 rad/s holds for right turns only;
      * here it holds for both.
      */
-    record GoTo(Pose goal) implements Drive {
+    record GoTo(Pose goal) implements MotionCommand {
         private static final double NEAR_M = 0.02;
         private static final double FASTEST_MPS = 0.4;
         private static final double AHEAD_RAD = StrictMath.PI / 16;

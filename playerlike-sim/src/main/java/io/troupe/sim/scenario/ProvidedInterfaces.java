@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** The Player interfaces that exist, and those that a robot can provide. */
-final class DeviceOffer {
+final class ProvidedInterfaces {
     static final int DEFAULT_PORT = 6665;
     static final String SIMULATION = "simulation";
     private static final String POSITION = "position2d";
@@ -38,7 +38,7 @@ final class DeviceOffer {
             "position1d",
             "position3d");
 
-    private DeviceOffer() {}
+    private ProvidedInterfaces() {}
 
     /** The interfaces of a robot's devices, one entry per device. */
     static List<String> of(RobotSpec robot) {

@@ -19,24 +19,24 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /** The sensors and the odometry of one robot. */
-record RobotDevices(
+record SimulatedDevices(
         Position2d position2d,
         @Nullable Sonar sonar,
         @Nullable Blobfinder blobfinder,
         List<Ranger> rangers,
         List<double[]> rangersM) {
     /** Creates the devices of all robots. Devices of one specification share their immutable tables. */
-    static List<RobotDevices> of(List<RobotSpec> robots, List<Pose> starts, long seed) {
+    static List<SimulatedDevices> of(List<RobotSpec> robots, List<Pose> starts, long seed) {
         Map<SonarSpec, Sonar> sonars = new HashMap<>();
         Map<BlobfinderSpec, Blobfinder> blobfinders = new HashMap<>();
-        List<RobotDevices> all = new ArrayList<>(robots.size());
+        List<SimulatedDevices> all = new ArrayList<>(robots.size());
         for (int i = 0; i < robots.size(); i++) {
             RobotSpec robot = robots.get(i);
             SonarSpec sonar = robot.sonar();
             BlobfinderSpec blobfinder = robot.blobfinder();
             try {
                 List<Ranger> rangers = Noise.rangers(robot, seed);
-                all.add(new RobotDevices(
+                all.add(new SimulatedDevices(
                         new Position2d(starts.get(i), robot.startOdometry(), Noise.ofOdometry(robot, seed)),
                         sonar == null
                                 ? null

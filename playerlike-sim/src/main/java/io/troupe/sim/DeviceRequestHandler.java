@@ -5,7 +5,7 @@ import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.sim.PendingCommands.Kind;
-import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.PortServer.PortDevice;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RangerSpec;
@@ -23,10 +23,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> What Stage acknowledges, refuses and ignores.
  */
-final class DeviceDesk {
+final class DeviceRequestHandler {
     /** Queues an action for the end of the tick. */
-    interface Later {
-        void add(Offer offer, Kind kind, Runnable action);
+    interface CommandQueue {
+        void add(PortDevice device, Kind kind, Runnable action);
     }
 
     private static final DeviceReply ACK = new DeviceReply.Ack();
@@ -37,21 +37,21 @@ final class DeviceDesk {
 
     private final Simulation simulation;
     private final World world;
-    private final Later later;
+    private final CommandQueue queue;
     /** Time in microseconds for which the client's speed commands hold, for each device with a limit set. */
-    private final Map<Offer, Long> commandLimitsMicros = new HashMap<>();
+    private final Map<PortDevice, Long> commandLimitsMicros = new HashMap<>();
 
-    DeviceDesk(Simulation simulation, Later later) {
+    DeviceRequestHandler(Simulation simulation, CommandQueue queue) {
         this.simulation = simulation;
         this.world = simulation.world();
-        this.later = later;
+        this.queue = queue;
     }
 
-    void command(Offer offer, DeviceCommand command) {
-        switch (offer.type()) {
-            case POSITION2D -> drive(offer, command);
-            case SIMULATION -> simulate(offer, command);
-            case SONAR, RANGER, LASER, BLOBFINDER -> throw new IllegalArgumentException(offer + " takes no commands");
+    void command(PortDevice device, DeviceCommand command) {
+        switch (device.type()) {
+            case POSITION2D -> drive(device, command);
+            case SIMULATION -> simulate(device, command);
+            case SONAR, RANGER, LASER, BLOBFINDER -> throw new IllegalArgumentException(device + " takes no commands");
         }
     }
 
@@ -59,96 +59,97 @@ final class DeviceDesk {
      * Handles a motion command. Sideways speeds are ignored because the robots have a differential drive. The byte
      * {@code state} is ignored as in Stage: a command with state 0 also drives.
      */
-    private void drive(Offer offer, DeviceCommand command) {
-        int robot = offer.robot();
-        long limitMicros = commandLimitsMicros.getOrDefault(offer, 0L);
+    private void drive(PortDevice device, DeviceCommand command) {
+        int robot = device.robot();
+        long limitMicros = commandLimitsMicros.getOrDefault(device, 0L);
         Runnable action = switch (command) {
             case DeviceCommand.Velocity to -> {
-                checkFinite(offer, to, to.vx(), to.va());
+                checkFinite(device, to, to.vx(), to.va());
                 yield () -> world.command(robot, to.vx(), to.va(), limitMicros);
             }
             case DeviceCommand.Car to -> {
-                checkFinite(offer, to, to.velocityMps(), to.angleRad());
+                checkFinite(device, to, to.velocityMps(), to.angleRad());
                 yield () -> world.command(robot, to.velocityMps(), to.angleRad(), limitMicros);
             }
             case DeviceCommand.VelocityHeading to -> {
-                checkFinite(offer, to, to.velocityMps(), to.headingRad());
+                checkFinite(device, to, to.velocityMps(), to.headingRad());
                 yield () -> world.steer(robot, to.velocityMps(), to.headingRad(), limitMicros);
             }
             case DeviceCommand.GoTo to -> {
-                checkFinite(offer, to, to.px(), to.py(), to.pa());
+                checkFinite(device, to, to.px(), to.py(), to.pa());
                 yield () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()));
             }
-            case DeviceCommand.Pause other -> throw notUnderstood(offer, other);
-            case DeviceCommand.Reset other -> throw notUnderstood(offer, other);
-            case DeviceCommand.Save other -> throw notUnderstood(offer, other);
+            case DeviceCommand.Pause other -> throw notUnderstood(device, other);
+            case DeviceCommand.Reset other -> throw notUnderstood(device, other);
+            case DeviceCommand.Save other -> throw notUnderstood(device, other);
         };
-        later.add(offer, Kind.SPEED, action);
+        queue.add(device, Kind.SPEED, action);
     }
 
-    private void simulate(Offer offer, DeviceCommand command) {
+    private void simulate(PortDevice device, DeviceCommand command) {
         switch (command) {
             case DeviceCommand.Pause pause -> simulation.togglePause(this);
-            case DeviceCommand.Reset reset -> later.add(offer, Kind.RESET, simulation::reset);
+            case DeviceCommand.Reset reset -> queue.add(device, Kind.RESET, simulation::reset);
             case DeviceCommand.Save save ->
-                System.getLogger(DeviceDesk.class.getName())
+                System.getLogger(Simulation.class.getName())
                         .log(System.Logger.Level.WARNING, "a client asked to save the world, which is not offered");
-            case DeviceCommand.Velocity other -> throw notUnderstood(offer, other);
-            case DeviceCommand.Car other -> throw notUnderstood(offer, other);
-            case DeviceCommand.VelocityHeading other -> throw notUnderstood(offer, other);
-            case DeviceCommand.GoTo other -> throw notUnderstood(offer, other);
+            case DeviceCommand.Velocity other -> throw notUnderstood(device, other);
+            case DeviceCommand.Car other -> throw notUnderstood(device, other);
+            case DeviceCommand.VelocityHeading other -> throw notUnderstood(device, other);
+            case DeviceCommand.GoTo other -> throw notUnderstood(device, other);
         }
     }
 
-    private static IllegalArgumentException notUnderstood(Offer offer, DeviceCommand command) {
-        return new IllegalArgumentException(offer + " does not understand " + command);
+    private static IllegalArgumentException notUnderstood(PortDevice device, DeviceCommand command) {
+        return new IllegalArgumentException(device + " does not understand " + command);
     }
 
-    private static void checkFinite(Offer offer, DeviceCommand command, double... numbers) {
+    private static void checkFinite(PortDevice device, DeviceCommand command, double... numbers) {
         for (double number : numbers) {
             if (!Double.isFinite(number)) {
-                throw new IllegalArgumentException(offer + " was told " + command + ", expected finite numbers");
+                throw new IllegalArgumentException(device + " was told " + command + ", expected finite numbers");
             }
         }
     }
 
-    DeviceReply request(Offer offer, DeviceRequest request) {
+    DeviceReply request(PortDevice device, DeviceRequest request) {
         if (request instanceof DeviceRequest.Capability asked) {
-            return Capabilities.understands(offer.type(), asked.type(), asked.subtype()) ? ACK : NOT_OFFERED;
+            return Capabilities.understands(device.type(), asked.type(), asked.subtype()) ? ACK : NOT_OFFERED;
         }
-        return switch (offer.type()) {
-            case POSITION2D -> ofPosition(offer, request);
+        return switch (device.type()) {
+            case POSITION2D -> ofPosition(device, request);
             case SONAR ->
                 switch (request) {
-                    case DeviceRequest.Geometry geometry -> DeviceMessages.sonarGeometry(robot(offer), offer.ranger());
-                    case DeviceRequest.Power power -> sensorPower(offer, power.on());
+                    case DeviceRequest.Geometry geometry ->
+                        DeviceConversion.sonarGeometry(robot(device), device.ranger());
+                    case DeviceRequest.Power power -> sensorPower(device, power.on());
                     default -> NOT_OFFERED;
                 };
-            case LASER -> ofLaser(offer, robot(offer).rangers().get(offer.ranger()), request);
-            case RANGER -> ofRanger(offer, ranger(offer), request);
+            case LASER -> ofLaser(device, robot(device).rangers().get(device.ranger()), request);
+            case RANGER -> ofRanger(device, ranger(device), request);
             case BLOBFINDER -> NOT_OFFERED;
-            case SIMULATION -> ofSimulation(offer, request);
+            case SIMULATION -> ofSimulation(device, request);
         };
     }
 
-    private RobotSpec robot(Offer offer) {
-        return world.spec().robots().get(offer.robot());
+    private RobotSpec robot(PortDevice device) {
+        return world.spec().robots().get(device.robot());
     }
 
-    private RangerSpec ranger(Offer offer) {
-        RobotSpec robot = robot(offer);
-        return DeviceMessages.isRing(offer.type(), offer.ranger())
-                ? RangerMessages.ring(Objects.requireNonNull(robot.sonar()))
-                : robot.rangers().get(offer.ranger());
+    private RangerSpec ranger(PortDevice device) {
+        RobotSpec robot = robot(device);
+        return DeviceConversion.isRing(device.type(), device.ranger())
+                ? RangerConversion.ring(Objects.requireNonNull(robot.sonar()))
+                : robot.rangers().get(device.ranger());
     }
 
-    private DeviceReply ofPosition(Offer offer, DeviceRequest request) {
+    private DeviceReply ofPosition(PortDevice device, DeviceRequest request) {
         return switch (request) {
-            case DeviceRequest.Geometry geometry -> DeviceMessages.positionGeometry(robot(offer));
-            case DeviceRequest.ResetOdometry reset -> odometry(offer, Pose.ORIGIN);
-            case DeviceRequest.SetOdometry set -> odometry(offer, new Pose(set.px(), set.py(), set.pa()));
+            case DeviceRequest.Geometry geometry -> DeviceConversion.positionGeometry(robot(device));
+            case DeviceRequest.ResetOdometry reset -> odometry(device, Pose.ORIGIN);
+            case DeviceRequest.SetOdometry set -> odometry(device, new Pose(set.px(), set.py(), set.pa()));
             case DeviceRequest.Power power -> {
-                later.add(offer, Kind.POWER, () -> world.motorPower(offer.robot(), power.on()));
+                queue.add(device, Kind.POWER, () -> world.motorPower(device.robot(), power.on()));
                 yield ACK;
             }
             // ignored: the type of each command determines its mode
@@ -157,7 +158,7 @@ final class DeviceDesk {
                         ? ACK
                         : new DeviceReply.Nack(
                                 "position mode is " + mode.mode() + ", expected 0 (velocity) or 1 (position)");
-            case DeviceRequest.SetIntegerProperty set -> commandLimit(offer, set);
+            case DeviceRequest.SetIntegerProperty set -> commandLimit(device, set);
             default -> NOT_OFFERED;
         };
     }
@@ -166,7 +167,7 @@ final class DeviceDesk {
      * Sets the time for which later commands hold. The limit belongs to the client and not to the world, so a reset of
      * the world keeps it.
      */
-    private DeviceReply commandLimit(Offer offer, DeviceRequest.SetIntegerProperty set) {
+    private DeviceReply commandLimit(PortDevice device, DeviceRequest.SetIntegerProperty set) {
         if (!set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
             return new DeviceReply.Nack(
                     "there is no property '" + set.key() + "', expected " + DeviceRequest.COMMAND_LIMIT_KEY);
@@ -174,16 +175,16 @@ final class DeviceDesk {
         if (set.value() < 0) {
             return new DeviceReply.Nack(set.key() + " is " + set.value() + ", expected 0 (no limit) or more");
         }
-        commandLimitsMicros.put(offer, set.value() * 1000L);
+        commandLimitsMicros.put(device, set.value() * 1000L);
         return ACK;
     }
 
-    private DeviceReply odometry(Offer offer, Pose pose) {
-        String refusal = world.odometryRefusal(offer.robot(), pose);
+    private DeviceReply odometry(PortDevice device, Pose pose) {
+        String refusal = world.odometryRefusal(device.robot(), pose);
         if (refusal != null) {
             return new DeviceReply.Nack(refusal);
         }
-        later.add(offer, Kind.ODOMETRY, () -> world.setOdometry(offer.robot(), pose));
+        queue.add(device, Kind.ODOMETRY, () -> world.setOdometry(device.robot(), pose));
         return ACK;
     }
 
@@ -191,42 +192,42 @@ final class DeviceDesk {
      * Refuses to switch a sensor off, as Stage does. In lock step a client without data has nothing to answer, and
      * other clients may rely on the sensor's data.
      */
-    private static DeviceReply sensorPower(Offer offer, boolean on) {
-        return on ? ACK : new DeviceReply.Nack(offer + " of a simulated robot cannot be switched off");
+    private static DeviceReply sensorPower(PortDevice device, boolean on) {
+        return on ? ACK : new DeviceReply.Nack(device + " of a simulated robot cannot be switched off");
     }
 
-    private DeviceReply ofLaser(Offer offer, RangerSpec laser, DeviceRequest request) {
+    private DeviceReply ofLaser(PortDevice device, RangerSpec laser, DeviceRequest request) {
         var configuration =
-                RangerMessages.laserConfiguration(laser, world.spec().intervalMillis());
+                RangerConversion.laserConfiguration(laser, world.spec().intervalMillis());
         return switch (request) {
-            case DeviceRequest.Geometry geometry -> RangerMessages.laserGeometry(laser);
+            case DeviceRequest.Geometry geometry -> RangerConversion.laserGeometry(laser);
             case DeviceRequest.GetConfiguration get -> new DeviceReply.OfLaser(configuration);
             case DeviceRequest.SetLaserConfiguration set ->
-                RangerMessages.isSame(set.configuration(), configuration)
+                RangerConversion.isSame(set.configuration(), configuration)
                         ? new DeviceReply.OfLaser(configuration)
                         : AS_IN_THE_FILE;
-            case DeviceRequest.Power power -> sensorPower(offer, power.on());
+            case DeviceRequest.Power power -> sensorPower(device, power.on());
             case DeviceRequest.LaserId id ->
-                new DeviceReply.LaserId(offer.address().index());
+                new DeviceReply.LaserId(device.address().index());
             default -> NOT_OFFERED;
         };
     }
 
-    private DeviceReply ofRanger(Offer offer, RangerSpec ranger, DeviceRequest request) {
+    private DeviceReply ofRanger(PortDevice device, RangerSpec ranger, DeviceRequest request) {
         var configuration =
-                RangerMessages.rangerConfiguration(ranger, world.spec().intervalMillis());
+                RangerConversion.rangerConfiguration(ranger, world.spec().intervalMillis());
         return switch (request) {
-            case DeviceRequest.Geometry geometry -> RangerMessages.rangerGeometry(ranger);
+            case DeviceRequest.Geometry geometry -> RangerConversion.rangerGeometry(ranger);
             case DeviceRequest.GetConfiguration get -> new DeviceReply.OfRanger(configuration);
             case DeviceRequest.SetRangerConfiguration set ->
                 set.configuration().equals(configuration) ? new DeviceReply.OfRanger(configuration) : AS_IN_THE_FILE;
-            case DeviceRequest.Power power -> sensorPower(offer, power.on());
+            case DeviceRequest.Power power -> sensorPower(device, power.on());
             case DeviceRequest.Intensities intensities -> intensities.on() ? NOT_OFFERED : ACK;
             default -> NOT_OFFERED;
         };
     }
 
-    private DeviceReply ofSimulation(Offer offer, DeviceRequest request) {
+    private DeviceReply ofSimulation(PortDevice device, DeviceRequest request) {
         return switch (request) {
             case DeviceRequest.GetPose get -> {
                 Pose pose = poseOf(get.model());
@@ -234,7 +235,7 @@ final class DeviceDesk {
                         ? noModel(get.model())
                         : new DeviceReply.ModelPose(get.model(), pose.x(), pose.y(), pose.headingRad());
             }
-            case DeviceRequest.SetPose set -> teleport(offer, set);
+            case DeviceRequest.SetPose set -> teleport(device, set);
             default -> NOT_OFFERED;
         };
     }
@@ -256,7 +257,7 @@ final class DeviceDesk {
         return null;
     }
 
-    private DeviceReply teleport(Offer offer, DeviceRequest.SetPose set) {
+    private DeviceReply teleport(PortDevice device, DeviceRequest.SetPose set) {
         int robot = world.robotNumber(set.model());
         if (robot < 0) {
             return poseOf(set.model()) == null
@@ -269,8 +270,8 @@ final class DeviceDesk {
             return new DeviceReply.Nack(refusal);
         }
         // one address per robot, so that only the newest teleport of each robot counts
-        var itself = new Offer(offer.address(), Interfaces.SIMULATION, robot, 0);
-        later.add(itself, Kind.PLACE, () -> world.teleportLater(robot, pose));
+        var itself = new PortDevice(device.address(), Interfaces.SIMULATION, robot, 0);
+        queue.add(itself, Kind.PLACE, () -> world.teleportLater(robot, pose));
         return ACK;
     }
 }

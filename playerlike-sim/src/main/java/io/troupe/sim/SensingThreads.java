@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Errors.</b> {@link #run} throws the exception of a range; if several failed, that of the lowest range.
  */
-final class Sensing implements AutoCloseable {
+final class SensingThreads implements AutoCloseable {
     /** The work for the robots from one index (inclusive) to another (exclusive). */
     @FunctionalInterface
     interface Ranges {
@@ -30,7 +30,7 @@ final class Sensing implements AutoCloseable {
     private int atWork;
     private boolean closed;
 
-    Sensing(String name, int rangeCount, int robotCount, Ranges ranges) {
+    SensingThreads(String name, int rangeCount, int robotCount, Ranges ranges) {
         this.robotCount = robotCount;
         this.rangeCount = rangeCount;
         this.ranges = ranges;

@@ -3,7 +3,7 @@ package io.troupe.sim.physics;
 import java.util.Arrays;
 
 /** Sorted pairs of touching bodies, with the number of polygon contacts of each pair. */
-final class OpenPairs {
+final class TouchingPairs {
     private long[] pairs = new long[64];
     private int[] counts = new int[64];
     private long[] before = new long[64]; // the pairs at the last call of `remember`

@@ -5,11 +5,11 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Finds the known name nearest to a misspelt one. */
-final class Suggestions {
+final class NearestNames {
     /** Limit of the length: longer names are not misspellings, and the cost is the product of both lengths. */
     private static final int LONGEST = 100;
 
-    private Suggestions() {}
+    private NearestNames() {}
 
     /** End of an error message: the nearest known name and all of them. */
     static String of(String written, Collection<String> known) {

@@ -1,12 +1,12 @@
 package io.troupe.sim.device;
 
 /** A bounding circle for each thing. */
-final class Circles {
+final class BoundingCircles {
     final double[] x;
     final double[] y;
     final double[] radiusM;
 
-    Circles(int things) {
+    BoundingCircles(int things) {
         x = new double[things];
         y = new double[things];
         radiusM = new double[things];

@@ -12,16 +12,16 @@ import java.util.Objects;
 import java.util.TreeMap;
 
 /** Colour names of X11 and CSS; case and spaces do not matter. */
-final class Colours {
+final class X11Colours {
     private static final Map<String, Integer> BY_NAME = load();
 
-    private Colours() {}
+    private X11Colours() {}
 
     /** The colour with a name, {@code 0x00RRGGBB}. */
     static int named(String name, SourcePosition where) {
         Integer colour = BY_NAME.get(name.toLowerCase(Locale.ROOT).replace(" ", ""));
         if (colour == null) {
-            String nearest = Suggestions.nearest(name, BY_NAME.keySet());
+            String nearest = NearestNames.nearest(name, BY_NAME.keySet());
             throw new WorldFileException(
                     where,
                     "unknown colour \"" + name + '"'
@@ -78,7 +78,8 @@ final class Colours {
 
     private static Map<String, Integer> load() {
         var colours = new TreeMap<String, Integer>();
-        var resource = Objects.requireNonNull(Colours.class.getResourceAsStream("x11-colours.txt"), "x11-colours.txt");
+        var resource =
+                Objects.requireNonNull(X11Colours.class.getResourceAsStream("x11-colours.txt"), "x11-colours.txt");
         try (var lines = new BufferedReader(new InputStreamReader(resource, StandardCharsets.UTF_8))) {
             lines.lines().filter(line -> !line.startsWith("#")).forEach(line -> {
                 String[] valueAndName = line.split(" ", 2);

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> Any thread. Obstacles never move, and the robot's outline is computed for each check.
  */
-final class Room {
+final class PlacementCheck {
     private record Obstacle(String title, Outline outline) {}
 
     private record Cell(long column, long row) {}
@@ -36,9 +36,9 @@ final class Room {
     private final double[] radiusM; // of a robot around its centre of rotation
     private final double cellM;
 
-    Room(WorldSpec spec) {
+    PlacementCheck(WorldSpec spec) {
         robots = spec.robots();
-        radiusM = robots.stream().mapToDouble(Room::radiusM).toArray();
+        radiusM = robots.stream().mapToDouble(PlacementCheck::radiusM).toArray();
         cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
         for (ObstacleSpec obstacle : spec.obstacles()) {
             if (obstacle.blocksBodies()) {

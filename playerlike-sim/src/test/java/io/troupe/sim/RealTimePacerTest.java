@@ -10,12 +10,12 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Runs on a clock that moves only during sleeps and work. */
-class PacerTest {
+class RealTimePacerTest {
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     private final ManualClock wall = new ManualClock();
     private final List<Long> sleptMillis = new ArrayList<>();
-    private final Pacer pacer = new Pacer(wall, nanos -> {
+    private final RealTimePacer pacer = new RealTimePacer(wall, nanos -> {
         sleptMillis.add(nanos / 1_000_000);
         wall.advance(Duration.ofNanos(nanos));
     });
@@ -106,7 +106,7 @@ class PacerTest {
     @Test
     void pace_nextToNothing_waitsVeryLong_andIsNeverLate() {
         var left = new ArrayList<Long>();
-        var slow = new Pacer(wall, nanos -> {
+        var slow = new RealTimePacer(wall, nanos -> {
             left.add(nanos);
             wall.advance(Duration.ofNanos(nanos));
         });

@@ -5,12 +5,12 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** One item of {@code provides}, {@code key:host:port:interface:index}; leading fields may be missing or empty. */
-record Provided(int port, String interfaceName, int index) {
+record ProvidesEntry(int port, String interfaceName, int index) {
     private static final int HIGHEST = 65_535;
     private static final Set<String> HERE = Set.of("", "localhost", "127.0.0.1");
 
     /** Parses an item; null if it is left out. */
-    static @Nullable Provided parse(Value.Text item, Findings findings) {
+    static @Nullable ProvidesEntry parse(Value.Text item, Diagnostics diagnostics) {
         // Player allows blanks around a field
         String[] fields =
                 Stream.of(item.text().split(":", -1)).map(String::strip).toArray(String[]::new);
@@ -22,36 +22,36 @@ record Provided(int port, String interfaceName, int index) {
         int last = fields.length - 1;
         String interfaceName = fields[Math.max(0, last - 1)];
         int index = last == 0 ? 0 : number(fields[last], "index", 0, item);
-        if (!isOffered(interfaceName, item, findings)) {
+        if (!isOffered(interfaceName, item, diagnostics)) {
             return null;
         }
         boolean portGiven = last >= 2 && !fields[last - 2].isEmpty();
-        int port = portGiven ? number(fields[last - 2], "port", 1, item) : DeviceOffer.DEFAULT_PORT;
+        int port = portGiven ? number(fields[last - 2], "port", 1, item) : ProvidedInterfaces.DEFAULT_PORT;
         if (last >= 3 && !HERE.contains(fields[last - 3])) {
             throw new WorldFileException(
                     item.where(),
                     "host \"" + fields[last - 3] + "\" in \"" + item.text() + "\" is not supported: devices are"
                             + " provided by this machine; leave the host empty");
         }
-        return new Provided(port, interfaceName, index);
+        return new ProvidesEntry(port, interfaceName, index);
     }
 
     /** False for an interface that is not provided here. */
-    private static boolean isOffered(String name, Value.Text item, Findings findings) {
-        if (DeviceOffer.INTERFACES.contains(name)) {
+    private static boolean isOffered(String name, Value.Text item, Diagnostics diagnostics) {
+        if (ProvidedInterfaces.INTERFACES.contains(name)) {
             return true;
         }
-        if (DeviceOffer.LATER.contains(name)) {
-            findings.warn(
+        if (ProvidedInterfaces.LATER.contains(name)) {
+            diagnostics.warn(
                     item.where(),
                     "interface \"" + name + "\" is not provided here and left out; provided are "
-                            + Suggestions.list(DeviceOffer.INTERFACES));
+                            + NearestNames.list(ProvidedInterfaces.INTERFACES));
             return false;
         }
-        findings.leaveOut(
+        diagnostics.unknownName(
                 item.where(),
                 "unknown interface \"" + name + "\" in \"" + item.text() + '"'
-                        + Suggestions.of(name, DeviceOffer.INTERFACES));
+                        + NearestNames.of(name, ProvidedInterfaces.INTERFACES));
         return false;
     }
 

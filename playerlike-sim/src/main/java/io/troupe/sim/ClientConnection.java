@@ -13,7 +13,7 @@ import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.ReplaceRule;
-import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.PortServer.PortDevice;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -27,32 +27,32 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Any thread. All mutable state is guarded by the simulation's lock, so a command that a client
  * sends before its answer has arrived when the simulation sees that answer.
  */
-final class ClientLine implements PlayerConnection {
-    private static final System.Logger LOG = System.getLogger(ClientLine.class.getName());
+final class ClientConnection implements PlayerConnection {
+    private static final System.Logger LOG = System.getLogger(Simulation.class.getName());
 
     private final Simulation simulation;
     private final PortServer server;
     private final DataSink sink;
     private final @Nullable ActorSpace space;
     private final int number;
-    private final Set<Offer> subscribed = new LinkedHashSet<>();
-    private List<Offer> inFrameOrder = List.of(); // the same devices, sorted
+    private final Set<PortDevice> subscribed = new LinkedHashSet<>();
+    private List<PortDevice> inFrameOrder = List.of(); // the same devices, sorted
     private final PendingCommands pending = new PendingCommands();
-    private final DeviceDesk desk;
-    private boolean begun;
+    private final DeviceRequestHandler requestHandler;
+    private boolean started;
     private boolean answers = true;
     private long publishedTick = NO_TICK;
     private long answeredTick = NO_TICK;
     private long turnTick = NO_TICK; // tick whose turn must complete even if the client disconnects
-    private boolean asks; // never-idle space: an unsuccessful poll counts as the answer
+    private boolean polls; // never-idle space: an unsuccessful poll counts as the answer
     private @Nullable String closed;
 
-    ClientLine(Simulation simulation, PortServer server, DataSink sink, @Nullable ActorSpace space) {
+    ClientConnection(Simulation simulation, PortServer server, DataSink sink, @Nullable ActorSpace space) {
         this.simulation = simulation;
         this.server = server;
         this.sink = sink;
         this.space = space;
-        this.desk = new DeviceDesk(simulation, this::later);
+        this.requestHandler = new DeviceRequestHandler(simulation, this::enqueue);
         this.number = simulation.add(this);
     }
 
@@ -65,8 +65,8 @@ final class ClientLine implements PlayerConnection {
 
     boolean isSubscribed() {
         if (closed == null) {
-            for (Offer offer : inFrameOrder) {
-                if (offer.publishes()) {
+            for (PortDevice device : inFrameOrder) {
+                if (device.publishes()) {
                     return true;
                 }
             }
@@ -79,8 +79,8 @@ final class ClientLine implements PlayerConnection {
     }
 
     /** True once the client waits for data and is subscribed to a device that publishes. */
-    boolean hasBegun() {
-        return begun && isSubscribed();
+    boolean hasStarted() {
+        return started && isSubscribed();
     }
 
     private boolean isWaitedFor() {
@@ -103,7 +103,7 @@ final class ClientLine implements PlayerConnection {
     // ---- called by the simulation, without its lock
 
     void deliver(Snapshot now) {
-        List<DataMessage> messages = simulation.quietly(() -> messages(now));
+        List<DataMessage> messages = simulation.withLockNoNotify(() -> messages(now));
         if (!messages.isEmpty()) {
             sink.frame(new Frame(now.tick(), now.timeMicros() / 1e6, messages));
         }
@@ -113,13 +113,13 @@ final class ClientLine implements PlayerConnection {
         if (closed != null) {
             return List.of();
         }
-        if (space != null && !asks) {
+        if (space != null && !polls) {
             turnTick = now.tick();
         }
         List<DataMessage> messages = new ArrayList<>(inFrameOrder.size());
-        for (Offer offer : inFrameOrder) {
-            if (offer.publishes()) {
-                messages.add(DeviceMessages.data(offer, simulation.world().spec(), now));
+        for (PortDevice device : inFrameOrder) {
+            if (device.publishes()) {
+                messages.add(DeviceConversion.data(device, simulation.world().spec(), now));
             }
         }
         return messages;
@@ -131,20 +131,20 @@ final class ClientLine implements PlayerConnection {
      */
     void spaceIsIdle(long tick) {
         answeredTick = Math.max(answeredTick, tick);
-        asks = false;
+        polls = false;
     }
 
     /**
      * Disconnects the client because its actor space has been closed. A turn that did not complete there is not waited
      * for.
      */
-    void endWithSpace() {
-        shut("actor space " + space + ", on which this client lived, has been closed", false);
+    void spaceClosed() {
+        close("actor space " + space + ", on which this client lived, has been closed", false);
     }
 
     /** Disconnects the client. Ticks no longer wait for it, even if it had closed itself during its turn. */
-    void lose(String reason) {
-        if (shut(reason, false)) {
+    void disconnect(String reason) {
+        if (close(reason, false)) {
             try {
                 sink.lost(reason);
             } catch (RuntimeException | Error e) { // the other clients must still be disconnected
@@ -157,49 +157,49 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public List<DeviceAddress> devices() {
-        return simulation.under(() -> {
+        return simulation.withLock(() -> {
             checkOpen();
             return server.addresses();
         });
     }
 
     @Override
-    public String driverName(DeviceAddress device) {
-        return simulation.under(() -> {
-            find(device);
+    public String driverName(DeviceAddress address) {
+        return simulation.withLock(() -> {
+            find(address);
             return "stage";
         });
     }
 
     @Override
-    public void subscribe(DeviceAddress device) {
-        simulation.under(() -> {
-            Offer offer = find(device);
-            if (subscribed.add(offer)) {
+    public void subscribe(DeviceAddress address) {
+        simulation.withLock(() -> {
+            PortDevice device = find(address);
+            if (subscribed.add(device)) {
                 sortSubscribed();
-                if (offer.type() == Interfaces.POSITION2D) {
-                    simulation.countDrivers(offer.robot(), 1);
+                if (device.type() == Interfaces.POSITION2D) {
+                    simulation.countDrivers(device.robot(), 1);
                 }
             }
-            return offer;
+            return device;
         });
     }
 
     @Override
-    public void unsubscribe(DeviceAddress device) {
-        simulation.under(() -> {
-            Offer offer = find(device);
-            drop(offer);
-            return offer;
+    public void unsubscribe(DeviceAddress address) {
+        simulation.withLock(() -> {
+            PortDevice device = find(address);
+            drop(device);
+            return device;
         });
     }
 
-    private void drop(Offer offer) {
-        if (subscribed.remove(offer)) {
+    private void drop(PortDevice device) {
+        if (subscribed.remove(device)) {
             sortSubscribed();
-            if (offer.type() == Interfaces.POSITION2D) {
-                pending.takeAll(offer).forEach(Runnable::run); // sent before it unsubscribed
-                simulation.countDrivers(offer.robot(), -1);
+            if (device.type() == Interfaces.POSITION2D) {
+                pending.takeAll(device).forEach(Runnable::run); // sent before it unsubscribed
+                simulation.countDrivers(device.robot(), -1);
             }
         }
     }
@@ -209,31 +209,31 @@ final class ClientLine implements PlayerConnection {
     }
 
     @Override
-    public void command(DeviceAddress device, DeviceCommand command) {
+    public void command(DeviceAddress address, DeviceCommand command) {
         // no tick waits for a command, and a thousand commands would wake the ticking thread a thousand times
-        simulation.quietly(() -> {
-            Offer offer = find(device);
-            desk.command(offer, command);
-            return offer;
+        simulation.withLockNoNotify(() -> {
+            PortDevice device = find(address);
+            requestHandler.command(device, command);
+            return device;
         });
     }
 
-    private void later(Offer offer, PendingCommands.Kind kind, Runnable action) {
+    private void enqueue(PortDevice device, PendingCommands.Kind kind, Runnable action) {
         boolean late = isWaitedFor() && publishedTick != NO_TICK && answeredTick >= publishedTick;
-        pending.add(offer, kind, action, late);
+        pending.add(device, kind, action, late);
     }
 
     @Override
-    public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        return simulation.under(() -> desk.request(find(device), request));
+    public DeviceReply request(DeviceAddress address, DeviceRequest request) {
+        return simulation.withLock(() -> requestHandler.request(find(address), request));
     }
 
     @Override
     public void answered(long tick) {
-        simulation.under(() -> {
+        simulation.withLock(() -> {
             checkOpen();
-            begun = true;
-            asks |= tick != NO_TICK;
+            started = true;
+            polls |= tick != NO_TICK;
             answeredTick = Math.max(answeredTick, tick);
             return tick;
         });
@@ -241,9 +241,9 @@ final class ClientLine implements PlayerConnection {
 
     @Override
     public void answers(boolean whether) {
-        simulation.under(() -> {
+        simulation.withLock(() -> {
             checkOpen();
-            begun |= !whether;
+            started |= !whether;
             answers = whether;
             return true;
         });
@@ -263,15 +263,15 @@ final class ClientLine implements PlayerConnection {
     public void close() {
         // when another thread closes it, the client is removed at once: its space may run a turn that never ends
         boolean inItsTurn = space != null && ActorSpace.current() == space;
-        shut("this line to port " + server.port() + " has been closed", inItsTurn);
+        close("this line to port " + server.port() + " has been closed", inItsTurn);
     }
 
     /**
      * Closes the connection in one step under the lock, so that a tick never sees the client gone and its robot still
      * driving.
      */
-    private boolean shut(String reason, boolean inItsTurn) {
-        return simulation.under(() -> {
+    private boolean close(String reason, boolean inItsTurn) {
+        return simulation.withLock(() -> {
             if (!inItsTurn) {
                 turnTick = NO_TICK;
             }
@@ -281,19 +281,19 @@ final class ClientLine implements PlayerConnection {
             List.copyOf(subscribed).forEach(this::drop);
             pending.takeAll().forEach(Runnable::run); // these commands were acknowledged before the client left
             closed = reason;
-            simulation.endPauseOf(desk);
+            simulation.endPauseOf(requestHandler);
             simulation.remove(this);
             return true;
         });
     }
 
-    private Offer find(DeviceAddress device) {
+    private PortDevice find(DeviceAddress address) {
         checkOpen();
-        Offer offer = server.find(device);
-        if (offer == null) {
-            throw new IllegalArgumentException("port " + server.port() + " has no device " + device);
+        PortDevice device = server.find(address);
+        if (device == null) {
+            throw new IllegalArgumentException("port " + server.port() + " has no device " + address);
         }
-        return offer;
+        return device;
     }
 
     private void checkOpen() {
@@ -306,7 +306,7 @@ final class ClientLine implements PlayerConnection {
     public String toString() {
         String devices = closed != null
                 ? "it has left"
-                : subscribed.stream().map(Offer::toString).collect(Collectors.joining(" "));
+                : subscribed.stream().map(PortDevice::toString).collect(Collectors.joining(" "));
         return "client " + number + " on port " + server.port() + " (" + devices
                 + (space == null ? ")" : "; on actor space " + space + ")");
     }

@@ -14,34 +14,34 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Cost.</b> {@link #driveNow} allocates nothing.
  */
-final class Pilot {
+final class RobotCommands {
     /**
      * A command that waits for the next interval.
      *
      * @param limitMicros time for which a speed holds; 0 = until another command
      */
-    private record Order(Drive drive, long limitMicros) {}
+    private record PendingDrive(MotionCommand drive, long limitMicros) {}
 
     private final DriveSpec spec;
     private final int robot;
     private final WorldSettings settings;
-    private final AtomicReference<@Nullable Order> newestDrive = new AtomicReference<>();
+    private final AtomicReference<@Nullable PendingDrive> newestDrive = new AtomicReference<>();
     private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestPlace = new AtomicReference<>();
-    private boolean toldNow; // by the thread that advances the world
-    private double toldForwardMps;
-    private double toldTurnRadps;
-    private @Nullable Drive steering; // null: the held speeds below apply
+    private boolean hasDirect; // by the thread that advances the world
+    private double directForwardMps;
+    private double directTurnRadps;
+    private @Nullable MotionCommand steering; // null: the held speeds below apply
     private double heldForwardMps;
     private double heldTurnRadps;
     private double forwardMps; // in force in the interval that has ended
     private double turnRadps;
     private boolean powered = true;
-    private long toldAtMicros;
+    private long commandedAtMicros;
     private long limitMicros; // of the current command; 0 = none
 
-    Pilot(DriveSpec spec, int robot, WorldSettings settings) {
+    RobotCommands(DriveSpec spec, int robot, WorldSettings settings) {
         this.spec = spec;
         this.robot = robot;
         this.settings = settings;
@@ -49,8 +49,8 @@ final class Pilot {
     }
 
     /** @param newLimitMicros time for which a speed holds; 0 = until another command, as always for a goal */
-    void drive(Drive command, long newLimitMicros) {
-        newestDrive.set(new Order(command, command instanceof Drive.GoTo ? 0 : newLimitMicros));
+    void drive(MotionCommand command, long newLimitMicros) {
+        newestDrive.set(new PendingDrive(command, command instanceof MotionCommand.GoTo ? 0 : newLimitMicros));
     }
 
     /** Speed command from the thread that advances the world; replaces a pending command of another thread. */
@@ -58,9 +58,9 @@ final class Pilot {
         if (newestDrive.get() != null) {
             newestDrive.set(null);
         }
-        toldNow = true;
-        toldForwardMps = newForwardMps;
-        toldTurnRadps = newTurnRadps;
+        hasDirect = true;
+        directForwardMps = newForwardMps;
+        directTurnRadps = newTurnRadps;
     }
 
     void power(boolean on) {
@@ -102,7 +102,7 @@ final class Pilot {
      * Applies the newest command. Motors off, an expired command limit or an expired watchdog stop the robot and
      * discard its command.
      */
-    void latch(long nowMicros, @Nullable Recording recording) {
+    void apply(long nowMicros, @Nullable Recording recording) {
         Boolean power = take(newestPower);
         if (power != null && power != powered) {
             powered = power;
@@ -110,25 +110,25 @@ final class Pilot {
                 recording.power(robot, power);
             }
         }
-        if (toldNow) {
-            toldNow = false;
+        if (hasDirect) {
+            hasDirect = false;
             if (powered) {
-                note(recording, steering != null || differs(toldForwardMps, toldTurnRadps));
-                hold(toldForwardMps, toldTurnRadps, nowMicros, 0);
+                recordDirect(recording, steering != null || differs(directForwardMps, directTurnRadps));
+                hold(directForwardMps, directTurnRadps, nowMicros, 0);
             }
         }
-        Order command = take(newestDrive);
+        PendingDrive command = take(newestDrive);
         if (command != null && powered) {
             accept(command.drive, command.limitMicros, nowMicros, recording);
         }
         if (!powered || isLate(nowMicros)) {
-            stand();
-        } else if (limitMicros > 0 && nowMicros - toldAtMicros >= limitMicros) {
+            stop();
+        } else if (limitMicros > 0 && nowMicros - commandedAtMicros >= limitMicros) {
             expire(recording);
         }
     }
 
-    private void stand() {
+    private void stop() {
         steering = null;
         heldForwardMps = 0;
         heldTurnRadps = 0;
@@ -136,18 +136,18 @@ final class Pilot {
     }
 
     /**
-     * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay has no
+     * Stops the robot when its command limit has expired. Recorded as a command to stop still, because a replay has no
      * clients and so no command limits.
      */
     private void expire(@Nullable Recording recording) {
         if (recording != null && (steering != null || differs(0, 0))) {
-            recording.drive(robot, Drive.STILL);
+            recording.drive(robot, MotionCommand.STILL);
         }
-        stand();
+        stop();
     }
 
-    private void accept(Drive command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
-        if (command instanceof Drive.Velocity velocity) {
+    private void accept(MotionCommand command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
+        if (command instanceof MotionCommand.Velocity velocity) {
             if (recording != null
                     && (isWatched() || steering != null || differs(velocity.forwardMps(), velocity.turnRadps()))) {
                 recording.drive(robot, velocity);
@@ -159,13 +159,13 @@ final class Pilot {
             recording.drive(robot, command);
         }
         steering = command;
-        toldAtMicros = nowMicros;
+        commandedAtMicros = nowMicros;
         limitMicros = newLimitMicros;
     }
 
-    private void note(@Nullable Recording recording, boolean changes) {
+    private void recordDirect(@Nullable Recording recording, boolean changes) {
         if (recording != null && (isWatched() || changes)) {
-            recording.drive(robot, new Drive.Velocity(toldForwardMps, toldTurnRadps));
+            recording.drive(robot, new MotionCommand.Velocity(directForwardMps, directTurnRadps));
         }
     }
 
@@ -177,7 +177,7 @@ final class Pilot {
         steering = null;
         heldForwardMps = newForwardMps;
         heldTurnRadps = newTurnRadps;
-        toldAtMicros = nowMicros;
+        commandedAtMicros = nowMicros;
         limitMicros = newLimitMicros;
     }
 
@@ -191,17 +191,17 @@ final class Pilot {
      */
     private boolean isLate(long nowMicros) {
         return isWatched()
-                && !(steering instanceof Drive.GoTo)
-                && nowMicros - toldAtMicros >= settings.watchdogMicros();
+                && !(steering instanceof MotionCommand.GoTo)
+                && nowMicros - commandedAtMicros >= settings.watchdogMicros();
     }
 
     /** Computes the speeds of the next interval from the current command and the reported odometry. */
     void steer(Position2d odometry) {
-        Drive how = steering;
+        MotionCommand how = steering;
         if (how == null) {
             clamp(heldForwardMps, heldTurnRadps);
         } else {
-            Drive.Velocity wanted = how.now(odometry.reported());
+            MotionCommand.Velocity wanted = how.now(odometry.reported());
             clamp(wanted.forwardMps(), wanted.turnRadps());
         }
     }
@@ -227,7 +227,7 @@ final class Pilot {
     /** Resets the robot to its start speeds. */
     void forget(long nowMicros) {
         hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros, 0);
-        toldNow = false;
+        hasDirect = false;
         powered = true;
         clamp(0, 0);
     }

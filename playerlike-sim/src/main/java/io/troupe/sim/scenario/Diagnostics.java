@@ -9,7 +9,7 @@ import java.util.function.Consumer;
  * Reports problems in a file that need not stop its reading. A feature of Stage or Player that is not simulated here is
  * a warning. An unknown name is an error for a strict reader and a warning for a lenient one.
  */
-final class Findings {
+final class Diagnostics {
     /** Limit of warnings: a file could cause one per word. */
     static final int MOST_WARNINGS = 1000;
 
@@ -20,27 +20,27 @@ final class Findings {
     /** Warnings already reported: a problem in a macro is found in every instance of it. */
     private final Set<WorldFileWarning> reported = new HashSet<>();
 
-    private Findings(Consumer<WorldFileWarning> warnings, boolean lenient) {
+    private Diagnostics(Consumer<WorldFileWarning> warnings, boolean lenient) {
         this.warnings = warnings;
         this.lenient = lenient;
     }
 
-    static Findings strict(Consumer<WorldFileWarning> warnings) {
-        return new Findings(warnings, false);
+    static Diagnostics strict(Consumer<WorldFileWarning> warnings) {
+        return new Diagnostics(warnings, false);
     }
 
     /** Strict, with warnings to the log. */
-    static Findings logged() {
+    static Diagnostics logged() {
         return strict(warning -> LOG.log(Level.WARNING, "{0}", warning));
     }
 
-    static Findings lenient(Consumer<WorldFileWarning> warnings) {
-        return new Findings(warnings, true);
+    static Diagnostics lenient(Consumer<WorldFileWarning> warnings) {
+        return new Diagnostics(warnings, true);
     }
 
     /** As strict as this one, with warnings to another consumer. */
-    Findings with(Consumer<WorldFileWarning> others) {
-        return new Findings(others, lenient);
+    Diagnostics with(Consumer<WorldFileWarning> others) {
+        return new Diagnostics(others, lenient);
     }
 
     /** Reports a feature of Stage or Player that is left out or changed here. */
@@ -64,7 +64,7 @@ final class Findings {
      *
      * @throws WorldFileException if the reader is strict
      */
-    void leaveOut(SourcePosition where, String problem) {
+    void unknownName(SourcePosition where, String problem) {
         if (!lenient) {
             throw new WorldFileException(where, problem);
         }

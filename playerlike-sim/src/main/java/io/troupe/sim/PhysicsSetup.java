@@ -9,10 +9,10 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 
 /** Creates the physics bodies of a world. */
-final class Bodies {
+final class PhysicsSetup {
     private static final Shape NO_SHAPE = new Shape(List.of());
 
-    private Bodies() {}
+    private PhysicsSetup() {}
 
     /** Creates the physics with all bodies at their start poses. */
     static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
@@ -55,7 +55,8 @@ final class Bodies {
         for (RobotSpec robot : spec.robots()) {
             List<List<Point>> pieces = robot.collisionShape().polygons();
             smallestM = Math.min(
-                    smallestM, pieces.stream().mapToDouble(Bodies::widthM).max().orElseThrow());
+                    smallestM,
+                    pieces.stream().mapToDouble(PhysicsSetup::widthM).max().orElseThrow());
             double radiusM = pieces.stream()
                     .flatMap(List::stream)
                     .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))

@@ -20,12 +20,12 @@ import java.util.List;
  * ranges. Stage divides the field of view by the number of rays, which is one too many. Range readings are not
  * quantised: as in Stage, the range resolution is 1 for a laser, and it is 0 for a ranger. There are no intensities.
  */
-final class RangerMessages {
+final class RangerConversion {
     private static final float LASER_RANGE_RESOLUTION = 1;
     /** Relative tolerance. Clients round, and count either the beams or the steps between them. */
     private static final float ROUNDING = 0.01f;
 
-    private RangerMessages() {}
+    private RangerConversion() {}
 
     /** A sonar ring as a ranger with one sensor per sonar. */
     static RangerSpec ring(SonarSpec sonar) {

@@ -13,13 +13,13 @@ import java.util.function.LongConsumer;
  *
  * <p><b>Threads.</b> The ticking thread; {@link #droppedMicros} from any thread.
  */
-final class Pacer {
+final class RealTimePacer {
     static final long CATCH_UP_MICROS = 250_000;
-    private static final System.Logger LOG = System.getLogger(Pacer.class.getName());
+    private static final System.Logger LOG = System.getLogger(SimulationRunner.class.getName());
     /** About 73 years: upper limit of an interval at any pace, so that sums of times do not overflow. */
     private static final long LONGEST_NANOS = 1L << 61;
 
-    private static final long QUIET_NANOS = 1_000_000_000;
+    private static final long LOG_INTERVAL_NANOS = 1_000_000_000;
 
     private final Clock wall;
     private final LongConsumer sleep; // argument: maximum time in nanoseconds
@@ -27,12 +27,12 @@ final class Pacer {
     private boolean started;
     private long startNanos;
     private long startMicros;
-    private long unsaidMicros;
-    private long saidAtNanos;
-    private boolean saidAny;
+    private long unloggedMicros;
+    private long loggedAtNanos;
+    private boolean loggedAny;
     private final AtomicLong droppedMicros = new AtomicLong();
 
-    Pacer(Clock wall, LongConsumer sleep) {
+    RealTimePacer(Clock wall, LongConsumer sleep) {
         this.wall = wall;
         this.sleep = sleep;
     }
@@ -78,18 +78,18 @@ final class Pacer {
     /** Counts dropped time, and logs it at most once per second. */
     private void drop(long micros, long nowNanos) {
         droppedMicros.addAndGet(micros);
-        unsaidMicros += micros;
-        if (!saidAny || nowNanos - saidAtNanos >= QUIET_NANOS) {
+        unloggedMicros += micros;
+        if (!loggedAny || nowNanos - loggedAtNanos >= LOG_INTERVAL_NANOS) {
             LOG.log(
                     System.Logger.Level.WARNING,
                     String.format(
                             Locale.ROOT,
                             "the machine is too slow for %.3g times real time: %.3f simulated seconds are late for good",
                             factor,
-                            unsaidMicros / 1e6));
-            saidAny = true;
-            saidAtNanos = nowNanos;
-            unsaidMicros = 0;
+                            unloggedMicros / 1e6));
+            loggedAny = true;
+            loggedAtNanos = nowNanos;
+            unloggedMicros = 0;
         }
     }
 

@@ -11,4 +11,5 @@ package io.troupe.sim.device;
  * @param right last column
  * @param rangeM mean distance of its columns
  */
-public record Blob(int colour, int areaPx2, int x, int y, int left, int right, int top, int bottom, double rangeM) {}
+public record ColourBlob(
+        int colour, int areaPx2, int x, int y, int left, int right, int top, int bottom, double rangeM) {}

@@ -14,10 +14,10 @@ import org.jbox2d.dynamics.contacts.Contact;
  * callbacks therefore only write to a buffer, and {@link #settle} converts it into pairs of bodies after the step. Two
  * bodies touch once, however many of their polygons do.
  */
-final class TouchLedger implements ContactListener {
+final class TouchTracker implements ContactListener {
     private static final long END = 1L << 63;
 
-    private final OpenPairs open = new OpenPairs();
+    private final TouchingPairs open = new TouchingPairs();
     private final Touches begun;
     private final boolean[] touched;
     private long[] buffer = new long[64];
@@ -26,7 +26,7 @@ final class TouchLedger implements ContactListener {
     private int startedCount;
     private boolean recent; // the last step had contact events, so `touched` may contain a touch that has ended
 
-    TouchLedger(int robotCount) {
+    TouchTracker(int robotCount) {
         touched = new boolean[robotCount];
         begun = new Touches(robotCount);
     }

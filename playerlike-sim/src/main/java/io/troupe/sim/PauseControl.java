@@ -7,10 +7,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * Controls whether simulated time passes: paused, single steps, or delayed by a pacer.
  *
- * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitTime} and {@link #sleep} belong to the
- * ticking thread.
+ * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitUnpaused} and {@link #sleep} belong to
+ * the ticking thread.
  */
-final class TimeGate {
+final class PauseControl {
     private final Object lock;
     private Clock wall = Clock.system();
     private boolean paused;
@@ -18,11 +18,11 @@ final class TimeGate {
     private long pausedNanos; // total of the pauses that have ended
     private boolean stoodStill;
     private int stepsWanted;
-    private boolean stepping; // paused, but during a single step, up to the next call of awaitTime
+    private boolean stepping; // paused, but during a single step, up to the next call of awaitUnpaused
     private boolean open = true;
 
     /** @param lock is notified of every change */
-    TimeGate(Object lock) {
+    PauseControl(Object lock) {
         this.lock = lock;
     }
 
@@ -114,7 +114,7 @@ final class TimeGate {
      *
      * @param meanwhile repeated while waiting
      */
-    void awaitTime(@Nullable Runnable meanwhile) {
+    void awaitUnpaused(@Nullable Runnable meanwhile) {
         endStep();
         while (true) {
             synchronized (lock) {
