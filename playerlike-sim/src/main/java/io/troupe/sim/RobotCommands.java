@@ -29,7 +29,7 @@ final class RobotCommands {
     private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestPlace = new AtomicReference<>();
-    private boolean hasDirect; // by the thread that advances the world
+    private boolean hasDirect; // a speed from the thread that advances the world is pending
     private double directForwardMps;
     private double directTurnRadps;
     private @Nullable MotionCommand steering; // null: the held speeds below apply
@@ -136,7 +136,7 @@ final class RobotCommands {
     }
 
     /**
-     * Stops the robot when its command limit has expired. Recorded as a command to stop still, because a replay has no
+     * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay has no
      * clients and so no command limits.
      */
     private void expire(@Nullable Recording recording) {

@@ -7,6 +7,7 @@ import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.scenario.BlobfinderSpec;
+import io.troupe.sim.scenario.OdometryError;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
@@ -16,6 +17,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /** The sensors and the odometry of one robot. */
@@ -35,9 +37,9 @@ record SimulatedDevices(
             SonarSpec sonar = robot.sonar();
             BlobfinderSpec blobfinder = robot.blobfinder();
             try {
-                List<Ranger> rangers = Noise.rangers(robot, seed);
+                List<Ranger> rangers = createRangers(robot, seed);
                 all.add(new SimulatedDevices(
-                        new Position2d(starts.get(i), robot.startOdometry(), Noise.ofOdometry(robot, seed)),
+                        new Position2d(starts.get(i), robot.startOdometry(), drawOdometryError(robot, seed)),
                         sonar == null
                                 ? null
                                 : sonars.computeIfAbsent(sonar, Sonar::new).twin(),
@@ -55,6 +57,32 @@ record SimulatedDevices(
             }
         }
         return all;
+    }
+
+    /** Odometry error of this run, uniform within plus or minus half of the specified proportions. */
+    private static OdometryError drawOdometryError(RobotSpec robot, long seed) {
+        OdometryError most = robot.odometryError();
+        if (most.equals(OdometryError.NONE)) {
+            return most;
+        }
+        for (double proportion : new double[] {most.x(), most.y(), most.heading()}) {
+            if (!(proportion >= 0 && proportion < 2)) {
+                throw new IllegalArgumentException(
+                        "odometry error is " + most + ", expected proportions from 0 to less than 2");
+            }
+        }
+        var random = new RandomStream(seed, robot.name(), "odometry");
+        return new OdometryError(
+                random.nextWithin(most.x() / 2),
+                random.nextWithin(most.y() / 2),
+                random.nextWithin(most.heading() / 2));
+    }
+
+    private static List<Ranger> createRangers(RobotSpec robot, long seed) {
+        return IntStream.range(0, robot.rangers().size())
+                .mapToObj(i -> new Ranger(
+                        robot.rangers().get(i), new RandomStream(seed, robot.name(), "ranger" + i)::nextWithin))
+                .toList();
     }
 
     /**

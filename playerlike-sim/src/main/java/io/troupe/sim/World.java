@@ -7,6 +7,7 @@ import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
+import io.troupe.sim.physics.Touches;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldFileException;
@@ -15,6 +16,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
@@ -30,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> At the start of an interval the world takes a reset, teleports, odometry resets, motor power and
  * commands, by robot index (of several commands for one robot the newest). Then it runs the physics steps and reads all
  * devices. The last interval of an advance publishes a snapshot. An earlier interval publishes one if the world is
- * recorded, or if another thread has called {@link #latest} since the previous one.
+ * recorded, or if {@link #latest} has been called since the previous one.
  *
  * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as there are no more
  * touching bodies and no more visible blobs than ever before.
@@ -375,8 +377,21 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(
-                tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec, physicsStartMicros));
+        return new Snapshot(tick, tick * intervalMicros, readings, contacts());
+    }
+
+    /** The touches of the physics, with names instead of indices and with the world's time. */
+    private List<Contact> contacts() {
+        Touches touches = physics.touches();
+        return IntStream.range(0, touches.count())
+                .mapToObj(i -> {
+                    int otherRobot = touches.otherRobot(i);
+                    String other = otherRobot >= 0
+                            ? spec.robots().get(otherRobot).name()
+                            : spec.obstacles().get(touches.obstacle(i)).name();
+                    return new Contact(physicsStartMicros + touches.timeMicros(i), touches.robot(i), other, otherRobot);
+                })
+                .toList();
     }
 
     private RobotReading read(int robot) {

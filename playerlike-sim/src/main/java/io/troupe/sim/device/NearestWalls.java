@@ -18,18 +18,18 @@ final class NearestWalls {
     private static final double ROUNDING_M = 1e-6;
 
     private final ConvexPolygon[] pieces;
-    private final int[] asked; // for each piece, the last query that compared it
+    private final int[] comparedIn; // for each piece, the last query that compared it
     private final int[][] cells;
     private final double minX;
     private final double minY;
     private final double cellM;
     private final int columns;
     private final int rows;
-    private int question;
+    private int query;
 
     NearestWalls(List<Outline> walls) {
         pieces = walls.stream().flatMap(wall -> wall.polygons().stream()).toArray(ConvexPolygon[]::new);
-        asked = new int[pieces.length];
+        comparedIn = new int[pieces.length];
         double leastX = Double.POSITIVE_INFINITY;
         double leastY = Double.POSITIVE_INFINITY;
         double mostX = Double.NEGATIVE_INFINITY;
@@ -81,7 +81,7 @@ final class NearestWalls {
     }
 
     private double gapM(ConvexPolygon mine, double limitM) {
-        question++;
+        query++;
         double gap = limitM;
         int left = column(mine.minX);
         int right = column(mine.maxX);
@@ -107,8 +107,8 @@ final class NearestWalls {
     private double nearest(ConvexPolygon mine, int[] cell, double limitM) {
         double gap = limitM;
         for (int index : cell) {
-            if (asked[index] != question) {
-                asked[index] = question;
+            if (comparedIn[index] != query) {
+                comparedIn[index] = query;
                 ConvexPolygon wall = pieces[index];
                 if (mine.gapAtLeast(wall) < gap) {
                     gap = Math.min(gap, mine.gap(wall));
