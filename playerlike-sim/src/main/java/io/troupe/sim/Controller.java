@@ -1,14 +1,14 @@
 package io.troupe.sim;
 
 /**
- * Drives robots from within {@link World#advance(long, Controller)}.
+ * Callback that drives robots from within {@link World#advance(long, Controller)}.
  *
  * <p><b>Threads.</b> Called by the thread that advances the world.
  *
- * <p><b>Errors.</b> What it throws ends the advance, before the interval it was called for.
+ * <p><b>Errors.</b> An exception ends the advance, before the interval for which the controller was called.
  */
 @FunctionalInterface
 public interface Controller {
-    /** Called before each interval, to look at the readings and to command for it. */
+    /** Called before each interval to read the sensors and to give the commands for that interval. */
     void control(WorldView view);
 }

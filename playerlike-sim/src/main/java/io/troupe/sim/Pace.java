@@ -1,15 +1,17 @@
 package io.troupe.sim;
 
 /**
- * How fast a {@link SimulationRunner} lets simulated time pass. Whatever the pace, a tick waits for the clients that
- * answer.
+ * How fast a {@link SimulationRunner} advances simulated time. At any pace, a tick waits for the clients that answer.
  */
 public sealed interface Pace {
-    /** As fast as the clients answer; in real time while there is one that never answers, who would else be overrun. */
+    /**
+     * As fast as the clients answer, but in real time while a free-running client is connected: such a client never
+     * answers and could not keep up.
+     */
     record OfAnswers() implements Pace {}
 
     /**
-     * So many simulated seconds in a second, if the machine and the clients are fast enough.
+     * A fixed number of simulated seconds per second, if the machine and the clients are fast enough.
      *
      * @param factor above 0; 1 is real time
      */
@@ -21,13 +23,13 @@ public sealed interface Pace {
         }
     }
 
-    /** As fast as possible. */
+    /** As fast as possible, without waiting for the clock. */
     record Unlimited() implements Pace {}
 
-    /** Simulated seconds in a second; infinite if nobody shall wait for the time. */
-    default double factor(boolean somebodyNeverAnswers) {
+    /** Simulated seconds per second; infinite if ticks do not wait for the clock. */
+    default double factor(boolean hasFreeRunningClient) {
         return switch (this) {
-            case OfAnswers answers -> somebodyNeverAnswers ? 1 : Double.POSITIVE_INFINITY;
+            case OfAnswers answers -> hasFreeRunningClient ? 1 : Double.POSITIVE_INFINITY;
             case RealTime real -> real.factor();
             case Unlimited unlimited -> Double.POSITIVE_INFINITY;
         };

@@ -1,23 +1,23 @@
 package io.troupe.sim;
 
-import io.troupe.sim.PortServer.Offer;
+import io.troupe.sim.PortServer.PortDevice;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
 /**
- * What a client has told its devices and the world does not know yet.
+ * Commands that a client has sent to its devices and that have not yet reached the world.
  *
- * <p><b>Order.</b> What it says before its answer to a tick counts at the end of that tick; what it says after it
- * counts at the end of the next, however long the other clients take. Commands are taken in the order in which they
- * came. The newest command of a kind to a device replaces an older one, and comes last, so a client that never stops
- * talking needs no more room.
+ * <p><b>Order.</b> A command sent before the client's answer to a tick applies at the end of that tick; one sent after
+ * the answer applies at the end of the next tick, however long the other clients take. Commands apply in the order of
+ * arrival. The newest command of a kind to a device replaces the older one and moves to the end, so the memory is
+ * bounded for any number of commands.
  *
- * <p><b>Threads.</b> None of its own; guarded by the simulation's lock.
+ * <p><b>Threads.</b> Guarded by the simulation's lock.
  */
 final class PendingCommands {
-    /** What a device can be told at the same time. */
+    /** Kinds of commands that can be pending for a device at the same time. */
     enum Kind {
         RESET,
         PLACE,
@@ -26,33 +26,33 @@ final class PendingCommands {
         SPEED
     }
 
-    private record Subject(Offer device, Kind kind) {}
+    private record Subject(PortDevice device, Kind kind) {}
 
     private final Map<Subject, Runnable> now = new LinkedHashMap<>();
     private final Map<Subject, Runnable> later = new LinkedHashMap<>();
 
-    /** @param late whether the client has answered the tick that is being played */
-    void add(Offer device, Kind kind, Runnable command, boolean late) {
+    /** @param late true if the client has already answered the current tick */
+    void add(PortDevice device, Kind kind, Runnable command, boolean late) {
         putLast(late ? later : now, new Subject(device, kind), command);
     }
 
     /**
-     * A map keeps the old place of a key that is put again: without the removal a second reset would come before what
-     * was said after the first.
+     * Puts a command at the end. A map keeps the position of an existing key: without the removal, a second reset would
+     * run before the commands sent after the first.
      */
     private static void putLast(Map<Subject, Runnable> commands, Subject subject, Runnable command) {
         commands.remove(subject);
         commands.put(subject, command);
     }
 
-    /** A new tick begins. */
+    /** Makes the late commands current, as a new tick begins. */
     void tickBegins() {
         later.forEach((subject, command) -> putLast(now, subject, command));
         later.clear();
     }
 
-    /** All that one device was told, for a client that leaves it. */
-    List<Runnable> takeAll(Offer device) {
+    /** Takes all commands for one device, when a client unsubscribes from it. */
+    List<Runnable> takeAll(PortDevice device) {
         var taken = new ArrayList<Runnable>();
         for (var commands : List.of(now, later)) {
             for (var each = commands.entrySet().iterator(); each.hasNext(); ) {
@@ -66,7 +66,7 @@ final class PendingCommands {
         return taken;
     }
 
-    /** All that any device was told, for a client that goes. */
+    /** Takes all commands for all devices, when a client disconnects. */
     List<Runnable> takeAll() {
         var taken = new ArrayList<>(now.values());
         taken.addAll(later.values());
@@ -75,7 +75,7 @@ final class PendingCommands {
         return taken;
     }
 
-    /** What counts at the end of this tick. */
+    /** Takes the commands that apply at the end of this tick. */
     List<Runnable> take() {
         var taken = new ArrayList<>(now.values());
         now.clear();

@@ -15,18 +15,18 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** The devices of one port of a simulation. */
+/** The devices of one port of a simulation, as a Player server. */
 final class PortServer implements PlayerServer {
-    /** 127.0.0.1 as Player writes it. */
+    /** 127.0.0.1 in Player's byte order. */
     private static final int LOOPBACK = 0x0100007f;
 
     /**
-     * A device.
+     * A device offered on a port.
      *
-     * @param robot it belongs to, -1 for the simulation device
+     * @param robot index of the robot, -1 for the simulation device
      * @param ranger which of the robot's rangers answers, as in {@link DeviceBinding}
      */
-    record Offer(DeviceAddress address, Interfaces type, int robot, int ranger) {
+    record PortDevice(DeviceAddress address, Interfaces type, int robot, int ranger) {
         boolean publishes() {
             return robot >= 0;
         }
@@ -37,15 +37,15 @@ final class PortServer implements PlayerServer {
         }
     }
 
-    /** In which a client gets its messages. */
-    static final Comparator<Offer> FRAME_ORDER = Comparator.comparingInt(Offer::robot)
-            .thenComparing(Offer::type)
+    /** Order of the messages in a frame. */
+    static final Comparator<PortDevice> FRAME_ORDER = Comparator.comparingInt(PortDevice::robot)
+            .thenComparing(PortDevice::type)
             .thenComparing(each -> each.address.index());
 
     private final Simulation simulation;
     private final int port;
     private final List<DeviceAddress> addresses;
-    private final Map<DeviceAddress, Offer> byAddress = new HashMap<>();
+    private final Map<DeviceAddress, PortDevice> byAddress = new HashMap<>();
 
     PortServer(Simulation simulation, int port, List<DeviceBinding> bindings) {
         this.simulation = simulation;
@@ -55,14 +55,14 @@ final class PortServer implements PlayerServer {
         for (int robot = 0; robot < specs.size(); robot++) {
             robots.putIfAbsent(specs.get(robot).name(), robot);
         }
-        List<Offer> offers = bindings.stream()
-                .map(binding -> offer(binding, robots.getOrDefault(binding.model(), -1)))
+        List<PortDevice> devices = bindings.stream()
+                .map(binding -> device(binding, robots.getOrDefault(binding.model(), -1)))
                 .toList();
-        this.addresses = offers.stream().map(Offer::address).toList();
-        offers.forEach(offer -> byAddress.putIfAbsent(offer.address, offer));
+        this.addresses = devices.stream().map(PortDevice::address).toList();
+        devices.forEach(device -> byAddress.putIfAbsent(device.address, device));
     }
 
-    private Offer offer(DeviceBinding binding, int robot) {
+    private PortDevice device(DeviceBinding binding, int robot) {
         Interfaces type = java.util.Arrays.stream(Interfaces.values())
                 .filter(each -> each.playerName().equals(binding.interfaceName()))
                 .findFirst()
@@ -72,13 +72,15 @@ final class PortServer implements PlayerServer {
         if (type == Interfaces.SONAR || type == Interfaces.LASER || type == Interfaces.RANGER) {
             checkSensor(binding, type, robot);
         }
-        return new Offer(address, type, robot, binding.ranger());
+        return new PortDevice(address, type, robot, binding.ranger());
     }
 
     private void checkSensor(DeviceBinding binding, Interfaces type, int robot) {
         RobotSpec spec = robot < 0 ? null : simulation.world().spec().robots().get(robot);
         int number = binding.ranger();
-        if (spec != null && spec.sonar() != null && (type == Interfaces.SONAR || DeviceMessages.isRing(type, number))) {
+        if (spec != null
+                && spec.sonar() != null
+                && (type == Interfaces.SONAR || DeviceConversion.isRing(type, number))) {
             return;
         }
         List<RangerSpec> rangers = spec == null ? List.of() : spec.rangers();
@@ -100,9 +102,9 @@ final class PortServer implements PlayerServer {
         return addresses;
     }
 
-    /** The device of an address, or null. */
+    /** The device with an address, or null. */
     @Nullable
-    Offer find(DeviceAddress address) {
+    PortDevice find(DeviceAddress address) {
         return byAddress.get(address);
     }
 
@@ -113,6 +115,6 @@ final class PortServer implements PlayerServer {
 
     @Override
     public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
-        return new ClientLine(simulation, this, sink, space);
+        return new ClientConnection(simulation, this, sink, space);
     }
 }

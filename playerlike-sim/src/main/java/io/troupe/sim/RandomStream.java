@@ -1,8 +1,7 @@
 package io.troupe.sim;
 
 /**
- * Reproducible random numbers, a stream for each (seed, robot, device): another robot or device draws from another
- * stream.
+ * Reproducible random numbers, with a separate stream for each (seed, robot, device).
  *
  * <p><b>Source.</b> SplitMix64 (Steele, Lea, Flood, 2014), started from an FNV-1a hash of the names.
  */
@@ -36,7 +35,7 @@ final class RandomStream {
         return mix(state);
     }
 
-    /** Evenly spread over [-bound, bound). */
+    /** Uniform in [-bound, bound). */
     double nextWithin(double bound) {
         return ((nextLong() >>> 11) * 0x1p-52 - 1) * bound;
     }

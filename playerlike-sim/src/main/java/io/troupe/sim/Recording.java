@@ -7,16 +7,16 @@ import java.io.UncheckedIOException;
 import java.util.Objects;
 
 /**
- * Writes down everything that enters a world, with the tick at which it took effect.
+ * Writes all input of a world to a text file, with the tick at which it took effect.
  *
- * <p><b>Role.</b> {@link World#record} makes one; {@link Replay} reads what it has written and does the same again.
- * {@link #close} writes the last line, without which a recording counts as cut off, and closes the output.
+ * <p><b>Role.</b> Created by {@link World#record}; {@link Replay} reads the file and repeats the run. {@link #close}
+ * writes the last line and closes the output. A recording without that line counts as cut off.
  *
  * <p><b>Threads.</b> Any thread.
  *
- * <p><b>Units and shapes.</b> Lines of text; each begins with the tick of the snapshot that was the newest when it took
- * effect. Numbers are written so that reading them gives the same bits; a checksum over all snapshots so far stands at
- * every hundredth tick and at the end.
+ * <p><b>Units and shapes.</b> Lines of text. Each begins with the tick of the newest snapshot at the time when the
+ * input took effect. Numbers are written so that reading them restores the same bits. A checksum over all snapshots so
+ * far is written at every hundredth tick and at the end.
  *
  * <p><b>Errors.</b> {@link UncheckedIOException} from {@link World#advance} and {@link #close} when the output fails.
  */
@@ -66,26 +66,26 @@ public final class Recording implements AutoCloseable {
         write();
     }
 
-    synchronized void drive(int robot, Drive drive) {
+    synchronized void drive(int robot, MotionCommand drive) {
         switch (drive) {
-            case Drive.Velocity velocity -> {
+            case MotionCommand.Velocity velocity -> {
                 begin("velocity").append(' ').append(robot);
                 line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.turnRadps());
                 write();
             }
-            case Drive.Heading heading -> {
+            case MotionCommand.Heading heading -> {
                 begin("heading").append(' ').append(robot);
                 line.append(' ').append(heading.forwardMps()).append(' ').append(heading.headingRad());
                 write();
             }
-            case Drive.GoTo goTo -> {
+            case MotionCommand.GoTo goTo -> {
                 begin("goto").append(' ').append(robot);
                 write(goTo.goal());
             }
         }
     }
 
-    /** For the reader only: it changes nothing in the world. */
+    /** Information for the reader of the file; it does not change the world. */
     synchronized void paused(boolean paused) {
         if (!closed) {
             begin(paused ? "pause" : "resume");
@@ -102,7 +102,7 @@ public final class Recording implements AutoCloseable {
         }
     }
 
-    /** Writes the last line and closes the output; the world goes on unrecorded. */
+    /** Writes the last line and closes the output; the world continues without recording. */
     @Override
     public synchronized void close() {
         if (closed) {
@@ -129,7 +129,7 @@ public final class Recording implements AutoCloseable {
         }
     }
 
-    /** A checksum over all snapshots so far. */
+    /** Checksum over all snapshots so far. */
     public synchronized long hash() {
         return hash.value();
     }

@@ -1,8 +1,8 @@
 package io.troupe.sim;
 
 /**
- * A recording that cannot be read, does not belong to this world, or is not what the world does; the message says
- * where.
+ * A recording cannot be read, belongs to another world, or differs from what the world does. The message contains the
+ * line number where there is one.
  */
 public final class RecordingException extends RuntimeException {
     private static final long serialVersionUID = 1L;

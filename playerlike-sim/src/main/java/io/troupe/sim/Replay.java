@@ -11,14 +11,18 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A recording that has been read, and can be played in the same world as often as one likes.
+ * A recording that has been read. It can be played in the same world any number of times.
  *
  * <p><b>Threads.</b> Any thread; immutable.
  *
- * <p><b>Errors.</b> {@link RecordingException}, with the line.
+ * <p><b>Errors.</b> {@link RecordingException}, with the line number.
  */
 public final class Replay {
-    /** One line; the words after the tick. */
+    /**
+     * One line of the file.
+     *
+     * @param words the words after the tick
+     */
     private record Line(int number, long tick, List<String> words) {
         RecordingException error(String message) {
             return new RecordingException("line " + number + " of the recording: " + message);
@@ -62,7 +66,7 @@ public final class Replay {
     }
 
     /**
-     * Reads a whole recording and checks its form.
+     * Reads a whole recording and checks its syntax.
      *
      * @throws IOException if the input fails
      */
@@ -104,7 +108,7 @@ public final class Replay {
         return new Replay(world, settings, robots, counts[2], lines);
     }
 
-    /** How many ticks have been checked with this line: every hundredth one must be, so that no part can be missing. */
+    /** Number of checksum lines up to this line. Every hundredth tick must have one, so that no part can be missing. */
     private static long checks(long before, Line line) {
         long checks = line.words().getFirst().equals("is") ? before + 1 : before;
         if (checks != line.tick() / Recording.CHECK_TICKS) {
@@ -166,7 +170,7 @@ public final class Replay {
         return line;
     }
 
-    /** Name of the world it was made in. */
+    /** Name of the world in which it was recorded. */
     public String worldName() {
         return world;
     }
@@ -175,16 +179,16 @@ public final class Replay {
         return settings;
     }
 
-    /** How many intervals it lasts. */
+    /** Length in intervals. */
     public long ticks() {
         return lines.getLast().tick();
     }
 
     /**
-     * Plays it.
+     * Plays the recording.
      *
-     * @param spec the world it was made in
-     * @param observer gets every snapshot, that of tick 0 first
+     * @param spec the world in which it was recorded
+     * @param observer receives every snapshot, that of tick 0 first
      * @return the checksum over all snapshots
      */
     public long play(WorldSpec spec, Consumer<Snapshot> observer) {
@@ -243,7 +247,7 @@ public final class Replay {
                             + hash + ": this is not what happened");
                 }
             }
-            default -> {} // pause and resume took none of the world's time
+            default -> {} // pause and resume take no simulated time
         }
     }
 }

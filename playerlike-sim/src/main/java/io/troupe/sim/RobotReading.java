@@ -7,12 +7,12 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one robot is and senses at a tick.
+ * State and sensor readings of one robot at a tick.
  *
  * @param pose the true pose of the centre of rotation, in the world's frame; heading from -pi to pi
  * @param sonarM one range per sonar, in metres; null if it has no sonar
  * @param blobs null if it has no blobfinder
- * @param rangersM for each of its lasers and rangers the ranges of all its rays, in metres
+ * @param rangersM the ranges of all rays of each laser and ranger, in metres
  * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite
  *     if there is none
  */

@@ -22,20 +22,19 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A world whose robots are offered on Player ports of this JVM, in lock step with the programs that drive them, as far
- * as they answer.
+ * A world whose robots are offered on Player ports of this JVM, in lock step with the clients that answer.
  *
- * <p><b>Role.</b> Opened from a scenario; {@link #tick} moves it on; closing it closes its ports and disconnects its
- * clients.
+ * <p><b>Role.</b> Opened from a scenario. {@link #tick} advances it; {@link #close} closes its ports and disconnects
+ * its clients.
  *
- * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and command from any thread.
+ * <p><b>Threads.</b> One thread calls {@code tick}; clients connect and send commands from any thread.
  *
- * <p><b>Order.</b> A tick: every subscribed client gets its frame; when all have answered, what they said before their
- * answers takes effect, client by client in the order in which they connected, so that of two clients that drive one
- * robot the one that came later counts, and the world advances by one interval. Clients of one actor space get their
- * frames in one turn of it and have answered when the space is idle, also one that closes itself in that turn; so a
- * client that the turn connects anew takes part from the next tick on (ADR 0003). A thread that changes its client
- * connects the new one before it closes the old: between the two the world would run on.
+ * <p><b>Order.</b> In a tick, every subscribed client gets its frame. When all have answered, the commands sent before
+ * the answers take effect, client by client in the order in which they connected; if two clients drive one robot, the
+ * command of the later client counts. Then the world advances by one interval. The clients of one actor space get their
+ * frames in one turn of that space and have answered when the space is idle. This includes a client that closes itself
+ * in that turn; a client that connects in that turn takes part from the next tick on (ADR 0003). A thread that replaces
+ * its client must connect the new one before it closes the old one, or the world advances between the two.
  *
  * <p><b>Errors.</b> {@link UnansweredTickException} if a client does not answer in time.
  */
@@ -47,8 +46,8 @@ public final class Simulation implements AutoCloseable {
     private final World world;
     private final ManualClock clock = new ManualClock();
     private final Object lock = new Object();
-    private final TimeGate time = new TimeGate(lock);
-    private final Set<ClientLine> lines = new LinkedHashSet<>(); // in the order in which they came
+    private final PauseControl time = new PauseControl(lock);
+    private final Set<ClientConnection> clients = new LinkedHashSet<>(); // in the order in which they connected
     private final List<PlayerPorts.Registration> ports = new ArrayList<>();
     private final int[] drivers;
     private Duration answerLimit = ANSWER_LIMIT;
@@ -89,7 +88,7 @@ public final class Simulation implements AutoCloseable {
         return world;
     }
 
-    /** Simulated time, for actor spaces whose timers shall follow it. */
+    /** Simulated time, for actor spaces whose timers follow it. */
     public Clock clock() {
         return clock;
     }
@@ -103,7 +102,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Something to do again and again while {@link #tick} waits for answers, for example to crank a space that has no
+     * Sets an action that {@link #tick} repeats while it waits for answers, for example to crank a space that has no
      * thread.
      */
     public void whileWaiting(Runnable action) {
@@ -111,8 +110,8 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * How long a tick may wait for its answers, by the machine's clock; 10 seconds unless set. While time is paused it
-     * does not count, except for a tick that {@link #step} has let pass.
+     * Sets how long a tick may wait for its answers, in wall-clock time; the default is 10 seconds. Paused time does
+     * not count, except for a tick that {@link #step} has let pass.
      */
     public void answerLimit(Duration limit) {
         if (limit.isNegative() || limit.isZero()) {
@@ -121,76 +120,76 @@ public final class Simulation implements AutoCloseable {
         answerLimit = limit;
     }
 
-    /** Measures the answer limit. */
+    /** Sets the clock that measures the answer limit. */
     void wallClock(Clock clock) {
         time.wallClock(clock);
     }
 
     /**
-     * Whether ticks wait for the clients' answers, as they do unless this says otherwise. If not, the world goes on
-     * like Stage's: at the pace of time, whoever is slow misses something, and a run cannot be repeated but from a
-     * recording.
+     * Sets whether ticks wait for the clients' answers; they do by default. Otherwise the world runs freely, as in
+     * Stage: slow clients miss frames, and only a recording makes a run repeatable.
      */
     public void lockStep(boolean waits) {
-        under(() -> lockStep = waits);
+        withLock(() -> lockStep = waits);
     }
 
-    /** Under the lock. A closed simulation waits for nobody. */
+    /** Called under the lock. A closed simulation waits for no client. */
     boolean isLockStep() {
         return lockStep && !closed;
     }
 
     /**
-     * Whether a client that does not answer in time is disconnected, with a warning in the log, instead of ending the
-     * tick; for worlds that strangers connect to.
+     * Sets whether a client that does not answer in time is disconnected, with a warning in the log, instead of ending
+     * the tick. For worlds that unknown clients may connect to.
      */
     public void disconnectSilentClients(boolean disconnects) {
-        under(() -> disconnectsSilent = disconnects);
+        withLock(() -> disconnectsSilent = disconnects);
     }
 
-    /** Whether any client has subscribed to anything. */
+    /** True if any client is subscribed to a device. */
     public boolean hasSubscribers() {
-        return under(() -> lines.stream().anyMatch(ClientLine::isSubscribed));
+        return withLock(() -> clients.stream().anyMatch(ClientConnection::isSubscribed));
     }
 
     /**
-     * Waits while time is paused; then publishes, waits for the answers, and advances the world by one interval.
+     * Waits while time is paused; then publishes a frame, waits for the answers, and advances the world by one
+     * interval.
      *
-     * @throws UnansweredTickException if a client does not answer in time and is not to be disconnected; the world
-     *     stands where it stood
+     * @throws UnansweredTickException if a client does not answer in time and is not to be disconnected; the world has
+     *     not advanced
      * @throws IllegalStateException if this simulation is closed, or the caller is interrupted while it waits
      */
     public Snapshot tick() {
         return tick(null, Double.NaN);
     }
 
-    /** The same, waiting as well until the interval has passed at the pace that holds now. */
-    Snapshot tick(Pacer pacer, Pace pace) {
-        return tick(pacer, under(() -> pace.factor(lines.stream().anyMatch(ClientLine::isFreeRunning))));
+    /** As {@link #tick()}, and also waits until the interval has passed at the current pace. */
+    Snapshot tick(RealTimePacer pacer, Pace pace) {
+        return tick(pacer, withLock(() -> pace.factor(clients.stream().anyMatch(ClientConnection::isFreeRunning))));
     }
 
-    private Snapshot tick(@Nullable Pacer pacer, double factor) {
-        time.awaitTime(whileWaiting);
+    private Snapshot tick(@Nullable RealTimePacer pacer, double factor) {
+        time.awaitUnpaused(whileWaiting);
         Snapshot now = world.latest();
-        List<ClientLine> audience = under(() -> {
+        List<ClientConnection> subscribers = withLock(() -> {
             if (closed) {
                 throw new IllegalStateException(CLOSED);
             }
-            lines.forEach(line -> line.tickBegins(now.tick()));
-            return lines.stream().filter(ClientLine::isSubscribed).toList();
+            clients.forEach(client -> client.tickBegins(now.tick()));
+            return clients.stream().filter(ClientConnection::isSubscribed).toList();
         });
-        publish(now, audience);
-        awaitAnswers(now.tick(), audience);
+        publish(now, subscribers);
+        awaitAnswers(now.tick(), subscribers);
         if (pacer != null) {
             if (time.takeStoodStill()) {
                 pacer.restart();
             }
             pacer.await(now.timeMicros(), now.timeMicros() + world.spec().intervalMillis() * 1000L, factor);
         }
-        // Under the lock in which the last answer was seen: all that was said before the answers is there, what comes
-        // later waits for the next tick.
-        under(() -> {
-            lines.forEach(line -> line.takeCommands().forEach(Runnable::run));
+        // Under the same lock as the last answer: all commands sent before the answers are here, later ones wait
+        // for the next tick.
+        withLock(() -> {
+            clients.forEach(client -> client.takeCommands().forEach(Runnable::run));
             return now;
         });
         return world.advance();
@@ -199,15 +198,15 @@ public final class Simulation implements AutoCloseable {
     // ---- time and place
 
     /**
-     * Stops simulated time after the tick that is being played; {@link #tick} then waits. Requests are still answered;
-     * what they change takes effect when time goes on. A pause that a client has asked for ends when that client
-     * leaves, this one only by {@link #resume} or a client's asking again.
+     * Stops simulated time after the current tick; {@link #tick} then waits. Requests are still answered; their changes
+     * take effect when time continues. A pause requested by a client ends when that client disconnects; this one ends
+     * only by {@link #resume} or by a client's request.
      */
     public void pause() {
         setPaused(true);
     }
 
-    /** Lets time go on. */
+    /** Continues simulated time. */
     public void resume() {
         setPaused(false);
     }
@@ -217,7 +216,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private void setPaused(boolean wanted) {
-        under(() -> {
+        withLock(() -> {
             pausedBy = null;
             Recording recording = world.recording();
             if (time.pause(wanted) && recording != null) {
@@ -227,14 +226,17 @@ public final class Simulation implements AutoCloseable {
         });
     }
 
-    /** Under the lock. A pause ends with the client that asked for it, or nobody might be left who can end it. */
+    /**
+     * Called under the lock. The pause ends when this client disconnects, because no other client may be able to end
+     * it.
+     */
     void togglePause(Object client) {
         boolean wanted = !time.isPaused();
         setPaused(wanted);
         pausedBy = wanted ? client : null;
     }
 
-    /** Under the lock. */
+    /** Called under the lock. */
     void endPauseOf(Object client) {
         if (pausedBy == client) {
             setPaused(false);
@@ -251,7 +253,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Puts a robot elsewhere at the end of this tick.
+     * Moves a robot to a pose at the end of this tick.
      *
      * @throws IllegalArgumentException if it would overlap something there
      */
@@ -259,13 +261,13 @@ public final class Simulation implements AutoCloseable {
         world.teleport(robot, pose);
     }
 
-    /** Everything back to its start at the end of this tick, as by {@link World#reset}. */
+    /** Resets the world at the end of this tick, as {@link World#reset} does. */
     public void reset() {
         world.reset();
     }
 
     /**
-     * Writes down all that enters this world from tick 0 on, for a {@link Replay}; closing the simulation ends it.
+     * Records all input of this world from tick 0 on, for a {@link Replay}; closing the simulation ends the recording.
      *
      * @throws IllegalStateException if the world has advanced already or is being recorded
      */
@@ -279,16 +281,16 @@ public final class Simulation implements AutoCloseable {
         close(CLOSED);
     }
 
-    /** The same, telling the clients why. */
+    /** As {@link #close()}, with a reason for the clients. */
     void close(String reason) {
-        List<ClientLine> left = under(() -> {
+        List<ClientConnection> left = withLock(() -> {
             closed = true;
             time.close();
-            return List.copyOf(lines);
+            return List.copyOf(clients);
         });
         ports.forEach(PlayerPorts.Registration::close);
-        try (world) { // whatever the recording throws
-            left.forEach(line -> line.lose(reason));
+        try (world) { // closed even if the recording throws
+            left.forEach(client -> client.disconnect(reason));
             Recording recording = world.recording();
             if (recording != null) {
                 recording.close();
@@ -296,90 +298,91 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    private void publish(Snapshot now, List<ClientLine> audience) {
+    private void publish(Snapshot now, List<ClientConnection> subscribers) {
         long nanos = now.timeMicros() * 1000;
-        Map<ActorSpace, List<ClientLine>> bySpace = new LinkedHashMap<>();
-        for (var line : audience) {
-            ActorSpace space = line.space();
+        Map<ActorSpace, List<ClientConnection>> bySpace = new LinkedHashMap<>();
+        for (var client : subscribers) {
+            ActorSpace space = client.space();
             if (space != null) {
-                bySpace.computeIfAbsent(space, each -> new ArrayList<>()).add(line);
+                bySpace.computeIfAbsent(space, each -> new ArrayList<>()).add(client);
             }
         }
         if (bySpace.isEmpty()) {
             clock.advanceTo(nanos);
         }
-        for (var line : audience) {
-            if (line.space() == null) {
-                line.deliver(now);
+        for (var client : subscribers) {
+            if (client.space() == null) {
+                client.deliver(now);
             }
         }
         bySpace.forEach((space, members) -> publish(now, nanos, space, members));
     }
 
-    private void publish(Snapshot now, long nanos, ActorSpace space, List<ClientLine> members) {
+    private void publish(Snapshot now, long nanos, ActorSpace space, List<ClientConnection> members) {
         Promise<@Nullable Void> end = space.whenClosed();
-        end.toCompletableFuture().thenRun(() -> members.forEach(ClientLine::endWithSpace));
+        end.toCompletableFuture().thenRun(() -> members.forEach(ClientConnection::spaceClosed));
         try {
             space.execute(() -> {
-                // in the same turn, so that what is due runs after the frames, not beside them; the world does not wait
-                // for a
-                // space whose clients have been closed by others, so that this turn may come after a later tick
+                // In one turn, so that timers that are due run after the frames. This turn may run after a later
+                // tick: the world does not wait for a space whose clients have been closed by another thread.
                 clock.advanceToAtLeast(nanos);
-                members.forEach(line -> line.deliver(now));
+                members.forEach(client -> client.deliver(now));
             });
             space.onIdle(() -> {
                 end.cancel();
-                under(() -> {
-                    members.forEach(line -> line.spaceIsIdle(now.tick()));
+                withLock(() -> {
+                    members.forEach(client -> client.spaceIsIdle(now.tick()));
                     return now;
                 });
             });
         } catch (ActorStoppedException spaceIsClosed) {
             end.cancel();
-            members.forEach(ClientLine::endWithSpace);
+            members.forEach(ClientConnection::spaceClosed);
         }
     }
 
-    private void awaitAnswers(long tick, List<ClientLine> audience) {
+    private void awaitAnswers(long tick, List<ClientConnection> subscribers) {
         long deadline = time.runningNanos() + answerLimit.toNanos();
         int answered =
-                0; // of the first ones it is known, so that many clients are not asked again whenever one answers
+                0; // number of leading clients that have answered, so that each new answer does not check all clients
+        // again
         while (true) {
             if (whileWaiting != null) {
                 whileWaiting.run();
             }
-            List<ClientLine> silent;
+            List<ClientConnection> silent;
             synchronized (lock) {
-                while (answered < audience.size() && audience.get(answered).hasAnswered(tick)) {
+                while (answered < subscribers.size()
+                        && subscribers.get(answered).hasAnswered(tick)) {
                     answered++;
                 }
                 long leftMillis = (deadline - time.runningNanos()) / 1_000_000;
-                if (answered < audience.size() && leftMillis > 0) {
+                if (answered < subscribers.size() && leftMillis > 0) {
                     await(whileWaiting == null ? leftMillis : 1);
                     continue;
                 }
                 answered = 0;
-                silent = audience.stream()
-                        .filter(line -> !line.hasAnswered(tick))
+                silent = subscribers.stream()
+                        .filter(client -> !client.hasAnswered(tick))
                         .toList();
                 if (silent.isEmpty()) {
                     return;
                 }
                 if (leftMillis > 0) {
-                    continue; // one has taken its answer back
+                    continue; // a client has withdrawn its answer
                 }
                 if (!disconnectsSilent) {
                     throw new UnansweredTickException(tick, answerLimit, silent);
                 }
             }
-            silent.forEach(line -> disconnect(line, tick));
+            silent.forEach(client -> disconnect(client, tick));
         }
     }
 
-    private void disconnect(ClientLine line, long tick) {
+    private void disconnect(ClientConnection client, long tick) {
         String reason = "tick " + tick + " was not answered within " + answerLimit;
-        LOG.log(System.Logger.Level.WARNING, line + " is disconnected: " + reason);
-        line.lose(reason);
+        LOG.log(System.Logger.Level.WARNING, client + " is disconnected: " + reason);
+        client.disconnect(reason);
     }
 
     private void await(long millis) {
@@ -391,10 +394,10 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    // ---- for client lines and runners
+    // ---- for client connections and runners
 
-    /** Does something to the clients under the lock that guards them, and lets a tick that waits look again. */
-    <T> T under(Supplier<T> action) {
+    /** Runs an action under the lock that guards the clients, and wakes a waiting tick. */
+    <T> T withLock(Supplier<T> action) {
         synchronized (lock) {
             T result = action.get();
             lock.notifyAll();
@@ -402,28 +405,28 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** The same for what no tick waits for. */
-    <T> T quietly(Supplier<T> action) {
+    /** As {@link #withLock}, for changes that no tick waits for. */
+    <T> T withLockNoNotify(Supplier<T> action) {
         synchronized (lock) {
             return action.get();
         }
     }
 
-    int add(ClientLine line) {
-        return under(() -> {
+    int add(ClientConnection client) {
+        return withLock(() -> {
             if (closed) {
                 throw new LineClosedException(CLOSED);
             }
-            lines.add(line);
+            clients.add(client);
             return ++connected;
         });
     }
 
-    void remove(ClientLine line) {
-        lines.remove(line);
+    void remove(ClientConnection client) {
+        clients.remove(client);
     }
 
-    /** Counts who may drive a robot; one that nobody may drive any more stops. */
+    /** Counts the clients that may drive a robot; a robot that lost its last one stops. */
     void countDrivers(int robot, int change) {
         drivers[robot] += change;
         if (drivers[robot] == 0) {
@@ -431,19 +434,20 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Sleeps for a pacer, at most so long. */
+    /** Sleeps for a pacer, at most for the given time. */
     void sleep(long nanos) {
         time.sleep(nanos);
     }
 
     boolean isClosed() {
-        return under(() -> closed);
+        return withLock(() -> closed);
     }
 
-    /** Waits until so many clients have begun, or the simulation is closed: then it is false. */
+    /** Waits until the given number of clients wait for data; false if the simulation is closed. */
     boolean awaitClients(int count) throws InterruptedException {
         synchronized (lock) {
-            while (!closed && lines.stream().filter(ClientLine::hasBegun).count() < count) {
+            while (!closed
+                    && clients.stream().filter(ClientConnection::hasStarted).count() < count) {
                 time.standsStill();
                 lock.wait();
             }

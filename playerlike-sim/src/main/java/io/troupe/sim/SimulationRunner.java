@@ -9,28 +9,28 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Ticks a simulation as long as it has clients, on a thread of its own.
+ * Ticks a simulation on a separate thread while it has clients.
  *
- * <p><b>Role.</b> For programs that know of nothing but their Player client. Started for a simulation, which it leaves
- * open when it is closed.
+ * <p><b>Role.</b> For programs that use only a Player client. Started for a simulation, which stays open when the
+ * runner is closed.
  *
- * <p><b>Threads.</b> A daemon thread; nobody else may tick the simulation before or meanwhile.
+ * <p><b>Threads.</b> A daemon thread. No other thread may tick the simulation before or meanwhile.
  *
- * <p><b>Order.</b> Time stands still until the given number of clients have subscribed and wait for their first data
- * (by {@code runThreaded}, {@code readAll}, {@code isDataReady} or {@code nextData}): so all of them start at the same
- * moment in every run. It stands still again while there is no client. The pace is that of the answers; while a client
- * never answers it is that of real time, unless another {@link Pace} is asked for.
+ * <p><b>Order.</b> Simulated time starts when the given number of clients have subscribed and wait for their first data
+ * (by {@code runThreaded}, {@code readAll}, {@code isDataReady} or {@code nextData}), so all of them start at the same
+ * time in every run. It stops while there is no client. By default it runs as fast as the clients answer, and in real
+ * time while a client that never answers is connected; another {@link Pace} can be set.
  *
- * <p><b>Errors.</b> Whatever a tick or the observer throws, an {@link Error} too, ends the run, disconnects the clients
- * with the same message, closes the simulation, fails {@link #ended}, and is thrown by {@link #close}; so does an
- * interrupt of the runner's thread.
+ * <p><b>Errors.</b> An exception or {@link Error} of a tick or of the observer ends the run, disconnects the clients
+ * with the same message, closes the simulation, fails {@link #ended}, and is thrown by {@link #close}. An interrupt of
+ * the runner's thread does the same.
  */
 public final class SimulationRunner implements AutoCloseable {
     private final Simulation simulation;
     private final int clients;
     private final Consumer<Snapshot> observer;
     private final Thread thread;
-    private final Pacer pacer;
+    private final RealTimePacer pacer;
     private volatile Pace pace;
     private volatile boolean stopping;
     private volatile @Nullable RuntimeException failure;
@@ -41,7 +41,7 @@ public final class SimulationRunner implements AutoCloseable {
         this.clients = clients;
         this.observer = observer;
         this.pace = pace;
-        this.pacer = new Pacer(Clock.system(), simulation::sleep);
+        this.pacer = new RealTimePacer(Clock.system(), simulation::sleep);
         this.thread = Thread.ofPlatform()
                 .name("simulation-" + simulation.world().spec().name())
                 .daemon()
@@ -51,14 +51,14 @@ public final class SimulationRunner implements AutoCloseable {
     /**
      * Starts a runner.
      *
-     * @param clients how many it waits for before the first tick
-     * @param observer gets every snapshot that a tick leads to, on the runner's thread
+     * @param clients how many clients it waits for before the first tick
+     * @param observer receives the snapshot after each tick, on the runner's thread
      */
     public static SimulationRunner start(Simulation simulation, int clients, Consumer<Snapshot> observer) {
         return start(simulation, clients, observer, new Pace.OfAnswers());
     }
 
-    /** The same at a pace of its own. */
+    /** Starts a runner with the given pace. */
     public static SimulationRunner start(Simulation simulation, int clients, Consumer<Snapshot> observer, Pace pace) {
         Objects.requireNonNull(pace, "pace");
         Objects.requireNonNull(observer, "observer");
@@ -97,7 +97,7 @@ public final class SimulationRunner implements AutoCloseable {
         }
     }
 
-    /** The clients first: the machine may be short of what the rest needs. */
+    /** Closes the simulation before it logs: after an {@link OutOfMemoryError}, for example, the log may fail too. */
     private void fail(RuntimeException reason) {
         failure = reason;
         try {
@@ -111,8 +111,8 @@ public final class SimulationRunner implements AutoCloseable {
     }
 
     /**
-     * Completes when it ticks no more: as a failure by what ended the run, else when it was stopped or the simulation
-     * closed.
+     * Completes when the runner has stopped: exceptionally with the failure that ended the run, normally if it was
+     * stopped or the simulation was closed.
      */
     public CompletionStage<@Nullable Void> ended() {
         return ended.minimalCompletionStage();
@@ -123,21 +123,17 @@ public final class SimulationRunner implements AutoCloseable {
         pace = Objects.requireNonNull(newPace, "newPace");
     }
 
-    /**
-     * How much simulated time is late for good, because it could not be caught up with within a quarter of a second.
-     */
+    /** Simulated time that was dropped because it was more than a quarter of a second late. */
     public long droppedMicros() {
         return pacer.droppedMicros();
     }
 
-    /** Whether it may still tick. */
+    /** True while the runner's thread is alive. */
     public boolean isRunning() {
         return thread.isAlive();
     }
 
-    /**
-     * Stops after the current tick, or in the middle of its waiting, and throws what ended the run if something did.
-     */
+    /** Stops after the current tick, or while it waits, and throws the failure that ended the run, if any. */
     @Override
     public void close() {
         stopping = true;

@@ -3,7 +3,7 @@ package io.troupe.sim;
 import java.util.List;
 
 /**
- * The whole world at a tick; immutable.
+ * The state of the whole world at a tick; immutable.
  *
  * @param tick 0 before the first interval
  * @param timeMicros simulated time

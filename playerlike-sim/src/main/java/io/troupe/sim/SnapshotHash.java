@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
-import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.Pose;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -9,26 +9,26 @@ import java.util.zip.CRC32C;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A checksum over every bit of the snapshots it is given: equal runs have equal checksums, and runs that differ
- * anywhere almost certainly have not.
+ * Checksum over every bit of a sequence of snapshots: equal runs have equal checksums, and different runs almost
+ * certainly have different ones.
  *
- * <p><b>Order.</b> Counts. <b>Threads.</b> One thread at a time.
+ * <p><b>Order.</b> The checksum depends on the order of the snapshots. <b>Threads.</b> One thread at a time.
  *
- * <p><b>Source.</b> CRC-32C over the numbers in the order of the records, doubles by their bits; a list is preceded by
- * its length.
+ * <p><b>Source.</b> CRC-32C over the numbers in the order of the records; a double by its bits, a list with its length
+ * first.
  */
 public final class SnapshotHash {
     private final CRC32C crc = new CRC32C();
     private final ByteBuffer buffer = ByteBuffer.allocate(1 << 13);
 
-    /** The checksum of one snapshot alone. */
+    /** Checksum of a single snapshot. */
     public static long of(Snapshot snapshot) {
         var hash = new SnapshotHash();
         hash.update(snapshot);
         return hash.value();
     }
 
-    /** Takes in the next snapshot. */
+    /** Adds the next snapshot. */
     public void update(Snapshot snapshot) {
         add(snapshot.tick());
         add(snapshot.timeMicros());
@@ -43,13 +43,13 @@ public final class SnapshotHash {
         }
     }
 
-    /** The checksum so far, from 0 to 2^32 - 1. */
+    /** Checksum so far, from 0 to 2^32 - 1. */
     public long value() {
         flush();
         return crc.getValue();
     }
 
-    /** In eight hexadecimal digits. */
+    /** The checksum as eight hexadecimal digits. */
     @Override
     public String toString() {
         return String.format("%08x", value());
@@ -93,7 +93,7 @@ public final class SnapshotHash {
         add(image.widthPx());
         add(image.heightPx());
         add(image.blobs().size());
-        for (Blob blob : image.blobs()) {
+        for (ColourBlob blob : image.blobs()) {
             add(blob.colour());
             add(blob.areaPx2());
             add(blob.x());

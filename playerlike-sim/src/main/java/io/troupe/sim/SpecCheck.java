@@ -12,14 +12,16 @@ import io.troupe.sim.scenario.WorldFileException;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 
-/** Refuses worlds the simulator cannot run as they are meant. */
+/** Rejects worlds that the simulator cannot run correctly. */
 final class SpecCheck {
     private static final System.Logger LOG = System.getLogger(SpecCheck.class.getName());
-    /** Beyond this, single-precision physics is too coarse: a step of 1 mm is rounded by 3 %. */
+    /**
+     * Farthest reach of a robot. Beyond it, single-precision physics is too coarse: a step of 1 mm is rounded by 3 %.
+     */
     static final double FARTHEST_M = 500;
-    /** Rays reach walls there; robots should not. */
+    /** Farthest reach of an obstacle: rays still hit it, but robots must not get there. */
     private static final double FARTHEST_WALL_M = 5_000;
-    /** Beyond this, it begins to be. */
+    /** Beyond this distance, collisions begin to be coarse, and a warning is logged. */
     private static final double FAR_M = 150;
 
     private static final double STRAIGHT = 1e-9;
@@ -56,7 +58,7 @@ final class SpecCheck {
         warnIfFar(spec);
     }
 
-    /** Says once that something is far out, and what is farthest. */
+    /** Logs one warning if anything is far from the origin, naming what is farthest. */
     private static void warnIfFar(WorldSpec spec) {
         String farthest = "";
         double farthestM = FAR_M;
@@ -138,7 +140,7 @@ final class SpecCheck {
         }
     }
 
-    /** Whether every vertex lies to the left of every edge, or on its line. */
+    /** True if every vertex lies to the left of every edge, or on its line. */
     private static boolean isConvexCounterClockwise(List<Point> polygon) {
         double area = 0;
         int n = polygon.size();

@@ -12,8 +12,8 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Where robots start: where the world file says, moved a little at random if asked for, and then clear of everything. A
- * robot that overlaps something where the file puts it is not moved, and is stuck there.
+ * Start poses of the robots: the poses of the world file, with random jitter if the settings ask for it, then clear of
+ * every other body. A robot that overlaps something at its pose in the file is not moved, and is stuck there.
  *
  * @param stuck which robots, by index, overlap an obstacle or each other
  */
@@ -33,7 +33,7 @@ record StartPoses(List<Pose> poses, BitSet stuck) {
         return new StartPoses(List.copyOf(poses), choice.stuck);
     }
 
-    /** One after the other, by index. */
+    /** Places the robots one after the other, by index. */
     private static final class Choice {
         private static final int MOST_DRAWS = 100;
 
@@ -56,7 +56,10 @@ record StartPoses(List<Pose> poses, BitSet stuck) {
             return kind + " '" + name + "'";
         }
 
-        /** By the poses of the file alone. A stuck robot stays there, and the others are kept clear of it. */
+        /**
+         * Finds the stuck robots, by the poses of the file alone. They stay there, and the others are kept clear of
+         * them.
+         */
         void findStuck(List<RobotSpec> robots) {
             var all = new ArrayList<>(placed);
             for (int i = 0; i < robots.size(); i++) {

@@ -4,13 +4,13 @@ import java.time.Duration;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** In lock step a client did not answer a tick in time; the message names it. */
+/** A client did not answer a tick in time, in lock step; the message names the client. */
 public final class UnansweredTickException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
-    UnansweredTickException(long tick, Duration limit, List<ClientLine> silent) {
+    UnansweredTickException(long tick, Duration limit, List<ClientConnection> silent) {
         super("tick " + tick + " was not answered within " + limit + " by "
-                + silent.stream().map(ClientLine::toString).collect(Collectors.joining(", "))
+                + silent.stream().map(ClientConnection::toString).collect(Collectors.joining(", "))
                 + ": a client answers by readAll(), by isDataReady() being false, or by its actor space becoming idle");
     }
 }

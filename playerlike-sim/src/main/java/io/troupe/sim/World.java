@@ -7,6 +7,7 @@ import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.physics.Physics;
+import io.troupe.sim.physics.Touches;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RobotSpec;
 import io.troupe.sim.scenario.WorldFileException;
@@ -15,26 +16,26 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A world of robots that advances by fixed intervals of simulated time.
  *
- * <p><b>Role.</b> The simulator itself: no server, no wall clock, no waiting. What it does follows from the
- * specification, the settings and, for each interval, the commands given before it; equal input gives equal snapshots,
- * bit for bit.
+ * <p><b>Role.</b> The simulator without server, wall clock or waiting. Its behaviour follows from the specification,
+ * the settings and the commands given before each interval; equal input gives equal snapshots, bit for bit.
  *
  * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else
  * may be called from any thread.
  *
- * <p><b>Order.</b> An interval latches a reset, teleports, odometry resets, motor power and commands (of several for
- * one robot the newest; by robot index), runs the physics steps and reads all devices; the last one of an advance
- * publishes a snapshot, and each one that is recorded or for which somebody waits who asked for the {@link #latest}
- * since the one before.
+ * <p><b>Order.</b> At the start of an interval the world takes a reset, teleports, odometry resets, motor power and
+ * commands, by robot index (of several commands for one robot the newest). Then it runs the physics steps and reads all
+ * devices. The last interval of an advance publishes a snapshot. An earlier interval publishes one if the world is
+ * recorded, or if {@link #latest} has been called since the previous one.
  *
- * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as no more bodies
- * touch and no more blobs are seen than ever before.
+ * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as there are no more
+ * touching bodies and no more visible blobs than ever before.
  *
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
  */
@@ -46,25 +47,25 @@ public final class World implements AutoCloseable {
     private final long intervalMicros;
     private final int stepsPerInterval;
     private final StartPoses starts;
-    private final Orders orders;
+    private final WorldCommands commands;
     private final List<String> robotNames;
     private final Scene scene;
     private final WorldView view = new WorldView(this);
     private final Scratch[] scratches;
-    private final Sensing sensing;
+    private final SensingThreads sensing;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
-    private List<RobotDevices> devices;
+    private List<SimulatedDevices> devices;
     private Physics physics;
-    private long physicsStartMicros; // physics counts its time from the last reset
+    private long physicsStartMicros; // the physics counts its time from the last reset
     private long tick;
     private boolean advancing;
     private volatile boolean closed;
-    private volatile boolean wanted; // somebody looked at the latest snapshot
+    private volatile boolean snapshotRequested; // latest() was called since the last publication
     private volatile Snapshot latest;
 
     /**
-     * A world at tick 0, its devices read once. A robot that overlaps something is held there, and stalls, until it is
-     * put elsewhere.
+     * Creates a world at tick 0, its devices read once. A robot that overlaps something is held there, and stalls,
+     * until it is teleported.
      *
      * <p><b>Errors.</b> {@link WorldFileException} for an interval or a body that cannot be simulated,
      * {@link IllegalArgumentException} for settings that fit no world.
@@ -86,16 +87,16 @@ public final class World implements AutoCloseable {
         this.settings = settings;
         this.starts = starts;
         intervalMicros = spec.intervalMillis() * 1000L;
-        stepsPerInterval = Math.toIntExact(intervalMicros / Bodies.stepMicros(spec, settings));
+        stepsPerInterval = Math.toIntExact(intervalMicros / PhysicsSetup.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
         scene = new Scene(spec);
-        orders = new Orders(spec, settings);
+        commands = new WorldCommands(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
-        physics = Bodies.atStart(spec, settings, starts);
-        devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
+        physics = PhysicsSetup.atStart(spec, settings, starts);
+        devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
-        sensing = new Sensing(spec.name(), threads, robotCount, this::senseRange);
+        sensing = new SensingThreads(spec.name(), threads, robotCount, this::senseRange);
         sense();
         latest = snapshot();
     }
@@ -105,17 +106,17 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The newest snapshot; that of tick 0 right after creation. Whoever asks while the world advances by many intervals
-     * gets it made sooner.
+     * The newest snapshot; that of tick 0 right after creation. During a long advance, reading this publishes an
+     * intermediate snapshot.
      */
     public Snapshot latest() {
-        if (!wanted) {
-            wanted = true;
+        if (!snapshotRequested) {
+            snapshotRequested = true;
         }
         return latest;
     }
 
-    /** The world as it is now, for the thread that advances it. */
+    /** The current state of the world, for the thread that advances it. */
     public WorldView view() {
         return view;
     }
@@ -136,18 +137,18 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * The same for a client whose commands expire.
+     * As {@link #command(int, double, double)}, for a client whose commands expire.
      *
      * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it
      *     takes effect, but for one interval at least; 0 = until another command
      */
     void command(int robot, double forwardMps, double turnRadps, long limitMicros) {
-        orders.drive(robot, forwardMps, turnRadps, limitMicros);
+        commands.drive(robot, forwardMps, turnRadps, limitMicros);
     }
 
-    /** The same for the thread that advances the world. */
+    /** As {@link #command(int, double, double)}, for the thread that advances the world. */
     void commandNow(int robot, double forwardMps, double turnRadps) {
-        orders.driveNow(robot, forwardMps, turnRadps);
+        commands.driveNow(robot, forwardMps, turnRadps);
     }
 
     /**
@@ -159,29 +160,32 @@ public final class World implements AutoCloseable {
         steer(robot, forwardMps, headingRad, 0);
     }
 
-    /** The same for a client whose commands expire. */
+    /** As {@link #steer(int, double, double)}, for a client whose commands expire. */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
-        orders.steer(robot, forwardMps, headingRad, limitMicros);
+        commands.steer(robot, forwardMps, headingRad, limitMicros);
     }
 
     /**
-     * Drives to a pose in the odometry frame in the way of Stage's position control, and stands there, until another
-     * command replaces it. It stops nearer than 2 cm along x and y and then turns; things in its way it does not see.
+     * Drives to a pose in the odometry frame by Stage's position control, and stands there, until another command
+     * replaces it. The robot stops nearer than 2 cm along x and y and then turns. It does not avoid obstacles.
      */
     public void goTo(int robot, Pose goal) {
-        orders.goTo(robot, goal);
-    }
-
-    /** Switches a robot's motors; while they are off it stands still and forgets what it is told. On at the start. */
-    public void motorPower(int robot, boolean on) {
-        orders.power(robot, on);
+        commands.goTo(robot, goal);
     }
 
     /**
-     * Puts a robot elsewhere when the next {@link #advance} begins.
+     * Switches a robot's motors, which are on at the start. While they are off, the robot stands still and commands are
+     * discarded.
+     */
+    public void motorPower(int robot, boolean on) {
+        commands.power(robot, on);
+    }
+
+    /**
+     * Moves a robot to a pose when the next {@link #advance} begins.
      *
-     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something where everything is at the
-     * newest snapshot. If something else has got there by then, the robot stays where it is, and the log says so.
+     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something in the newest snapshot. If
+     * another body is in the way when the teleport takes effect, the robot stays where it is, and a warning is logged.
      */
     public void teleport(int robot, Pose pose) {
         String refusal = teleportRefusal(robot, pose);
@@ -191,64 +195,64 @@ public final class World implements AutoCloseable {
         teleportLater(robot, pose);
     }
 
-    /** Why {@link #teleport} would refuse, or null. */
+    /** Reason why {@link #teleport} would be refused, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose) {
-        return orders.teleportRefusal(robot, pose, latest);
+        return commands.teleportRefusal(robot, pose, latest);
     }
 
     /** A teleport that is checked only when it takes effect. */
     void teleportLater(int robot, Pose pose) {
-        orders.teleport(robot, pose);
+        commands.teleport(robot, pose);
     }
 
-    /** Index of the robot of that name, or -1. */
+    /** Index of the robot with a name, or -1. */
     int robotNumber(String name) {
         return robotNames.indexOf(name);
     }
 
     /**
-     * Puts everything back to its start when the next {@link #advance} begins: poses, odometry, motors, random streams;
-     * what robots were told before is forgotten. Ticks and time go on. A controller sees the start before it is asked.
-     * What follows is what followed at the beginning, bit for bit, if the commands are the same.
+     * Resets the world when the next {@link #advance} begins: poses, odometry, motors, random streams. Earlier commands
+     * are discarded; ticks and time continue. A controller is called after the reset, and sees the start. With the same
+     * commands, the run then repeats bit for bit.
      */
     public void reset() {
-        orders.reset();
+        commands.reset();
     }
 
     /**
-     * Begins to write down all that enters this world; to be called before anybody advances it.
+     * Starts a recording of all input; must be called before the first advance.
      *
-     * @param out is closed with the recording if it can be
+     * @param out is closed with the recording if it is closeable
      * @throws IllegalStateException if the world has advanced already or is being recorded
      */
     public Recording record(Appendable out) {
-        return orders.record(out, latest);
+        return commands.record(out, latest);
     }
 
     @Nullable
     Recording recording() {
-        return orders.recording();
+        return commands.recording();
     }
 
-    /** The same as a command to stand still. */
+    /** Stops a robot; the same as a command with zero speeds. */
     public void stop(int robot) {
         command(robot, 0, 0);
     }
 
     /**
-     * Makes odometry report this pose where the robot stands when the next {@link #advance} begins.
+     * Sets the pose that odometry reports at the robot's place when the next {@link #advance} begins.
      *
      * @param pose of finite numbers, at most {@link Position2d#FARTHEST}
      */
     public void setOdometry(int robot, Pose pose) {
-        orders.odometry(robot, pose);
+        commands.odometry(robot, pose);
     }
 
-    /** Why {@link #setOdometry} would refuse, or null. */
+    /** Reason why {@link #setOdometry} would be refused, or null. */
     @Nullable
     String odometryRefusal(int robot, Pose pose) {
-        return orders.odometryRefusal(robot, pose);
+        return commands.odometryRefusal(robot, pose);
     }
 
     /** Advances by one interval and publishes the snapshot at its end. */
@@ -256,14 +260,14 @@ public final class World implements AutoCloseable {
         return advance(1);
     }
 
-    /** Advances by so many intervals and publishes the snapshot at the end of the last one. */
+    /** Advances by the given number of intervals and publishes the snapshot at the end of the last one. */
     public Snapshot advance(long intervals) {
         return advance(intervals, view -> {});
     }
 
     /**
-     * Advances by so many intervals, asks the controller before each one, and publishes the snapshot at the end of the
-     * last one.
+     * Advances by the given number of intervals, calls the controller before each one, and publishes the snapshot at
+     * the end of the last one.
      *
      * @param intervals at least 1
      * @throws IllegalStateException if the world is closed, or called by its own controller
@@ -283,13 +287,13 @@ public final class World implements AutoCloseable {
         advancing = true;
         try {
             for (long i = 0; i < intervals; i++) {
-                if (wanted) {
+                if (snapshotRequested) {
                     publish();
                 }
-                beginAgainIfWanted();
+                resetIfRequested();
                 controller.control(view);
                 advanceUnpublished();
-                Recording log = orders.recording();
+                Recording log = commands.recording();
                 if (log != null) {
                     publish();
                     log.advanced(latest);
@@ -303,8 +307,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Ends the sensing threads; an advance that is under way goes on to its end, another one is refused. A world of one
-     * thread needs no closing.
+     * Ends the sensing threads. A current advance runs to its end; later ones are refused. A world with one thread
+     * needs no closing.
      */
     @Override
     public void close() {
@@ -313,14 +317,14 @@ public final class World implements AutoCloseable {
     }
 
     private void publish() {
-        wanted = false;
+        snapshotRequested = false;
         if (latest.tick() != tick) {
             latest = snapshot();
         }
     }
 
     private void advanceUnpublished() {
-        orders.latch(tick, tick * intervalMicros, physics, devices);
+        commands.apply(tick, tick * intervalMicros, physics, devices);
         physics.forgetTouches();
         for (int i = 0; i < stepsPerInterval; i++) {
             physics.step();
@@ -339,13 +343,13 @@ public final class World implements AutoCloseable {
         }
     }
 
-    private void beginAgainIfWanted() {
+    private void resetIfRequested() {
         long nowMicros = tick * intervalMicros;
-        if (orders.takeReset(nowMicros)) {
-            physics = Bodies.atStart(spec, settings, starts);
+        if (commands.takeReset(nowMicros)) {
+            physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
-            devices = RobotDevices.of(spec.robots(), starts.poses(), settings.seed());
-            sense(); // as at the start: each reading moves the random streams on
+            devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
+            sense(); // as at the start: each reading advances the random streams
         }
     }
 
@@ -373,23 +377,41 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(
-                tick, tick * intervalMicros, readings, Contacts.of(physics.touches(), spec, physicsStartMicros));
+        return new Snapshot(tick, tick * intervalMicros, readings, contacts());
+    }
+
+    /** The touches of the physics, with names instead of indices and with the world's time. */
+    private List<Contact> contacts() {
+        Touches touches = physics.touches();
+        return IntStream.range(0, touches.count())
+                .mapToObj(i -> {
+                    int otherRobot = touches.otherRobot(i);
+                    String other = otherRobot >= 0
+                            ? spec.robots().get(otherRobot).name()
+                            : spec.obstacles().get(touches.obstacle(i)).name();
+                    return new Contact(physicsStartMicros + touches.timeMicros(i), touches.robot(i), other, otherRobot);
+                })
+                .toList();
     }
 
     private RobotReading read(int robot) {
         Pose pose = physics.pose(robot);
-        RobotDevices its = devices.get(robot);
+        SimulatedDevices robotDevices = devices.get(robot);
         var odometry = new Odometry(
-                its.position2d().reported(), orders.forwardMps(robot), orders.turnRadps(robot), physics.stalled(robot));
+                robotDevices.position2d().reported(),
+                commands.forwardMps(robot),
+                commands.turnRadps(robot),
+                physics.stalled(robot));
         return new RobotReading(
                 pose,
                 odometry,
-                its.sonar() == null ? null : its.sonar().rangesM(),
-                its.blobfinder() == null ? null : its.blobfinder().image(),
-                its.rangersM().isEmpty()
+                robotDevices.sonar() == null ? null : robotDevices.sonar().rangesM(),
+                robotDevices.blobfinder() == null
+                        ? null
+                        : robotDevices.blobfinder().image(),
+                robotDevices.rangersM().isEmpty()
                         ? List.of()
-                        : its.rangersM().stream()
+                        : robotDevices.rangersM().stream()
                                 .map(ranges -> Arrays.stream(ranges).boxed().toList())
                                 .toList(),
                 scene.wallGapM(robot));
@@ -406,14 +428,14 @@ public final class World implements AutoCloseable {
     }
 
     double forwardMps(int robot) {
-        return orders.forwardMps(robot);
+        return commands.forwardMps(robot);
     }
 
     double turnRadps(int robot) {
-        return orders.turnRadps(robot);
+        return commands.turnRadps(robot);
     }
 
-    RobotDevices devices(int robot) {
+    SimulatedDevices devices(int robot) {
         return devices.get(robot);
     }
 

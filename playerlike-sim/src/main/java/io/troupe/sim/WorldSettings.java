@@ -5,16 +5,16 @@ package io.troupe.sim;
  *
  * <p><b>Units and shapes.</b> Metres, radians, microseconds; speeds in m/s and rad/s.
  *
- * @param seed every random draw of the world follows from it
- * @param jitterM each start position is moved by at most this far along x and along y; 0 = off
- * @param jitterRad each start heading is turned by at most this much; 0 = off
- * @param physicsStepMicros one step of the physics; divides the world's interval. It is made in several shorter ones if
- *     a robot could travel so far in it that walls would not hold: farther than half of its length or width
+ * @param seed seed of all random numbers of the world
+ * @param jitterM largest random offset of a start position along x and along y; 0 = off
+ * @param jitterRad largest random offset of a start heading; 0 = off
+ * @param physicsStepMicros one step of the physics; divides the world's interval. It is divided into shorter steps if a
+ *     robot could travel farther than half of its length or width in it, because walls would not stop it
  * @param maxForwardMps commands are clamped to plus or minus this speed
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
- * @param watchdogMicros a robot that has not been told a speed for so long, in simulated time, stops; 0 = off. A robot
- *     on its way to a goal goes on
- * @param sensingThreads how many threads read devices, that of the caller among them; changes nothing but the speed
+ * @param watchdogMicros simulated time without a speed command after which a robot stops; 0 = off. A robot on its way
+ *     to a goal goes on
+ * @param sensingThreads number of threads that read devices, including the caller's; it changes only the speed
  */
 public record WorldSettings(
         long seed,
@@ -116,13 +116,13 @@ public record WorldSettings(
                 sensingThreads);
     }
 
-    /** All values that change what happens, in their order. */
+    /** The settings that change the run, as words in record order. */
     String words() {
         return seed + " " + jitterM + " " + jitterRad + " " + physicsStepMicros + " " + maxForwardMps + " "
                 + maxTurnRadps + " " + watchdogMicros;
     }
 
-    /** Settings from their {@link #words}. */
+    /** Parses the result of {@link #words}. */
     static WorldSettings parse(String words) {
         String[] each = words.split(" ", -1);
         if (each.length != 7) {

@@ -4,17 +4,17 @@ import io.troupe.sim.device.Blobfinder;
 import io.troupe.sim.device.Sonar;
 
 /**
- * The world as it is now, without copies: what a {@link Snapshot} tells, number by number.
+ * The current state of the world, without copies: the numbers of a {@link Snapshot}, one by one.
  *
- * <p><b>Role.</b> For controllers in a loop of many intervals: nothing here allocates. It is one object that always
- * shows the newest tick; what shall last is copied by {@link #snapshot}.
+ * <p><b>Role.</b> For controllers in a loop of many intervals: no accessor allocates. There is one object, which always
+ * shows the newest tick; {@link #snapshot} makes a lasting copy.
  *
  * <p><b>Threads.</b> The thread that advances the world, between intervals.
  *
  * <p><b>Units and shapes.</b> As in {@link RobotReading}, {@link io.troupe.sim.device.Odometry} and
- * {@link io.troupe.sim.device.Blob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
+ * {@link io.troupe.sim.device.ColourBlob}; robots, sonars, rangers, readings, blobs and contacts count from 0.
  *
- * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, ranger, blob or contact that is not there;
+ * <p><b>Errors.</b> {@link IndexOutOfBoundsException} for a robot, sonar, ranger, blob or contact that does not exist;
  * {@link #sonarCount} is 0 for a robot without sonar, as is {@link #blobCount} without blobfinder.
  */
 public final class WorldView {
@@ -61,12 +61,12 @@ public final class WorldView {
         return world.devices(robot).position2d().headingRad();
     }
 
-    /** The speed that was in force in the interval that has ended. */
+    /** Speed that was in force in the interval that has ended. */
     public double forwardMps(int robot) {
         return world.forwardMps(robot);
     }
 
-    /** The turn rate that was in force in the interval that has ended. */
+    /** Turn rate that was in force in the interval that has ended. */
     public double turnRadps(int robot) {
         return world.turnRadps(robot);
     }
@@ -75,50 +75,50 @@ public final class WorldView {
         return world.physics().stalled(robot);
     }
 
-    /** Cost: of a distance to each wall nearby. */
+    /** Distance from the body's edge to the nearest obstacle. Costs one distance computation for each wall nearby. */
     public double wallGapM(int robot) {
         return world.scene().wallGapM(robot);
     }
 
     /**
-     * How many sonars the robot has: those of its {@code sonar}, or, if it has none, as in the dialect of Stage 4, the
-     * sensors of its first {@code ranger} whose sensors cast one ray each.
+     * Number of sonars of the robot: those of its {@code sonar} or, without one, the sensors of its first
+     * {@code ranger} whose sensors cast one ray each (dialect of Stage 4).
      */
     public int sonarCount(int robot) {
-        RobotDevices its = world.devices(robot);
-        Sonar sonar = its.sonar();
+        SimulatedDevices devices = world.devices(robot);
+        Sonar sonar = devices.sonar();
         if (sonar != null) {
             return sonar.count();
         }
-        int ring = its.sonarRanger();
-        return ring < 0 ? 0 : its.rangersM().get(ring).length;
+        int ring = devices.sonarRanger();
+        return ring < 0 ? 0 : devices.rangersM().get(ring).length;
     }
 
-    /** What a sonar reads, of those that {@link #sonarCount} counts. */
+    /** Range of a sonar, numbered as {@link #sonarCount} counts. */
     public double rangeM(int robot, int sonar) {
-        RobotDevices its = world.devices(robot);
-        Sonar classic = its.sonar();
+        SimulatedDevices devices = world.devices(robot);
+        Sonar classic = devices.sonar();
         if (classic != null) {
             return classic.rangeM(sonar);
         }
-        int ring = its.sonarRanger();
+        int ring = devices.sonarRanger();
         if (ring < 0) {
             throw new IndexOutOfBoundsException("robot " + robot + " has no sonar");
         }
         return rangeM(robot, ring, sonar);
     }
 
-    /** How many lasers and rangers the robot has, in the order of {@link RobotReading}. */
+    /** Number of lasers and rangers of the robot, in the order of {@link RobotReading}. */
     public int rangerCount(int robot) {
         return world.devices(robot).rangersM().size();
     }
 
-    /** How many readings a laser or ranger has, those of all its sensors together. */
+    /** Number of readings of a laser or ranger, for all its sensors together. */
     public int rangeCount(int robot, int ranger) {
         return world.devices(robot).rangersM().get(ranger).length;
     }
 
-    /** A reading of a laser or ranger, from the right end of its first sensor on. */
+    /** A reading of a laser or ranger, counted from the right end of its first sensor. */
     public double rangeM(int robot, int ranger, int reading) {
         return world.devices(robot).rangersM().get(ranger)[reading];
     }
@@ -161,7 +161,7 @@ public final class WorldView {
         return blobfinder;
     }
 
-    /** How many contacts began in the interval that has ended. */
+    /** Number of contacts that began in the interval that has ended. */
     public int contactCount() {
         return world.physics().touches().count();
     }
@@ -170,7 +170,7 @@ public final class WorldView {
         return world.physicsStartMicros() + world.physics().touches().timeMicros(contact(contact));
     }
 
-    /** Of two robots the one with the lower index. */
+    /** Index of the robot; of two robots the lower index. */
     public int contactRobot(int contact) {
         return world.physics().touches().robot(contact(contact));
     }
@@ -189,12 +189,12 @@ public final class WorldView {
         return java.util.Objects.checkIndex(contact, contactCount());
     }
 
-    /** The same as {@link World#command} for the next interval; newer than what other threads said before. */
+    /** As {@link World#command} for the next interval; replaces earlier commands of other threads. */
     public void command(int robot, double forwardMps, double turnRadps) {
         world.commandNow(robot, forwardMps, turnRadps);
     }
 
-    /** A copy of all this, which is not published. */
+    /** A copy of the current state, which is not published. */
     public Snapshot snapshot() {
         return world.snapshot();
     }

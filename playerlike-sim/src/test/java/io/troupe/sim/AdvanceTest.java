@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.device.Blob;
 import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/** Many intervals in one call, and the view that controllers have meanwhile. */
+/** Many intervals in one call, and the view that controllers get meanwhile. */
 class AdvanceTest {
     private static World crowd() {
         return World.create(Tiles.world(20, 5, Specs.RED, Specs.ORANGE), WorldSettings.DEFAULT);
@@ -89,7 +89,7 @@ class AdvanceTest {
         BlobImage image = reading.blobs();
         assertThat(view.blobCount(robot)).isEqualTo(image.blobs().size());
         for (int i = 0; i < view.blobCount(robot); i++) {
-            Blob blob = image.blobs().get(i);
+            ColourBlob blob = image.blobs().get(i);
             assertThat(List.of(view.blobColour(robot, i), view.blobLeft(robot, i), view.blobRight(robot, i)))
                     .isEqualTo(List.of(blob.colour(), blob.left(), blob.right()));
             assertThat(List.of(view.blobTop(robot, i), view.blobBottom(robot, i), view.blobRangeM(robot, i)))
@@ -104,10 +104,10 @@ class AdvanceTest {
         world.latest();
         world.advance(6, view -> {
             if (view.tick() % 2 == 0) {
-                seen.add(world.latest().tick()); // asks for the one after
+                seen.add(world.latest().tick()); // requests the next snapshot
             }
         });
-        // tick 0 is there; asked at 0, tick 1 is published, and so on
+        // tick 0 exists; a request at tick 0 publishes tick 1, and so on
         assertThat(seen).containsExactly(0L, 1L, 3L);
         assertThat(world.latest().tick()).isEqualTo(6);
     }

@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 
-/** Six robots with every device there is, all noise on, in a room with coloured boxes; and a way to drive them. */
+/** Six robots with every kind of device, all noise on, in a room with coloured boxes, and random commands for them. */
 public final class Arena {
     private static final double DEGREE = StrictMath.PI / 180;
     private static final RangeNoise NOISE = new RangeNoise(0.02, 0.01, 0.01);
@@ -55,7 +55,7 @@ public final class Arena {
         return WorldSettings.DEFAULT.withSeed(seed).withJitter(0.02, 0.035);
     }
 
-    /** Something for every robot to do in this tick, from a random source; they bump into things. */
+    /** Gives every robot a random command for this tick; the robots collide. */
     static void drive(World world, SplittableRandom random) {
         for (int robot = 0; robot < world.spec().robots().size(); robot++) {
             switch (random.nextInt(40)) {
@@ -69,7 +69,7 @@ public final class Arena {
         }
     }
 
-    /** For a JVM of its own: prints the checksum of a minute. */
+    /** For a separate JVM: prints the checksum of a run of one minute. */
     public static void main(String[] args) {
         System.out.println(minute(Long.parseLong(args[0])));
     }

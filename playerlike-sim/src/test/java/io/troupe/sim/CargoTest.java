@@ -3,13 +3,13 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.device.Blob;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What a world file says about a robot beyond its body and sensors, seen in motion. */
+/** What a world file specifies of a robot beyond its body and sensors, tested in motion. */
 class CargoTest {
     private static final String SONAR = "ranger ( scount 1 spose[0] [ 0 0 0 ] sview [ 0 5 15 ] )";
 
@@ -33,8 +33,8 @@ class CargoTest {
 
         RobotReading eye = world.latest().robots().get(0);
         assertThat(eye.sonarM()).containsExactly(2.5);
-        assertThat(eye.blobs().blobs()).extracting(Blob::colour).contains(0x0000ff, 0x000000);
-        // the other one's eye lies behind its cargo, and sees past it: the first robot's front at 0.05
+        assertThat(eye.blobs().blobs()).extracting(ColourBlob::colour).contains(0x0000ff, 0x000000);
+        // the other robot's sonar is behind its cargo and looks through it: the first robot's front is at 0.05
         assertThat(world.latest().robots().get(1).sonarM().getFirst()).isCloseTo(2.95, within(1e-9));
 
         world.command(1, -0.5, 0);

@@ -49,7 +49,7 @@ class CollisionTest {
         assertThat(contact.robot()).isZero();
         assertThat(contact.other()).isEqualTo("wall");
         assertThat(contact.otherRobot()).isEqualTo(-1);
-        // the skin is reached after 0.98 m, or 1.96 s, and noticed in one of the next two steps
+        // the skin is reached after 0.98 m, or 1.96 s, and the contact is reported in one of the next two steps
         assertThat(contact.timeMicros()).isBetween(1_960_000L, 1_980_000L);
         assertThat(after.odometry().stalled()).isTrue();
         assertThat(after.odometry().forwardMps()).isEqualTo(0.5);
@@ -192,14 +192,14 @@ class CollisionTest {
         }
     }
 
-    /** A bar of 1 m x 1 cm that stands aslant in its own frame: the box around it is no measure of how thin it is. */
+    /** A bar of 1 m x 1 cm at an angle in its own frame: its bounding box does not show how thin it is. */
     @Test
     void thinRobotThatStandsAslantInItsFrame_doesNotPassAThinWall() {
         RobotSpec thin = aslant(new Pose(-1, 0, 0));
         RobotSpec upright = withShape(robot("r1", Pose.ORIGIN), Specs.box(0.01, 1, 0));
-        assertThat(Bodies.stepMicros(Specs.world(thin), FAST))
+        assertThat(PhysicsSetup.stepMicros(Specs.world(thin), FAST))
                 .as("step in which it moves")
-                .isEqualTo(Bodies.stepMicros(Specs.world(upright), FAST));
+                .isEqualTo(PhysicsSetup.stepMicros(Specs.world(upright), FAST));
         for (double x = -1.14; x < -1; x += 0.02) {
             ObstacleSpec wall = Specs.box("thin", new Pose(1, 0, StrictMath.PI / 4), 40, 0.001, Specs.BLACK);
             World world = World.create(Specs.world(aslant(new Pose(x, 0, 0)), wall), FAST);
@@ -253,7 +253,7 @@ class CollisionTest {
         assertThat(contacts).hasSize(1);
     }
 
-    /** They push one another with all their might; at these speeds they used to press through walls. */
+    /** The robots push one another at full speed; at these speeds they used to pass through walls. */
     @ParameterizedTest
     @ValueSource(doubles = {50, 100, 150, 199})
     void fastRobots_crushedInARoom_stayInIt(double speedMps) {

@@ -10,7 +10,7 @@ import io.troupe.sim.scenario.Pose;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Goals, headings, motor power, teleports and the watchdog, on the world itself. */
+/** Goals, headings, motor power, teleports and the watchdog, tested on the world itself. */
 class CommandsTest {
     private static World world(Pose start) {
         return World.create(Specs.world(robot("r1", start)), WorldSettings.DEFAULT);

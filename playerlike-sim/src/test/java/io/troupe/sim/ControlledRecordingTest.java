@@ -15,10 +15,7 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * Sessions in which a controller, and others who interfere, say all there is to say: their recordings replay them bit
- * for bit.
- */
+/** Sessions in which a controller and other threads use every command: their recordings replay bit for bit. */
 class ControlledRecordingTest {
     private static final int TICKS = 200;
 
@@ -26,7 +23,7 @@ class ControlledRecordingTest {
         return LongStream.rangeClosed(1, 12);
     }
 
-    /** Robots that drive from the start on and cannot do all they are told; every other one has exact odometry. */
+    /** Robots with start speeds and velocity bounds; every other one has exact odometry. */
     private static WorldSpec spec() {
         WorldSpec arena = Arena.spec(5);
         var robots = new ArrayList<RobotSpec>();
@@ -41,7 +38,7 @@ class ControlledRecordingTest {
         return Specs.world(robots, arena.obstacles());
     }
 
-    /** By its readings and by chance, so that a robot keeps silent for longer than a watchdog allows. */
+    /** Commands by readings and by chance, with gaps longer than the watchdog allows. */
     private static void control(WorldView view, Random random) {
         for (int robot = 0; robot < view.robotCount(); robot++) {
             if (random.nextInt(4) == 0) {

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Six robots that wander by their sonars and now and then bump into something, for a minute. */
+/** Six robots that wander by their sonars and sometimes collide, for a minute. */
 class DeterminismTest {
     private static final int TICKS = 600;
 
@@ -33,7 +33,7 @@ class DeterminismTest {
         return WorldSettings.DEFAULT.withSeed(seed).withJitter(0.02, 0.035);
     }
 
-    /** Robot 0 is blind and drives straight on, so that there are contacts. */
+    /** Robot 0 ignores its sensors and drives straight on, so that there are contacts. */
     private static void wander(World world, Snapshot snapshot) {
         world.command(0, 0.4, 0.05);
         for (int i = 1; i < snapshot.robots().size(); i++) {

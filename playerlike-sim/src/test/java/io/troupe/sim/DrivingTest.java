@@ -11,7 +11,7 @@ import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
-/** Motion without anything in the way, against closed forms. */
+/** Unobstructed motion, compared with closed forms. */
 class DrivingTest {
     private static final Offset<Double> EXACT = within(1e-9);
 

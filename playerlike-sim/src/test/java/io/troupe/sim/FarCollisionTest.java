@@ -19,16 +19,16 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Walls and robots hold everywhere in the range that a world may have, however the walls are described. */
+/** Walls and robots are solid everywhere in the allowed range of a world, however the walls are specified. */
 class FarCollisionTest {
     private static final long SEED = 20_261_122;
-    private static final double SIDE_M = 4; // of a room, inside
+    private static final double SIDE_M = 4; // inner side of a room
     private static final double THICK_M = 0.2;
     private static final double PIXEL_M = 0.1;
     private static final double NEAREST_M =
-            0.14; // of the centre of rotation to a wall: the rear edge is 0.26 away from it
+            0.14; // distance of the centre of rotation from a wall: the rear edge is 0.26 away from it
 
-    /** How the four walls of a room are described. */
+    /** The ways to specify the four walls of a room. */
     private enum Walls {
         /** Each wall is an obstacle with its pose in its middle. */
         BOXES {
@@ -43,7 +43,7 @@ class FarCollisionTest {
                         wall("south", x, y - out, length, THICK_M));
             }
         },
-        /** Each wall is as thin as paper, and turned a little. */
+        /** Each wall is very thin and slightly rotated. */
         THIN_AND_TURNED {
             @Override
             List<ObstacleSpec> around(double x, double y) {
@@ -72,7 +72,7 @@ class FarCollisionTest {
                 return List.of(new ObstacleSpec("cave", Pose.ORIGIN, pixels(x, y), BLACK, true, true, true, at(2)));
             }
         },
-        /** Walls that go through the whole world. */
+        /** Walls that extend through the whole world. */
         LONG {
             @Override
             List<ObstacleSpec> around(double x, double y) {
@@ -121,7 +121,7 @@ class FarCollisionTest {
                         new Pose(distanceM, -distanceM, 0));
     }
 
-    /** Three robots in a room, which push, turn and rub along. */
+    /** Drives three robots in a room, which push, turn and rub along the walls. */
     private static void driveInARoom(Walls walls, Pose middle) {
         String what = walls + " around " + middle + ", seed " + SEED;
         List<RobotSpec> robots = List.of(

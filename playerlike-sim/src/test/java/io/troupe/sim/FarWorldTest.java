@@ -12,7 +12,7 @@ import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
-/** Physics counts in single precision: a world should be centred on the origin. */
+/** Physics runs in single precision: a world should be centred on the origin. */
 class FarWorldTest {
     private static List<String> warnings(WorldSpec spec) {
         List<String> messages = new ArrayList<>();

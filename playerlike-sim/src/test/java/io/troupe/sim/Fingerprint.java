@@ -1,11 +1,11 @@
 package io.troupe.sim;
 
-import io.troupe.sim.device.Blob;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.Pose;
 import java.nio.ByteBuffer;
 import java.util.zip.CRC32;
 
-/** A checksum of snapshots: every number of them, bit by bit. */
+/** A checksum of snapshots over every bit of their numbers. */
 final class Fingerprint {
     private final CRC32 crc = new CRC32();
 
@@ -20,7 +20,7 @@ final class Fingerprint {
             add(robot.odometry().stalled() ? 1 : 0);
             add(robot.wallGapM());
             robot.sonarM().forEach(this::add);
-            for (Blob blob : robot.blobs().blobs()) {
+            for (ColourBlob blob : robot.blobs().blobs()) {
                 add((long) blob.hashCode()); // of ints and a double: the same in every JVM
             }
         }

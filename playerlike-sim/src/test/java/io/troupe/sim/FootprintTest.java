@@ -11,13 +11,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a world takes of the heap. */
+/** Heap use of a world. */
 class FootprintTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /**
-     * Pools still grow when more bodies are near each other than ever before, which gets rarer and rarer; nothing else
-     * allocates.
+     * The only allocations are growing pools, when more bodies are near each other than ever before; they become rarer.
      */
     @ParameterizedTest
     @ValueSource(ints = {2, 100})
@@ -43,7 +42,7 @@ class FootprintTest {
         assertThat(perRobot).as("bytes per robot").isBetween(1_000L, 8_000L);
     }
 
-    /** What the heap loses when this world is dropped. */
+    /** Heap bytes freed when this world is dropped. */
     private static long size(WorldSpec spec) {
         World world = World.create(spec, WorldSettings.DEFAULT);
         world.advance(20, Tiles::wander);

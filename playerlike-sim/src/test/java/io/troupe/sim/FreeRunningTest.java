@@ -22,7 +22,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Worlds whose clients do not answer. */
+/** Worlds with clients that do not answer. */
 @Timeout(120)
 class FreeRunningTest {
     private static final int PORT = 6795;
@@ -30,7 +30,7 @@ class FreeRunningTest {
     private final Simulation simulation = Simulation.open(scenario(), Arena.seed(2));
     private final ManualClock wall = new ManualClock();
     private final List<Long> sleptMillis = new ArrayList<>();
-    private final Pacer pacer = new Pacer(wall, nanos -> {
+    private final RealTimePacer pacer = new RealTimePacer(wall, nanos -> {
         sleptMillis.add(nanos / 1_000_000);
         wall.advance(Duration.ofNanos(nanos));
     });
@@ -67,7 +67,7 @@ class FreeRunningTest {
         simulation.tick();
         assertThat(push.frames).hasSize(2);
 
-        new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.SONAR, 1); // silent, but not for good
+        new WireClient(PORT, (self, frame) -> {}).subscribe(Interfaces.SONAR, 1); // silent, but not for ever
         simulation.answerLimit(Duration.ofMillis(1));
         assertThatThrownBy(simulation::tick)
                 .isInstanceOf(UnansweredTickException.class)
@@ -158,7 +158,7 @@ class FreeRunningTest {
         assertThat(pacer.droppedMicros()).isZero();
     }
 
-    /** The runner's ticks and the client's words meet at random; the recording has to know which tick it was. */
+    /** The runner's ticks and the client's commands interleave randomly; the recording must contain the right ticks. */
     @Test
     void recordedSession_ofAPushClient_replaysBitForBit() throws Exception {
         var out = new StringBuilder();

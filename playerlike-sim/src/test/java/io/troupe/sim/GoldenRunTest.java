@@ -6,8 +6,8 @@ import io.troupe.sim.scenario.WorldSpec;
 import org.junit.jupiter.api.Test;
 
 /**
- * Crowds whose every number is known by its checksum: whoever changes one of these changes the trajectories of all
- * worlds, and must say so.
+ * Runs of crowds with known checksums. A change of one of these checksums changes the trajectories of all worlds and
+ * must be documented.
  */
 class GoldenRunTest {
     private static long wandering(WorldSpec spec, int ticks) {
@@ -21,7 +21,7 @@ class GoldenRunTest {
         return fingerprint.value();
     }
 
-    /** Everybody drives on, whatever is in the way: piles of robots that push and rub. */
+    /** All robots drive on through every obstacle: piles of robots that push and rub. */
     private static long blind(WorldSpec spec, int ticks) {
         World world = World.create(spec, WorldSettings.DEFAULT);
         var fingerprint = new Fingerprint();

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Test;
 class RecordingTest {
     private static final int TICKS = 250;
 
-    /** A run with everything that can be recorded. */
+    /** Records a run with every kind of input. */
     private static String record(List<Snapshot> snapshots, WorldSettings settings) {
         World world = World.create(Arena.spec(4), settings);
         var out = new StringBuilder();

@@ -27,7 +27,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** How a run ends by what goes wrong in it, and that it does not end by a pause. */
+/** How errors end a run, and that pauses do not. */
 @Timeout(60)
 class SimulationEndTest {
     private static final int PORT = 6793;
@@ -46,7 +46,7 @@ class SimulationEndTest {
         simulation.close();
     }
 
-    /** A client that answers and remembers why it was disconnected. */
+    /** A client that answers and stores the reason of its disconnection. */
     private static final class Answering implements DataSink {
         final CompletableFuture<String> lost = new CompletableFuture<>();
         private final PlayerConnection line;
@@ -125,7 +125,7 @@ class SimulationEndTest {
 
     // ---- a recording that cannot be written
 
-    /** Full from the beginning; whether it was closed. */
+    /** A writer that always fails, and records whether it was closed. */
     private static final class FullDisk extends Writer {
         boolean closed;
 
@@ -154,7 +154,7 @@ class SimulationEndTest {
                 .hasMessage("the recording cannot be written at tick 0: /dev/full: No space left on device");
         assertThat(disk.closed).isTrue();
         assertThatThrownBy(() -> simulation.world().advance()).hasMessageContaining("is closed");
-        simulation.close(); // says it once
+        simulation.close(); // throws only at the first close
     }
 
     @Test
@@ -206,7 +206,7 @@ class SimulationEndTest {
 
         simulation.step();
         simulation.whileWaiting(
-                () -> { // paused anew in the middle of the stepped tick
+                () -> { // paused again in the middle of the stepped tick
                     wall.advance(Duration.ofSeconds(4));
                     simulation.resume();
                     simulation.pause();
@@ -229,7 +229,7 @@ class SimulationEndTest {
         assertThat(simulation.isPaused()).isFalse();
 
         var other = new WireClient(PORT, WireClient.ANSWER);
-        simulation.pause(); // not a client's
+        simulation.pause(); // not requested by a client
         other.line.close();
         assertThat(simulation.isPaused()).isTrue();
         simulation.resume();

@@ -15,7 +15,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The checksum, and runs with every device and all noise that must have the same. */
+/** The checksum, and pairs of runs with every device and all noise that must have equal checksums. */
 class SnapshotHashTest {
     @Test
     void sameSeed_givesTheSameChecksum_withAllDevicesAndNoise() {
@@ -72,7 +72,7 @@ class SnapshotHashTest {
         assertThat(firstReadings(Arena.spec(2))).isEqualTo(firstReadings(Arena.spec(1)));
     }
 
-    /** The laser and the odometry of the first robot, which turns where it stands and sees no other robot. */
+    /** Laser and odometry of the first robot, which turns on the spot and sees no other robot. */
     private static List<Object> firstReadings(WorldSpec spec) {
         World world = World.create(spec, WorldSettings.DEFAULT.withSeed(3));
         var readings = new ArrayList<Object>();
@@ -137,7 +137,7 @@ class SnapshotHashTest {
         assertThat(controlled(world).equals(fromStart)).isTrue();
     }
 
-    /** By what the robots measure, from the first interval on. */
+    /** Commands the robots by their sensor readings, from the first interval on. */
     private static List<Object> controlled(World world) {
         var readings = new ArrayList<Object>();
         for (int tick = 0; tick < 100; tick++) {

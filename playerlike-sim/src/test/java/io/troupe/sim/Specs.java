@@ -16,7 +16,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Worlds for tests, built by hand. */
+/** World specifications for tests, built in code. */
 public final class Specs {
     public static final int BLACK = 0x000000;
     public static final int RED = 0xFF0000;
@@ -99,7 +99,7 @@ public final class Specs {
                 at(7));
     }
 
-    /** The same robot with these things on it. */
+    /** The robot with this cargo. */
     public static RobotSpec carrying(RobotSpec robot, boolean visible, List<CargoSpec> cargo) {
         return new RobotSpec(
                 robot.name(),
@@ -122,7 +122,7 @@ public final class Specs {
                 robot.where());
     }
 
-    /** The same robot, driving like this. */
+    /** The robot with this drive. */
     public static RobotSpec driving(RobotSpec robot, DriveSpec drive) {
         return new RobotSpec(
                 robot.name(),
@@ -145,7 +145,7 @@ public final class Specs {
                 robot.where());
     }
 
-    /** Sonars in the robot's centre that look into these directions. */
+    /** Sonars in the robot's centre, facing these directions. */
     public static SonarSpec sonars(double... headingsDeg) {
         return new SonarSpec(
                 Arrays.stream(headingsDeg)

@@ -11,7 +11,7 @@ import io.troupe.sim.scenario.WorldFileException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Robots that overlap something at the start: as in Stage they stall, until they are put elsewhere. */
+/** Robots that overlap something at the start: as in Stage they stall until they are teleported. */
 class StuckRobotTest {
     private static final Pose FREE = new Pose(-5, 0, 0);
 
@@ -44,12 +44,14 @@ class StuckRobotTest {
 
         Snapshot later = world.advance(20);
 
-        assertThat(later.robots().get(0).pose()).isEqualTo(new Pose(-3, 0, 0)); // not moved at random either
+        assertThat(later.robots().get(0).pose()).isEqualTo(new Pose(-3, 0, 0)); // no jitter either
         assertThat(later.robots().get(1).pose()).isEqualTo(new Pose(-3.1, 0.1, 1));
         assertThat(later.robots()).allMatch(robot -> robot.odometry().stalled());
     }
 
-    /** Whatever the seed: only what overlaps in the file is stuck; without room for a move the world is refused. */
+    /**
+     * For every seed, only robots that overlap in the file are stuck; without room for jitter the world is rejected.
+     */
     @Test
     void robotsSideBySide_areMovedAtRandom_andNeverStuck() {
         double gapM = 0.2;

@@ -23,7 +23,7 @@ public final class TestWorlds {
     public static final int RED = 0xFF0000;
     public static final int GREEN = 0x00FF00;
     public static final SourcePosition NOWHERE = new SourcePosition(Path.of("test.world"), 1, 1);
-    /** To the left, ahead, to the right, and back; at the centre of rotation. */
+    /** Facing left, ahead, right and back; at the centre of rotation. */
     public static final SonarSpec CROSS = new SonarSpec(
             IntStream.of(90, 0, -90, 180)
                     .mapToObj(degrees -> new Pose(0, 0, StrictMath.toRadians(degrees)))

@@ -14,8 +14,8 @@ import java.util.Random;
 import java.util.stream.IntStream;
 
 /**
- * Crowds of robots: a square of tiles of 16 m by 16 m inside walls, on each six black boxes, three coloured columns and
- * up to 64 robots with 16 sonars of 5 m and a camera of 80 columns over 60 degrees and 8 m.
+ * Crowds of robots: a square of tiles of 16 m by 16 m inside walls. Each tile has six black boxes, three coloured
+ * columns and up to 64 robots with 16 sonars of 5 m and a camera of 80 columns over 60 degrees and 8 m.
  */
 final class Tiles {
     private static final double TILE_M = 16;
@@ -49,7 +49,7 @@ final class Tiles {
         return (index - side / 2.0) * TILE_M;
     }
 
-    /** Things stand where the robots' places on the tile leave room. */
+    /** Places obstacles where the robots' places on the tile leave room. */
     private static void addObstacles(List<ObstacleSpec> obstacles, int tile, double x, double y, Random random) {
         for (int i = 0; i < 6; i++) {
             var pose = new Pose(x + 2 + 2 * random.nextInt(7), y + 2 + 4 * (i % 4), 3 * random.nextDouble());
@@ -83,7 +83,10 @@ final class Tiles {
         return new BlobfinderSpec(new Pose(0.1, 0, 0), 80, 60, 8, 60 * DEGREE, List.of(reported));
     }
 
-    /** Drives everybody by sonar; each eighth robot is blind and drives straight on, so that there are contacts. */
+    /**
+     * Drives all robots by sonar; each eighth robot ignores its sonars and drives straight on, so that there are
+     * contacts.
+     */
     static void wander(WorldView view) {
         for (int i = 0; i < view.robotCount(); i++) {
             double left = least(view, i, 1, 2, 3);

@@ -15,7 +15,7 @@ import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.device.Blob;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.nio.file.Path;
@@ -67,7 +67,7 @@ class SeekingTest {
         return SubsumptionTableReader.service(declaration, catalogue);
     }
 
-    private static Blob seen(Snapshot snapshot, int robot, int colour) {
+    private static ColourBlob seen(Snapshot snapshot, int robot, int colour) {
         return snapshot.robots().get(robot).blobs().blobs().stream()
                 .filter(blob -> blob.colour() == colour)
                 .findFirst()
@@ -84,7 +84,7 @@ class SeekingTest {
                 """;
         var end = run(mode, world, 30, declared("light = seek(colour red)"));
         Pose pose = end.robots().getFirst().pose();
-        Blob light = seen(end, 0, Colours.RED);
+        ColourBlob light = seen(end, 0, Colours.RED);
         assertThat(light.rangeM()).isCloseTo(NEAR_M, within(0.001));
         assertThat(light.left() + light.right() + 1)
                 .as("twice the middle column")

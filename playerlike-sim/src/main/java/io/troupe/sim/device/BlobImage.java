@@ -2,8 +2,8 @@ package io.troupe.sim.device;
 
 import java.util.List;
 
-/** What a blobfinder sees, from left to right. */
-public record BlobImage(int widthPx, int heightPx, List<Blob> blobs) {
+/** The blobs in a blobfinder's image, from left to right. */
+public record BlobImage(int widthPx, int heightPx, List<ColourBlob> blobs) {
     public BlobImage {
         blobs = List.copyOf(blobs);
     }

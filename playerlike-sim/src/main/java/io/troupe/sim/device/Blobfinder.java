@@ -8,16 +8,17 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A robot's camera: one ray per image column; neighbouring columns of one colour are a blob.
+ * A robot's camera with one ray per image column; neighbouring columns of one colour form a blob.
  *
- * <p>A column sees the first visible thing within range, past the robot that carries the camera. What is not to be
- * reported still hides what is behind it. Columns where nothing is in range belong to no blob.
+ * <p>A column sees the first visible thing within range, ignoring the robot that carries the camera. A thing whose
+ * colour is not reported still hides what is behind it. Columns with nothing in range belong to no blob.
  *
- * <p><b>Cost.</b> A camera that reports only some colours casts only the columns in which such a thing can be.
+ * <p><b>Cost.</b> A camera that reports only some colours casts only the columns in which a thing of such a colour can
+ * be.
  *
  * <p><b>Units and shapes.</b> Column {@code i} of {@code n} looks along its centre, at the angle {@code fov / 2 - (i +
- * 0.5) * fov / n} left of the camera's heading. There is no third dimension: every thing counts as 0.3 m high above and
- * below the camera, seen at its mean distance, and rows are as tall as {@code fov / heightPx}.
+ * 0.5) * fov / n} left of the camera's heading. The world is flat: every thing counts as reaching 0.3 m above and below
+ * the camera, at its mean distance. Rows are as tall as {@code fov / heightPx}.
  */
 public final class Blobfinder {
     private static final double HALF_HEIGHT_M = 0.3;
@@ -65,12 +66,12 @@ public final class Blobfinder {
         return new RayFan(columns);
     }
 
-    /** Another camera of this kind, with readings of its own; what never changes is shared. */
+    /** Creates another camera of this specification, with separate readings; the immutable tables are shared. */
     public Blobfinder twin() {
         return new Blobfinder(spec, fan, reported);
     }
 
-    /** Looks once; allocates nothing once it has seen as many blobs. */
+    /** Reads the camera; allocates nothing once it has seen as many blobs. */
     public void sense(Scene scene, int robot, Scratch scratch) {
         blobs.clear();
         scratch.fit(fan.size());
@@ -105,7 +106,7 @@ public final class Blobfinder {
         return colour != NO_COLOUR && (reported.length == 0 || Arrays.binarySearch(reported, colour) >= 0);
     }
 
-    /** The blobs of the last look, counted from the left. */
+    /** Number of blobs in the last image; they are counted from the left. */
     public int count() {
         return blobs.count;
     }
@@ -135,7 +136,7 @@ public final class Blobfinder {
         return Math.max(0, spec.heightPx() / 2 - halfRows(blob));
     }
 
-    /** The row after a blob's last. */
+    /** Row after the last row of a blob. */
     public int bottom(int blob) {
         return Math.min(spec.heightPx(), spec.heightPx() / 2 + halfRows(blob));
     }
@@ -145,7 +146,7 @@ public final class Blobfinder {
         return (int) (StrictMath.atan2(HALF_HEIGHT_M, blobs.rangeM[blob]) / rowRad);
     }
 
-    /** What the camera saw, from left to right. */
+    /** The last image, with blobs from left to right. */
     public BlobImage image() {
         return new BlobImage(
                 spec.widthPx(),
@@ -155,19 +156,49 @@ public final class Blobfinder {
                         : IntStream.range(0, blobs.count).mapToObj(this::blob).toList());
     }
 
-    private Blob blob(int i) {
+    private ColourBlob blob(int i) {
         int left = left(i);
         int right = right(i);
         int top = top(i);
         int bottom = bottom(i);
         int areaPx2 = (right - left) * (bottom - top);
         int centre = spec.heightPx() / 2;
-        return new Blob(colour(i), areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM(i));
+        return new ColourBlob(
+                colour(i), areaPx2, left + (right - left) / 2, centre, left, right, top, bottom, rangeM(i));
     }
 
-    /** Looks once and returns what the camera sees, from left to right. */
+    /** Reads the camera and returns the image, with blobs from left to right. */
     public BlobImage read(Scene scene, int robot) {
         sense(scene, robot, new Scratch());
         return image();
+    }
+
+    /** Growing arrays of blobs, reused for each image. */
+    private static final class BlobBuffer {
+        private static final int FIRST_LENGTH = 4;
+
+        int[] colour = new int[FIRST_LENGTH];
+        int[] left = new int[FIRST_LENGTH];
+        int[] right = new int[FIRST_LENGTH];
+        double[] rangeM = new double[FIRST_LENGTH];
+        int count;
+
+        void clear() {
+            count = 0;
+        }
+
+        void add(int blobColour, int firstColumn, int lastColumn, double meanRangeM) {
+            if (count == colour.length) {
+                colour = Arrays.copyOf(colour, 2 * count);
+                left = Arrays.copyOf(left, 2 * count);
+                right = Arrays.copyOf(right, 2 * count);
+                rangeM = Arrays.copyOf(rangeM, 2 * count);
+            }
+            colour[count] = blobColour;
+            left[count] = firstColumn;
+            right[count] = lastColumn;
+            rangeM[count] = meanRangeM;
+            count++;
+        }
     }
 }

@@ -3,11 +3,11 @@ package io.troupe.sim.device;
 import java.util.Arrays;
 
 /**
- * Which segments pass through which cell of a grid: those of cell {@code c} are {@code items[start[c]] .. items[start[c
- * + 1]]}.
+ * Index of the segments that pass through each cell of a grid: those of cell {@code c} are {@code items[start[c]] ..
+ * items[start[c + 1]]}.
  */
 final class CellIndex {
-    /** A segment on the line between two cells belongs to both. */
+    /** Margin of a cell: a segment on the line between two cells belongs to both. */
     private static final double MARGIN_M = 1e-9;
 
     private final Grid grid;
@@ -21,7 +21,7 @@ final class CellIndex {
         start = new int[grid.cellCount() + 1];
     }
 
-    /** Sorts the segments into cells, by counting; in each cell they stay in order. */
+    /** Sorts the segments into cells by counting; in each cell they stay in order. */
     void rebuild() {
         Arrays.fill(start, 0);
         visit(true);
@@ -36,8 +36,8 @@ final class CellIndex {
     }
 
     /**
-     * Counting leaves in {@code start[c]} where cell {@code c} ends; filling, from the last segment back, where it
-     * starts.
+     * Visits the cells of all segments. Counting leaves the end of cell {@code c} in {@code start[c]}; filling runs
+     * from the last segment back and leaves its start there.
      */
     private void visit(boolean counting) {
         for (int s = segments.count - 1; s >= 0; s--) {
@@ -64,7 +64,7 @@ final class CellIndex {
         }
     }
 
-    /** Whether all corners of an inner cell lie on one side of the segment's line. */
+    /** True if all corners of an inner cell lie on one side of the segment's line. */
     private boolean misses(int s, int column, int row) {
         if (column == 0 || row == 0 || column == grid.columns - 1 || row == grid.rows - 1) {
             return false;

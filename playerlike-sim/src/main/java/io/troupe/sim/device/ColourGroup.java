@@ -5,20 +5,20 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The visible things of one colour, each in a circle that holds it, sorted by x so that those near a camera are found
+ * The visible things of one colour, each with a bounding circle, sorted by x so that those near a camera are found
  * quickly.
  */
 final class ColourGroup {
-    /** Circles are taken larger by this, far more than rounding can do. */
+    /** Added to the radius of every circle; far larger than rounding errors. */
     private static final double MARGIN_M = 1e-6;
 
     final int colour;
-    private final Circles circles;
+    private final BoundingCircles circles;
     private final int[] things;
     private final double[] x; // sorted
     private final double greatestRadiusM;
 
-    ColourGroup(int colour, List<Integer> members, Circles circles) {
+    ColourGroup(int colour, List<Integer> members, BoundingCircles circles) {
         this.colour = colour;
         this.circles = circles;
         things = members.stream()
@@ -33,7 +33,7 @@ final class ColourGroup {
                 + MARGIN_M;
     }
 
-    /** Follows things that moved: few change places from one time to the next. */
+    /** Sorts again after things have moved, by insertion: few change places from one time to the next. */
     void sort() {
         for (int i = 0; i < things.length; i++) {
             int thing = things[i];
@@ -49,7 +49,10 @@ final class ColourGroup {
         }
     }
 
-    /** Marks the rays of a camera that may meet one of the things within range; marks too many rather than too few. */
+    /**
+     * Marks the rays of a camera that may meet one of the things within range. It may mark too many rays, never too
+     * few.
+     */
     void mark(Camera camera, boolean[] wanted) {
         double reachM = camera.rangeM + greatestRadiusM;
         double lastX = camera.x + reachM;

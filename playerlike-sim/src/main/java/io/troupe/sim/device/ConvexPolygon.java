@@ -3,9 +3,9 @@ package io.troupe.sim.device;
 import io.troupe.sim.scenario.Point;
 import java.util.List;
 
-/** One convex polygon, counter-clockwise, that can be moved without allocating. */
+/** A convex polygon, counter-clockwise, that can be moved without allocation. */
 final class ConvexPolygon extends Ring {
-    /** Polygons that reach into each other no deeper than this merely touch. */
+    /** Polygons that overlap by no more than this depth only touch. */
     private static final double TOUCH_M = 1e-9;
 
     ConvexPolygon(List<Point> vertices) {
@@ -33,7 +33,7 @@ final class ConvexPolygon extends Ring {
         return false;
     }
 
-    /** No point of the other polygon is nearer than this. */
+    /** Lower bound of the distance to the other polygon, from the bounding boxes. */
     double gapAtLeast(ConvexPolygon other) {
         double dx = Math.max(0, Math.max(other.minX - maxX, minX - other.maxX));
         double dy = Math.max(0, Math.max(other.minY - maxY, minY - other.maxY));

@@ -1,6 +1,6 @@
 package io.troupe.sim.device;
 
-/** The plane cut into square cells; those at the rim reach to infinity, so that every point is in one. */
+/** A grid of square cells; cells at the rim extend to infinity, so that every point is in a cell. */
 final class Grid {
     private static final double LEAST_CELL_M = 1;
     private static final int MOST_CELLS = 1 << 16;

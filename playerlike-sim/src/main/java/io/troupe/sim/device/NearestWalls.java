@@ -4,31 +4,32 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Finds how near the nearest of many walls is, by looking into the cells around a body, the near ones first.
+ * Finds the distance to the nearest of many walls, by searching the cells around a body from near to far.
  *
- * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> The walls that share a cell of two metres with the body or with
- * the rings of cells around it, until what is nearer than the next ring has been found; allocates nothing.
+ * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> Compares the walls in the cells (of two metres) under the body
+ * and in the rings of cells around it, until the next ring is farther away than the nearest wall found. Allocates
+ * nothing.
  */
 final class NearestWalls {
     private static final double CELL_M = 2;
-    /** A world kilometres long with few walls shall not need a table of its area. */
+    /** Limits the size of the table for a world that is kilometres long and has few walls. */
     private static final int MOST_CELLS_ALONG = 512;
-    /** Far more than rounding can do. */
+    /** Far larger than rounding errors. */
     private static final double ROUNDING_M = 1e-6;
 
     private final ConvexPolygon[] pieces;
-    private final int[] asked; // for each piece the question it was last looked at for
+    private final int[] comparedIn; // for each piece, the last query that compared it
     private final int[][] cells;
     private final double minX;
     private final double minY;
     private final double cellM;
     private final int columns;
     private final int rows;
-    private int question;
+    private int query;
 
     NearestWalls(List<Outline> walls) {
         pieces = walls.stream().flatMap(wall -> wall.polygons().stream()).toArray(ConvexPolygon[]::new);
-        asked = new int[pieces.length];
+        comparedIn = new int[pieces.length];
         double leastX = Double.POSITIVE_INFINITY;
         double leastY = Double.POSITIVE_INFINITY;
         double mostX = Double.NEGATIVE_INFINITY;
@@ -66,7 +67,7 @@ final class NearestWalls {
         return Math.clamp((long) Math.floor((y - minY) / cellM), 0, rows - 1);
     }
 
-    /** From edge to edge; 0 if they touch or overlap, infinite if there are no walls. */
+    /** Distance from edge to edge; 0 if they touch or overlap, infinite if there are no walls. */
     double gapM(Outline body) {
         if (pieces.length == 0) {
             return Double.POSITIVE_INFINITY;
@@ -80,15 +81,15 @@ final class NearestWalls {
     }
 
     private double gapM(ConvexPolygon mine, double limitM) {
-        question++;
+        query++;
         double gap = limitM;
         int left = column(mine.minX);
         int right = column(mine.maxX);
         int bottom = row(mine.minY);
         int top = row(mine.maxY);
         int rings = Math.max(Math.max(left, columns - 1 - right), Math.max(bottom, rows - 1 - top));
-        // what lies in ring n and in no nearer one is at least n - 1 cells away; a body outside all cells counts as in
-        // the nearest one, which is nearer than it is
+        // A wall that is in ring n and in no nearer ring is at least n - 1 cells away. A body outside all cells
+        // counts as in the nearest cell, which gives a lower bound of the distance.
         for (int ring = 0; ring <= rings && (ring - 1) * cellM - ROUNDING_M < gap; ring++) {
             for (int row = Math.max(0, bottom - ring); row <= Math.min(rows - 1, top + ring); row++) {
                 boolean whole = row == bottom - ring || row == top + ring;
@@ -106,8 +107,8 @@ final class NearestWalls {
     private double nearest(ConvexPolygon mine, int[] cell, double limitM) {
         double gap = limitM;
         for (int index : cell) {
-            if (asked[index] != question) {
-                asked[index] = question;
+            if (comparedIn[index] != query) {
+                comparedIn[index] = query;
                 ConvexPolygon wall = pieces[index];
                 if (mine.gapAtLeast(wall) < gap) {
                     gap = Math.min(gap, mine.gap(wall));

@@ -3,11 +3,12 @@ package io.troupe.sim.device;
 import io.troupe.sim.scenario.Pose;
 
 /**
- * What position2d reports.
+ * Data of the position2d device.
  *
  * @param pose in the odometry frame; heading from -pi to pi
  * @param forwardMps commanded speed along the robot's x axis
  * @param turnRadps commanded turn rate, left positive
- * @param stalled something touches the robot and has kept it from half of what it was told to do in the last 0.2 s
+ * @param stalled a body touches the robot, and in the last 0.2 s the robot achieved less than half of the commanded
+ *     motion
  */
 public record Odometry(Pose pose, double forwardMps, double turnRadps, boolean stalled) {}

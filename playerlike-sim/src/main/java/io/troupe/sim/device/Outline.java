@@ -5,11 +5,11 @@ import io.troupe.sim.scenario.Shape;
 import java.util.List;
 
 /**
- * A body's edge, placed in the world.
+ * A body's outline, placed in the world.
  *
  * <p><b>Threads.</b> One thread at a time.
  *
- * <p><b>Cost.</b> Moving it and measuring from it allocate nothing.
+ * <p><b>Cost.</b> Moving it and measuring distances allocate nothing.
  */
 public final class Outline {
     private final List<ConvexPolygon> polygons;
@@ -74,12 +74,12 @@ public final class Outline {
         return gap;
     }
 
-    /** Whether the gap is at most {@code distanceM}; cheap if it is much more. */
+    /** True if the gap is at most {@code distanceM}; cheap if it is much larger. */
     public boolean isWithin(Outline other, double distanceM) {
         return gapM(other, Math.nextUp(distanceM)) <= distanceM;
     }
 
-    /** Whether the bodies reach into each other; touching is not overlapping. */
+    /** True if the bodies overlap; touching is not overlapping. */
     public boolean overlaps(Outline other) {
         if (isApart(other, 0)) {
             return false;
@@ -94,7 +94,7 @@ public final class Outline {
         return false;
     }
 
-    /** Whether the boxes around both are so far from each other along x or along y. */
+    /** True if the bounding boxes are farther apart than this along x or along y. */
     private boolean isApart(Outline other, double distanceM) {
         return other.minX - maxX > distanceM
                 || minX - other.maxX > distanceM
@@ -102,12 +102,12 @@ public final class Outline {
                 || minY - other.maxY > distanceM;
     }
 
-    /** Middle of the smallest upright rectangle that holds the body. */
+    /** X coordinate of the centre of the bounding box. */
     double centreX() {
         return polygons.isEmpty() ? 0 : (minX + maxX) / 2;
     }
 
-    /** See {@link #centreX}. */
+    /** Y coordinate of the centre of the bounding box. */
     double centreY() {
         return polygons.isEmpty() ? 0 : (minY + maxY) / 2;
     }
@@ -116,7 +116,7 @@ public final class Outline {
         return polygons;
     }
 
-    /** The lines at which rays end. */
+    /** The lines that stop rays. */
     List<? extends Ring> rings() {
         return rings;
     }

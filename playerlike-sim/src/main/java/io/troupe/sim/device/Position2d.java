@@ -4,17 +4,17 @@ import io.troupe.sim.scenario.OdometryError;
 import io.troupe.sim.scenario.Pose;
 
 /**
- * A robot's odometry, counted from wherever it was last set: exact, or off by a fixed proportion of every move.
+ * A robot's odometry since it was last set: exact, or with an error proportional to every move.
  *
- * <p>Exact odometry follows from where the robot is, so it notices when somebody puts the robot elsewhere (Stage's
- * {@code gps}); the other kind counts only what the robot drives (Stage's {@code odom}).
+ * <p>Exact odometry follows from the true pose, so it includes teleports (Stage's {@code gps}). Odometry with an error
+ * sums up only what the robot drives (Stage's {@code odom}).
  *
  * <p><b>Threads.</b> One thread at a time. <b>Cost.</b> {@link #sense} allocates nothing.
  */
 public final class Position2d {
     /**
-     * Metres or radians to which odometry can be set: sums with larger ones are coarser than a micrometre, and some are
-     * infinite.
+     * Largest value in metres or radians to which odometry can be set. Sums with larger values are coarser than a
+     * micrometre, and some are infinite.
      */
     public static final double FARTHEST = 1e9;
 
@@ -22,25 +22,25 @@ public final class Position2d {
 
     private final OdometryError error;
     private final boolean exact;
-    private Pose origin; // exact: of the odometry frame, in the world
-    private double cos; // of its heading
+    private Pose origin; // exact odometry: origin of the odometry frame, in the world
+    private double cos; // of the origin's heading
     private double sin;
-    private double seenX; // where the robot was last, in the world
+    private double seenX; // last true pose, in the world
     private double seenY;
     private double seenHeadingRad;
-    private double x; // what is reported
+    private double x; // reported pose
     private double y;
     private double headingRad;
 
-    /** Exact odometry that reports this pose while the robot stands where it stands. */
+    /** Creates exact odometry that reports the given pose at the robot's current pose. */
     public Position2d(Pose truth, Pose reported) {
         this(truth, reported, OdometryError.NONE);
     }
 
     /**
-     * The same with errors.
+     * Creates odometry with an error.
      *
-     * @param error this run's error itself, no longer a bound: 0.01 counts 1 % too much
+     * @param error the error of this run, not a bound: 0.01 counts 1 % too much
      */
     public Position2d(Pose truth, Pose reported, OdometryError error) {
         this.error = error;
@@ -49,14 +49,14 @@ public final class Position2d {
         set(truth, reported);
     }
 
-    /** Whether odometry can be set to that: finite numbers, none beyond {@link #FARTHEST}. */
+    /** True if odometry can be set to a pose: finite numbers, none beyond {@link #FARTHEST}. */
     public static boolean canReport(Pose pose) {
         return Math.abs(pose.x()) <= FARTHEST
                 && Math.abs(pose.y()) <= FARTHEST
                 && Math.abs(pose.headingRad()) <= FARTHEST;
     }
 
-    /** Makes odometry report this pose while the robot stands where it stands. */
+    /** Sets the pose that odometry reports at the robot's current pose. */
     public void set(Pose truth, Pose reported) {
         origin = originFor(truth, reported);
         cos = StrictMath.cos(origin.headingRad());
@@ -72,7 +72,7 @@ public final class Position2d {
         }
     }
 
-    /** Tells that somebody has put the robot elsewhere. */
+    /** Handles a teleport of the robot. */
     public void teleported(Pose to) {
         if (exact) {
             sense(to.x(), to.y(), to.headingRad());
@@ -81,7 +81,7 @@ public final class Position2d {
         }
     }
 
-    /** Tells where the robot is now, in the world. */
+    /** Updates odometry with the robot's current pose in the world. */
     public void sense(double worldX, double worldY, double worldHeadingRad) {
         if (exact) {
             report(worldX, worldY, worldHeadingRad);
@@ -127,7 +127,7 @@ public final class Position2d {
         return headingRad;
     }
 
-    /** What odometry reports where the robot was seen last. */
+    /** Pose that odometry reports for the last known pose of the robot. */
     public Pose reported() {
         return new Pose(x, y, headingRad);
     }
@@ -139,7 +139,7 @@ public final class Position2d {
     }
 
     private static double wrap(double angleRad) {
-        // between the bounds the remainder is the angle itself
+        // within these bounds the remainder is the angle itself
         return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
     }
 }

@@ -10,7 +10,7 @@ import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A laser or a ranger: all its sensors, each a fan of rays from right to left.
+ * A laser or a ranger with all its sensors; each sensor is a fan of rays from right to left.
  *
  * <p><b>Units and shapes.</b> Metres; the readings of the sensors follow one another in the order of the specification.
  *
@@ -22,10 +22,10 @@ public final class Ranger {
     private final int size;
 
     /**
-     * A ranger as specified.
+     * Creates a ranger.
      *
-     * @param draw for a bound, an evenly spread number from minus to plus that bound; drawn from only by sensors with
-     *     noise
+     * @param draw returns for a bound a uniform random number from minus to plus that bound; called only by sensors
+     *     with noise
      */
     public Ranger(RangerSpec spec, DoubleUnaryOperator draw) {
         this.spec = spec;
@@ -51,10 +51,10 @@ public final class Ranger {
     }
 
     /**
-     * Reads all rays, past the robot that carries the ranger.
+     * Reads all rays, ignoring the robot that carries the ranger.
      *
-     * @param into receives {@link #size} ranges: from the sensor to what its ray hits, the greatest range if it hits
-     *     nothing, the least if it is nearer
+     * @param into receives {@link #size} ranges. A range is the distance from the sensor to what its ray hits, clamped
+     *     to the sensor's minimum and maximum; the maximum if the ray hits nothing
      */
     public void read(Scene scene, int robot, Scratch scratch, double[] into) {
         int from = 0;
@@ -64,7 +64,7 @@ public final class Ranger {
         }
     }
 
-    /** The same in a list. */
+    /** Reads all rays into a new list. */
     public List<Double> read(Scene scene, int robot) {
         double[] ranges = new double[size];
         read(scene, robot, new Scratch(), ranges);
@@ -72,7 +72,7 @@ public final class Ranger {
     }
 
     /**
-     * The directions of a sensor's rays from where it looks, left positive, from the right end of its field of view to
+     * Directions of a sensor's rays relative to its heading, left positive, from the right end of its field of view to
      * the left end.
      */
     public static double[] directionsRad(RangeSensorSpec sensor) {
@@ -156,8 +156,8 @@ public final class Ranger {
         }
 
         /**
-         * Draws as often for a ray that hits nothing, so that what one ray meets does not change the errors of the
-         * others.
+         * Adds noise to a range. Draws the same number of values for a ray that hits nothing, so that the hits of one
+         * ray do not change the errors of the others.
          */
         private double noisy(double rangeM) {
             double constantM = draw.applyAsDouble(spec.noise().constantM() / 2);

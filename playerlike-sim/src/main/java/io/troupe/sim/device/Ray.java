@@ -1,8 +1,8 @@
 package io.troupe.sim.device;
 
-/** A question to the {@link RayCaster} and its answer; reused from ray to ray. */
+/** Query and result of the {@link RayCaster}; reused for each ray. */
 final class Ray {
-    /** Bits for {@link #kind}. */
+    /** Bits of {@link #kind}. */
     static final int RANGE = 1;
 
     static final int SIGHT = 2;
@@ -10,19 +10,19 @@ final class Ray {
 
     double x;
     double y;
-    /** With {@link #dirY} a vector of length 1. */
+    /** Unit vector, with {@link #dirY}. */
     double dirX;
 
     double dirY;
     double maxM;
-    /** The bit that a segment's {@code stops} must have. */
+    /** Bit that {@link Segments#stops} must find in a segment's kinds. */
     int kind;
-    /** Number of the thing the ray ignores. */
+    /** Number of the thing that the ray ignores. */
     int skip = NOTHING;
 
-    /** Answer: number of the first thing in reach, or {@link #NOTHING}. */
+    /** Result: number of the first thing in range, or {@link #NOTHING}. */
     int hitThing;
 
-    /** Answer: how far away it is; infinite if there is none. */
+    /** Result: distance of that thing; infinite if there is none. */
     double hitM;
 }

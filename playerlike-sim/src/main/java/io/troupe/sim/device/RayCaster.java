@@ -1,15 +1,15 @@
 package io.troupe.sim.device;
 
 /**
- * Finds the first segment on a ray by walking through the cells the ray crosses.
+ * Finds the first segment on a ray by walking through the grid cells that the ray crosses.
  *
- * <p>Only a segment's outer side stops a ray: one that starts inside a body does not see that body. Of things at the
- * same distance the one whose segment comes first is hit, a fixed one before a moving one.
+ * <p>Only a segment's outer side stops a ray: a ray that starts inside a body does not see that body. Of several things
+ * at the same distance, the one whose segment comes first is hit, and a fixed one before a moving one.
  */
 final class RayCaster {
-    /** A ray through the corner where two segments meet must not slip between them. */
+    /** Tolerance at segment ends, so that a ray through a corner cannot slip between two segments. */
     private static final double CORNER = 1e-12;
-    /** More than that, and than rounding. */
+    /** Tolerance of the test without division: larger than CORNER and than rounding errors. */
     private static final double FAR = 1e-6;
 
     private final Grid grid;
@@ -73,7 +73,7 @@ final class RayCaster {
     private static void meet(Segments segments, int s, Ray ray) {
         double dx = segments.dx(s);
         double dy = segments.dy(s);
-        double facing = dx * ray.dirY - dy * ray.dirX; // positive: the ray comes from the right, from outside
+        double facing = dx * ray.dirY - dy * ray.dirX; // positive: the ray comes from the right, which is outside
         if (!(facing > 0)) {
             return;
         }
@@ -81,7 +81,7 @@ final class RayCaster {
         double offY = segments.y(s) - ray.y;
         double distanceShare = offY * dx - offX * dy;
         double alongShare = offY * ray.dirX - offX * ray.dirY;
-        // most segments are missed by far: that can be told without dividing
+        // rejects most segments, which are far off, without a division
         if (distanceShare < 0 || alongShare < -FAR * facing || alongShare > (1 + FAR) * facing) {
             return;
         }

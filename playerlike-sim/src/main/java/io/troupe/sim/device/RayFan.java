@@ -3,7 +3,7 @@ package io.troupe.sim.device;
 import io.troupe.sim.scenario.Pose;
 import java.util.List;
 
-/** Rays that start at fixed places on a robot, each a pose in the robot's frame. */
+/** Rays with fixed start poses in the robot's frame. */
 final class RayFan {
     final double[] x;
     final double[] y;

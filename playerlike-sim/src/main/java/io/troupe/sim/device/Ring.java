@@ -3,7 +3,7 @@ package io.troupe.sim.device;
 import io.troupe.sim.scenario.Point;
 import java.util.List;
 
-/** A closed line around a body, the body to its left, that can be moved without allocating. */
+/** A closed line around a body, counter-clockwise, that can be moved without allocation. */
 sealed class Ring permits ConvexPolygon {
     private final double[] localX;
     private final double[] localY;
@@ -21,7 +21,7 @@ sealed class Ring permits ConvexPolygon {
         y = new double[localX.length];
     }
 
-    /** The heading is given by its cosine and sine. */
+    /** Moves the line; the heading is given by its cosine and sine. */
     final void place(double poseX, double poseY, double cos, double sin) {
         minX = minY = Double.POSITIVE_INFINITY;
         maxX = maxY = Double.NEGATIVE_INFINITY;

@@ -13,16 +13,16 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Where everything is: what the devices look at.
+ * The geometry that the devices sense: all outlines and colours.
  *
- * <p><b>Role.</b> Answers rays and distances exactly, in double precision, whatever the physics does.
+ * <p><b>Role.</b> Computes rays and distances exactly, in double precision, independent of the physics.
  *
  * <p><b>Order.</b> {@link #place} every robot that moved, then {@link #refresh}, then read devices.
  *
- * <p><b>Threads.</b> One thread at a time moves robots; while none does, several may read devices, each with its own
- * {@link Scratch}.
+ * <p><b>Threads.</b> One thread at a time moves robots. While none moves robots, several threads may read devices, each
+ * with its own {@link Scratch}.
  *
- * <p><b>Cost.</b> A ray looks only at what shares a one-metre cell with it, and allocates nothing.
+ * <p><b>Cost.</b> A ray tests only the segments in the one-metre cells that it crosses, and allocates nothing.
  */
 public final class Scene {
     private static final double RIM_M = 1;
@@ -40,14 +40,14 @@ public final class Scene {
     private final CellIndex movingIndex;
     private final RayCaster caster;
     private final Direction direction = new Direction();
-    private final Circles circles;
+    private final BoundingCircles circles;
     private final List<ColourGroup> fixedGroups = new ArrayList<>();
     private final List<ColourGroup> movingGroups = new ArrayList<>();
 
-    /** What rays see of a robot: its body, or a thing it carries. */
+    /** A visible part of a robot: its body, or a thing it carries. */
     private record Part(Outline outline, int thing, int rayKinds) {}
 
-    /** The world with every robot at its start pose. */
+    /** Creates the scene with every robot at its start pose. */
     public Scene(WorldSpec spec) {
         List<ObstacleSpec> obstacles = spec.obstacles();
         firstRobot = obstacles.size();
@@ -59,7 +59,7 @@ public final class Scene {
         sin = new double[robotCount];
         int cargoCount =
                 spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
-        circles = new Circles(firstRobot + robotCount + cargoCount);
+        circles = new BoundingCircles(firstRobot + robotCount + cargoCount);
         Map<Integer, List<Integer>> fixedByColour = new LinkedHashMap<>();
         Map<Integer, List<Integer>> movingByColour = new LinkedHashMap<>();
         colours = new int[firstRobot + robotCount + cargoCount];
@@ -138,12 +138,12 @@ public final class Scene {
         return new Grid(minX - RIM_M, minY - RIM_M, maxX + RIM_M, maxY + RIM_M);
     }
 
-    /** Moves a robot; rays notice after {@link #refresh}. */
+    /** Moves a robot; rays see it there after {@link #refresh}. */
     public void place(int robot, Pose pose) {
         place(robot, pose.x(), pose.y(), pose.headingRad());
     }
 
-    /** The same, without a pose. */
+    /** As {@link #place(int, Pose)}, without allocating a pose. */
     public void place(int robot, double robotX, double robotY, double headingRad) {
         x[robot] = robotX;
         y[robot] = robotY;
@@ -162,7 +162,7 @@ public final class Scene {
         }
     }
 
-    /** Lets rays see the robots where they are now. */
+    /** Updates the ray caster with the robots' current poses. */
     public void refresh() {
         showRobots();
         movingIndex.rebuild();
@@ -183,15 +183,15 @@ public final class Scene {
     }
 
     /**
-     * From the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite if there
-     * is none.
+     * Distance from the robot's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite
+     * if there is none.
      */
     public double wallGapM(int robot) {
         return walls.gapM(robots[robot]);
     }
 
     /**
-     * Casts a fan of rays from a robot, which they ignore: fills the scratch's things and distances.
+     * Casts a fan of rays from a robot, which the rays ignore; fills the scratch's things and distances.
      *
      * @param kind {@link Ray#RANGE} or {@link Ray#SIGHT}
      */
@@ -203,7 +203,8 @@ public final class Scene {
     }
 
     /**
-     * The same for the rays of a camera that may meet a visible thing of one of these colours; the others hit nothing.
+     * As {@link #cast}, for only those rays of a camera that may meet a visible thing of one of the given colours; the
+     * other rays hit nothing.
      *
      * @return false if there is no such ray, and nothing was cast
      */

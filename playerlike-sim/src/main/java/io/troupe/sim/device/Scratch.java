@@ -3,7 +3,7 @@ package io.troupe.sim.device;
 /**
  * Working memory for reading devices.
  *
- * <p><b>Threads.</b> One thread at a time; threads that read at the same time have one each.
+ * <p><b>Threads.</b> One thread at a time; concurrent readers need one each.
  */
 public final class Scratch {
     final Ray ray = new Ray();
@@ -12,7 +12,7 @@ public final class Scratch {
     private double[] distancesM = new double[0];
     private boolean[] wanted = new boolean[0];
 
-    /** Makes room for a fan of so many rays. */
+    /** Ensures the capacity for a fan of the given number of rays. */
     void fit(int rays) {
         if (things.length < rays) {
             things = new int[rays];
@@ -21,17 +21,17 @@ public final class Scratch {
         }
     }
 
-    /** What each ray hit, or {@link Ray#NOTHING}. */
+    /** Number of the thing that each ray hit, or {@link Ray#NOTHING}. */
     int[] things() {
         return things;
     }
 
-    /** How far away that is, or infinity. */
+    /** Distance of each hit, or infinity. */
     double[] distancesM() {
         return distancesM;
     }
 
-    /** Which rays are worth casting. */
+    /** Rays that must be cast. */
     boolean[] wanted() {
         return wanted;
     }

@@ -3,10 +3,10 @@ package io.troupe.sim.device;
 import java.util.Arrays;
 
 /**
- * Edges that stop rays: from a start point along a vector, the body to the left; each belongs to a thing, known by
+ * Edges that stop rays: a start point and a vector, with the body to the left. Each belongs to a thing, identified by
  * number.
  *
- * <p>What a ray needs of one edge lies together in memory: rays spend most of their time waiting for it.
+ * <p>The coordinates of one edge are adjacent in memory, because ray casting is bound by memory access.
  */
 final class Segments {
     /** {@code x, y, dx, dy} of segment {@code s} begin at {@code FIELDS * s}. */
@@ -15,7 +15,7 @@ final class Segments {
     private static final int KINDS = 2; // bits of Ray.RANGE and Ray.SIGHT
 
     double[] geometry = new double[64 * FIELDS];
-    private int[] tags = new int[64]; // whose own rays pass, and the kinds of ray it stops
+    private int[] tags = new int[64]; // carrier, whose own rays pass, and the kinds of ray that the segment stops
     private int[] things = new int[64];
     int count;
 
@@ -27,7 +27,7 @@ final class Segments {
         add(outline, thing, thing, rayKinds);
     }
 
-    /** A thing that another one carries. */
+    /** Adds the outline of a thing that another one carries. */
     void add(Outline outline, int thing, int carrier, int rayKinds) {
         for (int p = 0; p < outline.rings().size(); p++) {
             Ring ring = outline.rings().get(p);
@@ -70,7 +70,7 @@ final class Segments {
         return things[s];
     }
 
-    /** Whether a ray of this kind ends here, unless its carrier is to be ignored. */
+    /** True if a ray of this kind ends at the segment. Segments with the ignored carrier stop no ray. */
     boolean stops(int s, int kind, int ignored) {
         return (tags[s] & kind) != 0 && tags[s] >> KINDS != ignored;
     }

@@ -3,7 +3,7 @@ package io.troupe.sim.device;
 import io.troupe.sim.scenario.SonarSpec;
 import java.util.List;
 
-/** A robot's ring of sonars; each casts one ray along its heading, past the robot that carries it. */
+/** A robot's ring of sonars. Each sonar casts one ray along its heading, ignoring the robot that carries it. */
 public final class Sonar {
     private final SonarSpec spec;
     private final RayFan fan;
@@ -27,7 +27,7 @@ public final class Sonar {
         return spec;
     }
 
-    /** Another ring of this kind, with readings of its own; what never changes is shared. */
+    /** Creates another ring of this specification, with separate readings; the immutable tables are shared. */
     public Sonar twin() {
         return new Sonar(spec, fan);
     }
@@ -45,12 +45,12 @@ public final class Sonar {
         return rangesM.length;
     }
 
-    /** From a sonar to what it hit when it was last read, in metres; the greatest range if it hit nothing. */
+    /** Range of a sonar at the last reading, in metres; the maximum range if it hit nothing. */
     public double rangeM(int sonar) {
         return rangesM[sonar];
     }
 
-    /** The newest ranges, one per sonar. */
+    /** The last ranges, one per sonar. */
     public List<Double> rangesM() {
         var boxed = new Double[rangesM.length];
         for (int i = 0; i < boxed.length; i++) {

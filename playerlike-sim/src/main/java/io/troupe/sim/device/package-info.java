@@ -1,4 +1,7 @@
-/** Sonar, blobfinder and position2d: functions of where everything is. */
+/**
+ * Sensors: sonar, ranger, blobfinder and position2d as functions of the poses in the world.
+ * {@link io.troupe.sim.device.Scene} casts their rays.
+ */
 @NullMarked
 package io.troupe.sim.device;
 

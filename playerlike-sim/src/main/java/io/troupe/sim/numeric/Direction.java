@@ -3,9 +3,9 @@ package io.troupe.sim.numeric;
 /**
  * Cosine and sine of an angle, bit for bit those of {@link StrictMath}.
  *
- * <p><b>Role.</b> {@code StrictMath} reduces angles beyond a quarter of pi with the help of an array, which is garbage,
- * and does it once for the cosine and once for the sine. This does it once for both, without; angles beyond 5 rad it
- * leaves to {@code StrictMath}.
+ * <p><b>Role.</b> For angles beyond a quarter of pi, {@code StrictMath} allocates an array and reduces the angle twice,
+ * once for the cosine and once for the sine. This class reduces it once for both, without allocation. Angles beyond 5
+ * rad are left to {@code StrictMath}.
  *
  * <p><b>Threads.</b> One thread at a time.
  *
@@ -22,11 +22,11 @@ public final class Direction {
     private static final int THIRD_HIGH = 0x3fd33333; // 0.3
 
     private static final double TWO_OVER_PI = 6.36619772367581382433e-01;
-    /** The first 33 bits of pi / 2, and the rest. */
+    /** The first 33 bits of pi / 2, and the remainder. */
     private static final double HALF_PI = 1.57079632673412561417e+00;
 
     private static final double HALF_PI_REST = 6.07710050650619224932e-11;
-    /** The next 33 bits, and the rest; and once more. */
+    /** The next 33 bits and the remainder, twice. */
     private static final double HALF_PI_2 = 6.07710050630396597660e-11;
 
     private static final double HALF_PI_REST_2 = 2.02226624879595063154e-21;
@@ -58,7 +58,7 @@ public final class Direction {
         return sin;
     }
 
-    /** Takes another angle; one that has not changed costs nothing. */
+    /** Sets the angle; an unchanged angle costs nothing. */
     public void set(double newAngleRad) {
         if (Double.doubleToRawLongBits(newAngleRad) == Double.doubleToRawLongBits(angleRad)) {
             return;
@@ -82,7 +82,7 @@ public final class Direction {
         double rough = size - quarters * HALF_PI;
         double correction = quarters * HALF_PI_REST;
         double rest = rough - correction;
-        if (high == HALF_PI_HIGH) { // here, and near other multiples of pi / 2, the rest needs more digits
+        if (high == HALF_PI_HIGH) { // here, and near other multiples of pi / 2, the remainder needs more digits
             rough -= HALF_PI_2;
             correction = HALF_PI_REST_2;
             rest = rough - correction;

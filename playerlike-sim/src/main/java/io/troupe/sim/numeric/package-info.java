@@ -1,4 +1,4 @@
-/** Arithmetic that gives the same bits on every machine, and no garbage. */
+/** Arithmetic that gives the same bits on every machine, without allocation. */
 @NullMarked
 package io.troupe.sim.numeric;
 

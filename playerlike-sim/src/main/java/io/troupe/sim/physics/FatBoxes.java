@@ -6,11 +6,13 @@ import java.util.List;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.common.Settings;
 
-/** The boxes in which the tree keeps a robot's polygons: while these stay inside, jbox2d has nothing to look for. */
+/**
+ * The fat boxes of a robot's polygons in the tree. While the polygons stay inside them, jbox2d finds no new contacts.
+ */
 final class FatBoxes {
-    /** The skin, and more than single precision can be wrong by. */
+    /** The polygon skin, and more than the error of single precision. */
     private static final double MARGIN_M = Settings.polygonRadius + 1e-3;
-    /** More than the table of sines can be wrong by, for each metre from the centre of rotation. */
+    /** More than the error of the sine table, for each metre from the centre of rotation. */
     private static final double SINE_MARGIN = 2 * Settings.SINCOS_LUT_PRECISION;
 
     private final RepairedTree tree;
@@ -38,7 +40,7 @@ final class FatBoxes {
         }
     }
 
-    /** Whether they surely hold a robot that stands there. */
+    /** True if the boxes certainly enclose the robot at this pose. */
     boolean hold(double robotX, double robotY, double cos, double sin) {
         for (int i = 0; i < proxies.length; i++) {
             AABB box = tree.getFatAABB(proxies[i]);

@@ -20,32 +20,32 @@ import org.jbox2d.dynamics.World;
 import org.jbox2d.pooling.normal.DefaultWorldPool;
 
 /**
- * How robots move and what they bump into.
+ * Motion and collisions of the robots.
  *
- * <p><b>Role.</b> Hides jbox2d. A robot drives exactly the arc it is told to while nothing is in its way; walls and
- * other robots hold it back, push it aside and rub (friction 0.3, no bounce).
+ * <p><b>Role.</b> Hides jbox2d. An unobstructed robot drives exactly the commanded arc. Walls and other robots stop it,
+ * push it aside and cause friction (coefficient 0.3, no bounce).
  *
- * <p><b>Order.</b> All obstacles are added first, then the robots by index, then come the steps.
+ * <p><b>Order.</b> First all obstacles are added, then the robots by index; then the steps are run.
  *
  * <p><b>Threads.</b> One thread at a time.
  *
- * <p><b>Units and shapes.</b> SI. Bodies count as touching from a gap of {@link #SKIN_M} on, so a robot that drives
- * against a wall comes to rest between one and two centimetres before it.
+ * <p><b>Units and shapes.</b> SI. Bodies count as touching when their gap is at most {@link #SKIN_M}, so a robot that
+ * drives against a wall comes to rest one to two centimetres before it.
  */
 public final class Physics {
-    /** Bodies as near as this touch: each polygon of jbox2d has a skin of half of it. */
+    /** Largest gap at which bodies touch: each jbox2d polygon has a skin of half of it. */
     public static final double SKIN_M = 0.02;
 
-    /** No body may move farther in one step. */
+    /** Largest distance that a body may move in one step. */
     public static final double MAX_TRAVEL_M = Settings.maxTranslation;
 
-    /** No body may turn farther in one step. */
+    /** Largest angle that a body may turn in one step. */
     public static final double MAX_TURN_RAD = Settings.maxRotation;
 
     /**
-     * The polygons of an obstacle that are nearest to the same point of a grid share a body there: jbox2d computes the
-     * area and the centre of a polygon in single precision from the origin of its body, and robots pass through one
-     * that is far from it.
+     * Spacing of the grid of anchor points. The polygons of an obstacle that are nearest to the same anchor share a
+     * body there. jbox2d computes the area and the centre of a polygon in single precision relative to the origin of
+     * its body, and robots pass through a polygon that is far from it.
      */
     private static final double ANCHOR_SPACING_M = 32;
 
@@ -56,7 +56,7 @@ public final class Physics {
     private final RepairedTree tree;
     private final World world;
     private final List<RobotBody> robots = new ArrayList<>();
-    private final TouchLedger touches;
+    private final TouchTracker touches;
     private final int robotCount;
     private final int stepMicros;
     private final boolean mayGlide;
@@ -64,24 +64,24 @@ public final class Physics {
     private long timeMicros;
 
     /**
-     * A world without bodies.
+     * Creates a world without bodies.
      *
-     * @param stepMicros so short that no robot travels farther in it than half of its smallest extent; in longer ones
-     *     it may pass walls
+     * @param stepMicros must be so short that no robot travels farther than half of its smallest extent in one step;
+     *     with longer steps it may pass through walls
      */
     public Physics(int robotCount, int stepMicros) {
         this(robotCount, stepMicros, true);
     }
 
     /**
-     * @param mayGlide whether robots that nothing is near may make their steps without jbox2d: that changes nothing but
-     *     the time it takes
+     * @param mayGlide whether robots with nothing near them may make their steps without jbox2d; this changes only the
+     *     run time
      */
     Physics(int robotCount, int stepMicros, boolean mayGlide) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
-        touches = new TouchLedger(robotCount);
+        touches = new TouchTracker(robotCount);
         tree = new RepairedTree();
         world = new World(
                 new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
@@ -91,7 +91,7 @@ public final class Physics {
     }
 
     /**
-     * Whether jbox2d's table of sines holds here what it holds on other machines; if not, trajectories may differ from
+     * True if jbox2d's sine table has the same values here as on other machines; if not, trajectories may differ from
      * theirs.
      */
     public static boolean hasStandardSineTable() {
@@ -119,7 +119,7 @@ public final class Physics {
         int id = robotCount + obstacleCount++;
         Map<Pose, Body> bodies = new HashMap<>();
         for (List<Point> polygon : shape.polygons()) {
-            // placed in double precision: jbox2d's own sine is only good to half a millimetre at ten metres
+            // placed in double precision: jbox2d's sine is accurate to only half a millimetre at ten metres
             List<Point> placed = polygon.stream().map(pose::place).toList();
             Pose anchor = anchor(placed);
             Body body = bodies.computeIfAbsent(anchor, each -> createBody(BodyType.STATIC, each, id));
@@ -129,7 +129,7 @@ public final class Physics {
         }
     }
 
-    /** The point of a coarse grid that is nearest to the middle of a polygon; exact in single precision. */
+    /** The anchor point nearest to the middle of a polygon; exact in single precision. */
     private static Pose anchor(List<Point> polygon) {
         var x = polygon.stream().mapToDouble(Point::x).summaryStatistics();
         var y = polygon.stream().mapToDouble(Point::y).summaryStatistics();
@@ -140,15 +140,15 @@ public final class Physics {
         return ANCHOR_SPACING_M * StrictMath.rint(at / ANCHOR_SPACING_M) + 0.0; // no negative zero
     }
 
-    /** Adds the next robot; the origin of its shape is the centre it turns about. */
+    /** Adds the next robot; the origin of its shape is the centre of rotation. */
     public void addRobot(Pose pose, Shape shape, double massKg) {
         addRobot(pose, shape, massKg, true);
     }
 
     /**
-     * Adds the next robot; the origin of its shape is the centre it turns about.
+     * Adds the next robot; the origin of its shape is the centre of rotation.
      *
-     * @param blocksBodies if not, it touches nothing and nothing touches it
+     * @param blocksBodies false if it collides with nothing
      */
     public void addRobot(Pose pose, Shape shape, double massKg, boolean blocksBodies) {
         Body body = createBody(BodyType.DYNAMIC, pose, robots.size());
@@ -166,7 +166,7 @@ public final class Physics {
         robots.add(new RobotBody(body, new FatBoxes(tree, proxies, shape), pose, stepMicros));
     }
 
-    /** Holds a robot that overlaps something where it is, as if it were an obstacle, until it is put elsewhere. */
+    /** Holds a robot that overlaps something in place, like an obstacle, until it is teleported. */
     public void hold(int robot) {
         robots.get(robot).hold();
     }
@@ -206,12 +206,12 @@ public final class Physics {
         body.setMassData(data);
     }
 
-    /** Sets a robot's speed, to hold until it is set again. */
+    /** Sets a robot's speed, until it is set again. */
     public void drive(int robot, double forwardMps, double turnRadps) {
         robots.get(robot).drive(forwardMps, turnRadps);
     }
 
-    /** Puts a robot elsewhere, as it is; what it touched it touches no more. */
+    /** Moves a robot to a pose; its current touches end. */
     public void teleport(int robot, Pose pose) {
         robots.get(robot).teleport(pose);
     }
@@ -229,12 +229,12 @@ public final class Physics {
         }
     }
 
-    /** Where a robot's centre of rotation is. */
+    /** X coordinate of a robot's centre of rotation. */
     public double x(int robot) {
         return robots.get(robot).x();
     }
 
-    /** Where a robot's centre of rotation is. */
+    /** Y coordinate of a robot's centre of rotation. */
     public double y(int robot) {
         return robots.get(robot).y();
     }
@@ -250,8 +250,8 @@ public final class Physics {
     }
 
     /**
-     * Whether something touches or overlaps the robot and keeps it from half of what it was told to do in the last 0.2
-     * s.
+     * True if a body touches or overlaps the robot, and in the last 0.2 s the robot achieved less than half of the
+     * commanded motion.
      */
     public boolean stalled(int robot) {
         return (touches.touched(robot) || robots.get(robot).isHeld())
@@ -267,7 +267,7 @@ public final class Physics {
         touches.begun().clear();
     }
 
-    /** What jbox2d holds for the heading. */
+    /** Heading of the robot's body in jbox2d. */
     double bodyHeadingRad(int robot) {
         return robots.get(robot).bodyHeadingRad();
     }

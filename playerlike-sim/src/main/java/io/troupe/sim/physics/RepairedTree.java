@@ -10,11 +10,11 @@ import org.jbox2d.collision.broadphase.DynamicTree;
 import org.jbox2d.common.Vec2;
 
 /**
- * jbox2d's tree of boxes with the test of {@code moveProxy} put right.
+ * jbox2d's tree of bounding boxes, with the faulty test in {@code moveProxy} repaired.
  *
- * <p>Each body's box is stored with a margin (the fat box), so that a small move needs no work. The tree of jbox2d
- * 2.2.1.1 tests the wrong way round whether the fat box still holds the new one: it re-inserts at every step and stays
- * idle in the one case where it must act, when the new box has outgrown the fat one on all sides.
+ * <p>Each body's box is stored with a margin (the fat box), so that a small move needs no update. The tree of jbox2d
+ * 2.2.1.1 has the test for "the fat box still contains the new box" reversed. It re-inserts the box at every step,
+ * except when the new box exceeds the fat one on all sides, which is when it must.
  */
 final class RepairedTree implements BroadPhaseStrategy {
     private final DynamicTree tree = new DynamicTree();
@@ -33,7 +33,7 @@ final class RepairedTree implements BroadPhaseStrategy {
         if (tree.moveProxy(proxy, box, displacement)) {
             return true;
         }
-        // The new box strictly contains the fat one: a detour makes the tree take notice.
+        // The new box strictly contains the fat one: the tree re-inserts it only after a move aside.
         float aside = 2 * (box.upperBound.x - box.lowerBound.x) + 1;
         away.set(box);
         away.lowerBound.x += aside;
@@ -41,7 +41,7 @@ final class RepairedTree implements BroadPhaseStrategy {
         return tree.moveProxy(proxy, away, displacement) && tree.moveProxy(proxy, box, displacement);
     }
 
-    /** Like {@code AABB.contains}, but the right way round. */
+    /** True if the outer box contains the inner one. {@code AABB.contains} has the test reversed. */
     static boolean holds(AABB outer, AABB inner) {
         return outer.lowerBound.x <= inner.lowerBound.x
                 && outer.lowerBound.y <= inner.lowerBound.y
@@ -49,17 +49,17 @@ final class RepairedTree implements BroadPhaseStrategy {
                 && outer.upperBound.y >= inner.upperBound.y;
     }
 
-    /** The box created last. */
+    /** The proxy created last. */
     int newestProxy() {
         return newestProxy;
     }
 
-    /** How often a box was moved. */
+    /** Number of calls of moveProxy. */
     long moveCount() {
         return moveCount;
     }
 
-    /** How often that took the box out of the tree and put it in again. */
+    /** Number of moves that re-inserted a box into the tree. */
     long reinsertCount() {
         return reinsertCount;
     }

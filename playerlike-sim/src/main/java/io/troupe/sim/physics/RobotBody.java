@@ -9,23 +9,23 @@ import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyType;
 
 /**
- * One robot in jbox2d.
+ * The body of one robot in jbox2d.
  *
- * <p>jbox2d counts in {@code float}, so its positions drift. This class keeps the pose of the centre of rotation in
- * {@code double}: while nothing touches the robot, each step aims the body exactly at the next point of the commanded
- * arc and the pose is that point; while something does, the pose is where the body went.
+ * <p>jbox2d computes in {@code float}, so its positions drift. This class keeps the pose of the centre of rotation in
+ * {@code double}. While nothing touches the robot, each step aims the body exactly at the next point of the commanded
+ * arc, and the pose is that point. While something touches it, the pose follows the body.
  */
 final class RobotBody {
     private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
 
-    /** Metres or radians in a step, far from where jbox2d cuts them off. */
+    /** Largest move or turn (metres or radians) of a gliding step, far below jbox2d's limits. */
     private static final float MOST_GLIDE = 0.5f;
 
     private final Body body;
     private final FatBoxes fatBoxes;
-    private final float physicsStepS; // as jbox2d counts
+    private final float physicsStepS; // in float, as jbox2d uses it
     private final double stepS;
-    private final double centreX; // of mass, in the robot's frame
+    private final double centreX; // centre of mass, in the robot's frame
     private final double centreY;
     private final StallMeter stallMeter;
     private final MassData mass = new MassData();
@@ -44,8 +44,8 @@ final class RobotBody {
     private double aimY;
     private double aimHeadingRad;
     private boolean transformIsStale;
-    private boolean placed; // somewhere else since the last step
-    private boolean held; // where it overlaps something
+    private boolean placed; // teleported since the last step
+    private boolean held; // in place, because it overlaps something
 
     RobotBody(Body body, FatBoxes fatBoxes, Pose pose, int stepMicros) {
         this.body = body;
@@ -68,7 +68,7 @@ final class RobotBody {
         chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : halfTurn.sin() / halfTurnRad);
     }
 
-    /** Makes it immovable until it is put elsewhere. */
+    /** Makes the robot immovable until it is teleported. */
     void hold() {
         held = true;
         body.setType(BodyType.STATIC);
@@ -81,7 +81,7 @@ final class RobotBody {
     private void release() {
         held = false;
         body.setType(BodyType.DYNAMIC);
-        body.setMassData(mass); // the change of type has worked it out anew
+        body.setMassData(mass); // the change of type has recomputed it
     }
 
     void teleport(Pose pose) {
@@ -97,9 +97,9 @@ final class RobotBody {
     }
 
     /**
-     * Gives the body the velocity that takes it to the end of this step's arc.
+     * Sets the velocity that takes the body to the end of this step's arc.
      *
-     * @param mayGlide whether the contacts of bodies are known and tell all that this step can bring
+     * @param mayGlide true if the known contacts of the bodies include all contacts that this step can bring
      */
     void aim(boolean mayGlide) {
         chordDirection.set(headingRad + halfTurnRad);
@@ -133,8 +133,8 @@ final class RobotBody {
     }
 
     /**
-     * A robot that nothing is near makes its step without jbox2d, if it can, and sleeps through that of the others: the
-     * same sums in the same precision, so that the body ends in the same place.
+     * Moves a robot with nothing near it without jbox2d, if possible; the body sleeps during the step. It does the same
+     * additions in the same precision as jbox2d, so the body ends in the same place.
      */
     private boolean glides(float moveX, float moveY, float turnRad) {
         float a = body.m_sweep.a + turnRad;
@@ -154,7 +154,7 @@ final class RobotBody {
         return true;
     }
 
-    /** Takes over where the step has left the body. */
+    /** Reads the pose of the body after the step. */
     void settle(boolean touched) {
         if (held) {
             stallMeter.record(aimX - x, aimY - y, 0, 0, turnRadps, 0);
@@ -179,7 +179,7 @@ final class RobotBody {
         stallMeter.record(aimX - fromX, aimY - fromY, x - fromX, y - fromY, turnRadps, headingRad - fromHeadingRad);
     }
 
-    /** jbox2d never wraps angles, and a large float is a coarse one. */
+    /** Wraps the body's angle: jbox2d never does, and a large float is coarse. */
     private void wrapBodyAngle() {
         float a = body.m_sweep.a;
         if (Math.abs(a) > MathUtils.PI) {
@@ -209,9 +209,85 @@ final class RobotBody {
         return body.m_sweep.a;
     }
 
-    /** Into -pi to pi. */
+    /** Wraps an angle to -pi to pi. */
     static double wrap(double angleRad) {
-        // between the bounds the remainder is the angle itself
+        // within these bounds the remainder is the angle itself
         return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
+    }
+
+    /**
+     * Compares the commanded with the actual motion of a robot over the last 0.2 s.
+     *
+     * <p><b>Cost.</b> Recording, at every step, only stores numbers; the arithmetic is done when the result is read.
+     */
+    private static final class StallMeter {
+        private static final int WINDOW_MICROS = 200_000;
+        /** Smaller sums in a window (metres or radians) are rounding, not travel. */
+        private static final double NEGLIGIBLE = 1e-4;
+
+        private static final int COMMANDED_X = 0;
+        private static final int COMMANDED_Y = 1;
+        private static final int ACTUAL_X = 2;
+        private static final int ACTUAL_Y = 3;
+        private static final int COMMANDED_TURN_RADPS = 4;
+        private static final int ACTUAL_RAD = 5;
+        private static final int FIELDS = 6;
+
+        private final double stepS;
+        private final double[] steps; // a ring buffer of records
+        private int next;
+
+        StallMeter(int stepMicros) {
+            stepS = stepMicros / 1e6;
+            steps = new double[FIELDS * Math.max(1, WINDOW_MICROS / stepMicros)];
+        }
+
+        /**
+         * Records the commanded and the actual motion of one step, in metres; turns left positive, {@code actualRad}
+         * unwrapped.
+         */
+        void record(
+                double commandedX,
+                double commandedY,
+                double actualX,
+                double actualY,
+                double commandedTurnRadps,
+                double actualRad) {
+            steps[next + COMMANDED_X] = commandedX;
+            steps[next + COMMANDED_Y] = commandedY;
+            steps[next + ACTUAL_X] = actualX;
+            steps[next + ACTUAL_Y] = actualY;
+            steps[next + COMMANDED_TURN_RADPS] = commandedTurnRadps;
+            steps[next + ACTUAL_RAD] = actualRad;
+            next += FIELDS;
+            if (next == steps.length) {
+                next = 0;
+            }
+        }
+
+        /** True if less than half of the commanded motion was achieved, in driving or in turning. */
+        boolean heldBack() {
+            double commandedSumM = 0;
+            double actualSumM = 0;
+            double commandedSumRad = 0;
+            double actualSumRad = 0;
+            for (int i = 0; i < steps.length; i += FIELDS) {
+                double commandedX = steps[i + COMMANDED_X];
+                double commandedY = steps[i + COMMANDED_Y];
+                double commandedM = StrictMath.hypot(commandedX, commandedY);
+                commandedSumM += commandedM;
+                actualSumM += commandedM == 0
+                        ? 0
+                        : (steps[i + ACTUAL_X] * commandedX + steps[i + ACTUAL_Y] * commandedY) / commandedM;
+                double turnRadps = steps[i + COMMANDED_TURN_RADPS];
+                commandedSumRad += Math.abs(turnRadps) * stepS;
+                actualSumRad += RobotBody.wrap(steps[i + ACTUAL_RAD]) * Math.signum(turnRadps);
+            }
+            return lessThanHalf(actualSumM, commandedSumM) || lessThanHalf(actualSumRad, commandedSumRad);
+        }
+
+        private static boolean lessThanHalf(double actual, double commanded) {
+            return commanded > NEGLIGIBLE && actual < commanded / 2;
+        }
     }
 }

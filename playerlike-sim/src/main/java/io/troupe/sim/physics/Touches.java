@@ -3,7 +3,7 @@ package io.troupe.sim.physics;
 import java.util.Arrays;
 
 /**
- * The touches that began since they were last forgotten, ordered by (time, robot, other robot, obstacle).
+ * The touches that began since the last clear, ordered by (time, robot, other robot, obstacle).
  *
  * <p><b>Threads.</b> Those of the {@link Physics} it belongs to.
  */
@@ -35,12 +35,12 @@ public final class Touches {
         return count;
     }
 
-    /** End of the physics step in which the bodies met. */
+    /** Time at the end of the physics step in which the touch began. */
     public long timeMicros(int touch) {
         return timesMicros[touch];
     }
 
-    /** The robot; of two robots the one with the lower index. */
+    /** Index of the robot; of two robots the lower index. */
     public int robot(int touch) {
         return (int) (pairs[touch] >> 32);
     }

@@ -1,4 +1,4 @@
-/** The only room where jbox2d is allowed: how robots move and what they bump into. */
+/** Motion and collisions of robots. Only this package may use jbox2d. */
 @NullMarked
 package io.troupe.sim.physics;
 

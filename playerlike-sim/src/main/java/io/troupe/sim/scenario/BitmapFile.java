@@ -21,33 +21,37 @@ final class BitmapFile {
 
     private BitmapFile() {}
 
-    /** The dark pixels of a file that {@code asker} names; at least one. */
-    static Pixels read(Path file, SourcePosition asker) {
+    /**
+     * The dark pixels of a file; at least one.
+     *
+     * @param namedAt where the file is named
+     */
+    static Pixels read(Path file, SourcePosition namedAt) {
         if (!Files.isRegularFile(file)) {
             throw new WorldFileException(
-                    asker, Files.exists(file) ? file + " is not a file" : "there is no file " + file);
+                    namedAt, Files.exists(file) ? file + " is not a file" : "there is no file " + file);
         }
         try (ImageInputStream input = ImageIO.createImageInputStream(file.toFile())) {
             if (input == null) {
-                throw new WorldFileException(asker, "cannot read " + file);
+                throw new WorldFileException(namedAt, "cannot read " + file);
             }
-            Pixels pixels = pixels(decode(input, file, asker));
+            Pixels pixels = pixels(decode(input, file, namedAt));
             if (pixels.darkCount() == 0) {
                 throw new WorldFileException(
-                        asker,
+                        namedAt,
                         "bitmap " + file + " has no dark pixel: walls are where the first channel is at most 127 of"
                                 + " 255");
             }
             return pixels;
         } catch (IOException e) {
-            throw unreadable(file, asker, e);
+            throw unreadable(file, namedAt, e);
         }
     }
 
-    private static BufferedImage decode(ImageInputStream input, Path file, SourcePosition asker) throws IOException {
+    private static BufferedImage decode(ImageInputStream input, Path file, SourcePosition namedAt) throws IOException {
         Iterator<ImageReader> readers = ImageIO.getImageReaders(input);
         if (!readers.hasNext()) {
-            throw new WorldFileException(asker, file + " is no image of a known format: PNG, GIF, BMP or JPEG");
+            throw new WorldFileException(namedAt, file + " is no image of a known format: PNG, GIF, BMP or JPEG");
         }
         ImageReader reader = readers.next();
         try {
@@ -56,7 +60,7 @@ final class BitmapFile {
             long height = reader.getHeight(0);
             if (width * height > MOST_PIXELS) {
                 throw new WorldFileException(
-                        asker,
+                        namedAt,
                         "bitmap " + file + " is too large: " + width + " x " + height + " pixels; the limit is "
                                 + MOST_PIXELS + " in all");
             }
@@ -64,22 +68,23 @@ final class BitmapFile {
             reader.addIIOReadWarningListener((source, warning) -> damage.add(warning));
             BufferedImage image = reader.read(0);
             if (!damage.isEmpty()) {
-                // a decoder that meets the end too early gives what it has, without the rest of the walls
-                throw new WorldFileException(asker, "the image " + file + " is damaged: " + damage.getFirst());
+                // a decoder that reaches the end of the file early returns the image so far, without the other
+                // walls
+                throw new WorldFileException(namedAt, "the image " + file + " is damaged: " + damage.getFirst());
             }
             return image;
         } catch (WorldFileException e) {
             throw e;
         } catch (RuntimeException e) {
-            // what decoders throw at damaged files: bad indices, negative sizes, missing tables
-            throw unreadable(file, asker, e);
+            // exceptions of decoders for damaged files: bad indices, negative sizes, missing tables
+            throw unreadable(file, namedAt, e);
         } finally {
             reader.dispose();
         }
     }
 
-    private static WorldFileException unreadable(Path file, SourcePosition asker, Exception why) {
-        return new WorldFileException(asker, "cannot read the image " + file + ": " + why);
+    private static WorldFileException unreadable(Path file, SourcePosition namedAt, Exception why) {
+        return new WorldFileException(namedAt, "cannot read the image " + file + ": " + why);
     }
 
     private static Pixels pixels(BufferedImage image) {
@@ -91,7 +96,7 @@ final class BitmapFile {
         for (int row = 0; row < pixels.height; row++) {
             raster.getSamples(0, row, pixels.width, 1, 0, samples);
             for (int x = 0; x < pixels.width; x++) {
-                // the file's own numbers: getRGB would brighten gray images
+                // the stored values: getRGB would brighten gray images
                 long level = colours instanceof IndexColorModel palette
                         ? palette.getRed(samples[x])
                         : samples[x] * 255L / brightest;

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Turns bitmaps into walls: the dark pixels, their bounding box scaled to a size.
+ * Converts bitmaps to walls: the dark pixels, with their bounding box scaled to a size.
  *
- * <p>Each file is read once, however many models show it.
+ * <p>Each file is read once, however many models use it.
  */
 final class BitmapShapes {
     private static final double SMALLEST_PIXEL_M = 0.001;
@@ -21,12 +21,12 @@ final class BitmapShapes {
     private final Path mainFile;
     private int pieces;
 
-    /** @param mainFile of the world: bitmaps may stand beside it */
+    /** @param mainFile the world file: bitmaps may be beside it */
     BitmapShapes(Path mainFile) {
         this.mainFile = mainFile;
     }
 
-    /** The walls around the pose point of the model whose {@code bitmap} is given. */
+    /** The walls of a model's {@code bitmap}, around its pose point. */
     Shape shape(Entity model, double[] size) {
         SourcePosition where = model.whereOf("bitmap");
         Path file = SourceText.sibling(where.file(), mainFile, model.text("bitmap", ""), where);

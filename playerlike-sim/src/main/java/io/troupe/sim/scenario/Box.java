@@ -3,9 +3,9 @@ package io.troupe.sim.scenario;
 import java.util.List;
 import java.util.Locale;
 
-/** An upright rectangle, in metres. */
+/** An axis-aligned rectangle, in metres. */
 record Box(double minX, double minY, double maxX, double maxY) {
-    /** Holds nothing; the start for {@link #union}. */
+    /** The empty box; the start for {@link #union}. */
     static final Box NOTHING = new Box(
             Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NEGATIVE_INFINITY);
 
@@ -35,7 +35,7 @@ record Box(double minX, double minY, double maxX, double maxY) {
         return minX <= x && x <= maxX && minY <= y && y <= maxY;
     }
 
-    /** The largest distance of any of its points from zero along x or y. */
+    /** Largest distance of any of its points from zero along x or y. */
     double reach() {
         return Math.max(Math.max(Math.abs(minX), Math.abs(maxX)), Math.max(Math.abs(minY), Math.abs(maxY)));
     }

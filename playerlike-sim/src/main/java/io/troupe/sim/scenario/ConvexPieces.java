@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * Cuts a simple polygon into convex pieces of 3 to 8 vertices: clips ears, then joins neighbours while the union is
+ * Cuts a simple polygon into convex pieces of 3 to 8 vertices: ear clipping, then joining neighbours while the union is
  * convex.
  *
  * <p><b>Cost.</b> About the square of the number of vertices.
  */
 final class ConvexPieces {
-    /** As many as the physics takes. */
+    /** Limit of the physics. */
     static final int MOST_VERTICES = 8;
 
     private final List<Point> points;
@@ -21,7 +21,7 @@ final class ConvexPieces {
         this.points = points;
     }
 
-    /** The pieces, counter-clockwise; empty if the polygon is so thin that no ear can be found. */
+    /** The pieces, counter-clockwise; empty if the polygon is so thin that it has no ear. */
     static List<List<Point>> of(List<Point> simplePolygon) {
         List<Point> corners = withoutFlat(Polygons.counterClockwise(simplePolygon));
         if (corners.size() < 3) {
@@ -35,7 +35,7 @@ final class ConvexPieces {
                 .toList();
     }
 
-    /** Leaves out vertices on the straight line between their neighbours. */
+    /** Removes vertices on the straight line between their neighbours. */
     private static List<Point> withoutFlat(List<Point> polygon) {
         var corners = new ArrayList<>(polygon);
         for (int i = 0; i < corners.size() && corners.size() >= 3; ) {
@@ -61,7 +61,7 @@ final class ConvexPieces {
                 rest.remove(ear);
                 continue;
             }
-            // clipping may leave a corner on the line between its neighbours: it bounds no area
+            // clipping may leave a corner on the line between its neighbours, which encloses no area
             int flat = flat(rest);
             if (flat < 0) {
                 return List.of();
@@ -76,7 +76,7 @@ final class ConvexPieces {
         return triangles;
     }
 
-    /** A corner from which the way goes straight on, or straight back; -1 if there is none. */
+    /** A corner at which the outline goes straight on or straight back; -1 if there is none. */
     private int flat(List<Integer> polygon) {
         for (int i = 0; i < polygon.size(); i++) {
             Point a = points.get(at(polygon, i - 1));
@@ -89,7 +89,7 @@ final class ConvexPieces {
         return -1;
     }
 
-    /** A corner whose triangle with its neighbours lies inside the polygon, -1 if there is none. */
+    /** A corner whose triangle with its neighbours lies inside the polygon; -1 if there is none. */
     private int ear(List<Integer> polygon) {
         for (int i = 0; i < polygon.size(); i++) {
             Point a = points.get(at(polygon, i - 1));
@@ -133,12 +133,12 @@ final class ConvexPieces {
         return done;
     }
 
-    /** Both polygons without the edge they share; empty if they share none. */
+    /** The union of two polygons that share an edge; empty if they share none. */
     private static List<Integer> union(List<Integer> one, List<Integer> other) {
         for (int i = 0; i < one.size(); i++) {
             int j = other.indexOf(at(one, i));
             if (j >= 0 && at(other, j - 1).equals(at(one, i + 1))) {
-                // one: from the far end of the shared edge round to its start; other: the same, without both ends
+                // one: from the end of the shared edge round to its start; other: the same, without both ends
                 var union = new ArrayList<>(one);
                 Collections.rotate(union, -(i + 1));
                 for (int k = 1; k < other.size() - 1; k++) {

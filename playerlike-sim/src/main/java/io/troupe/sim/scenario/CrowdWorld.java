@@ -1,13 +1,17 @@
 package io.troupe.sim.scenario;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * A world for any number of robots: square halls of 16 m, each with inner walls, three colours, or as many as one
- * likes, and up to 64 robots.
+ * Generates a world for any number of robots: square halls of 16 m, each with inner walls, panels in three or a given
+ * number of colours, and up to 64 robots.
  *
  * <p><b>Role.</b> The load of benchmarks and of runs with many robots. The text is in the classic dialect and needs no
  * other file, so that real Stage loads it too. The robots are called {@code robot1}, {@code robot2}, ..; each is a
@@ -17,7 +21,7 @@ import java.util.stream.Collectors;
  * robot.
  */
 public final class CrowdWorld {
-    /** The length of a hall's side, from the middle of one wall to the middle of the opposite one. */
+    /** Side length of a hall, from the middle of one wall to the middle of the opposite one. */
     public static final double HALL_M = 16;
 
     public static final int MOST_ROBOTS_PER_HALL = 64;
@@ -26,12 +30,12 @@ public final class CrowdWorld {
     public static final int MOST_COLOURS = 100;
 
     private static final int WALLS_PER_HALL = 4;
-    private static final double PANELLED_M = 15; // of each wall
+    private static final double PANELLED_M = 15; // length of each wall that may have panels
     private static final double PANEL_M = 1;
     private static final double PANEL_GAP_M = 0.2;
     private static final int ROBOTS_PER_ROW = 8;
     private static final double ROBOT_SPACING_M = 1.8;
-    private static final int TURN_DEG = 137; // neighbours look in different directions
+    private static final int TURN_DEG = 137; // neighbours face different directions
 
     private static final String DEFINITIONS = """
             interval_sim 100
@@ -74,7 +78,7 @@ public final class CrowdWorld {
             """;
 
     private final int robots;
-    private final List<String> colours; // none: the three panels it always had
+    private final List<String> colours; // empty: three fixed panels
     private final int hallsPerSide;
     private final StringBuilder text = new StringBuilder();
 
@@ -85,14 +89,14 @@ public final class CrowdWorld {
         hallsPerSide = (int) Math.ceil(Math.sqrt(halls));
     }
 
-    /** The world file. */
+    /** The text of the world file. */
     public static String text(int robots) {
         return text(robots, List.of());
     }
 
     /**
-     * The world file with panels of so many colours along the walls of each hall, which are also what the cameras
-     * report.
+     * The text of the world file, with panels in the given number of colours along the walls of each hall; the cameras
+     * report these colours.
      *
      * @param colours from 1 to {@value #MOST_COLOURS}
      */
@@ -117,22 +121,25 @@ public final class CrowdWorld {
         return CrowdColours.names(colours);
     }
 
-    /** The world, every robot's devices offered on port 6665 with index 0 for the first robot, 1 for the next, .. */
+    /**
+     * The world, with the devices of all robots offered on port 6665: index 0 for the first robot, 1 for the next, and
+     * so on.
+     */
     public static Scenario scenario(int robots) {
         return ScenarioReader.readText(text(robots), Path.of("crowd-" + robots + ".world"));
     }
 
-    /** The same with panels of so many colours. */
+    /** The world with panels in the given number of colours. */
     public static Scenario scenario(int robots, int colours) {
         return ScenarioReader.readText(text(robots, colours), Path.of("crowd-" + robots + "-" + colours + ".world"));
     }
 
     /**
-     * The colours of a hall with so many, {@code 0x00RRGGBB}: blue, red, green, and then what is as unlike all others
-     * as can be, walls and robots included.
+     * The panel colours of a hall, {@code 0x00RRGGBB}: blue, red, green, and then colours as different as possible from
+     * all others, walls and robots included.
      */
     public static List<Integer> colours(int count) {
-        return names(count).stream().map(Colours.byName()::get).toList();
+        return names(count).stream().map(X11Colours.byName()::get).toList();
     }
 
     private void write() {
@@ -152,7 +159,7 @@ public final class CrowdWorld {
         }
     }
 
-    /** A camera that reports only what it is told to looks only where that can be. */
+    /** The colours that the cameras report; a camera with such a list casts fewer rays. */
     private String cameraColours() {
         return colours.isEmpty()
                 ? ""
@@ -165,7 +172,7 @@ public final class CrowdWorld {
         return (hall + 0.5 - hallsPerSide / 2.0) * HALL_M;
     }
 
-    /** Walls stand between the rows in which robots start. */
+    /** Adds the inner walls, which are between the rows of start poses, and the panels. */
     private void furnish(double x, double y) {
         for (int column = -1; column <= 1; column++) {
             for (int row = -1; row <= 1; row += 2) {
@@ -183,7 +190,7 @@ public final class CrowdWorld {
         line("panel ( color \"blue\" pose [ %.2f %.2f 0 0 ] )", x + 5.4, y - 7.8);
     }
 
-    /** The first colour on the wall ahead, the next on the one to the right, and so on, round and round. */
+    /** Adds the panels: the first colour at the upper wall, the next at the right wall, and so on clockwise. */
     private void panels(double x, double y) {
         int perWall = (colours.size() + WALLS_PER_HALL - 1) / WALLS_PER_HALL;
         double pitchM = PANELLED_M / perWall;
@@ -215,5 +222,56 @@ public final class CrowdWorld {
 
     private void line(String format, Object... values) {
         text.append(String.format(Locale.ROOT, format, values)).append('\n');
+    }
+
+    /**
+     * Chooses named colours for the panels of a crowd's halls. Each is as far as possible from all earlier ones and
+     * from those of walls and robots.
+     */
+    private static final class CrowdColours {
+        private static final List<String> TAKEN = List.of("black", "orange", "white");
+        private static final List<String> FIRST = List.of("blue", "red", "green");
+
+        private CrowdColours() {}
+
+        /** The given number of names, starting with the three colours of the paper. */
+        static List<String> names(int count) {
+            Map<String, Integer> candidates = new TreeMap<>(X11Colours.byName());
+            var chosen = new ArrayList<String>(FIRST.subList(0, Math.min(count, FIRST.size())));
+            var values = new ArrayList<Integer>();
+            TAKEN.forEach(name -> values.add(candidates.get(name)));
+            FIRST.forEach(name -> values.add(candidates.get(name)));
+            while (chosen.size() < count) {
+                String farthest = farthest(candidates, values);
+                chosen.add(farthest);
+                values.add(candidates.get(farthest));
+            }
+            return chosen;
+        }
+
+        private static String farthest(Map<String, Integer> candidates, Collection<Integer> from) {
+            String best = "";
+            int bestSquare = -1;
+            for (var candidate : candidates.entrySet()) {
+                int square = from.stream()
+                        .mapToInt(other -> square(candidate.getValue(), other))
+                        .min()
+                        .orElse(Integer.MAX_VALUE);
+                if (square > bestSquare) {
+                    best = candidate.getKey();
+                    bestSquare = square;
+                }
+            }
+            return best;
+        }
+
+        private static int square(int colour, int other) {
+            int sum = 0;
+            for (int shift = 0; shift <= 16; shift += 8) {
+                int difference = (colour >> shift & 0xff) - (other >> shift & 0xff);
+                sum += difference * difference;
+            }
+            return sum;
+        }
     }
 }

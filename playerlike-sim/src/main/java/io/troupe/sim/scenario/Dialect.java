@@ -3,27 +3,27 @@ package io.troupe.sim.scenario;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which Stage a world is written for.
+ * The Stage version for which a world is written.
  *
- * <p>Nothing in a file says so; what it uses does. A {@code sensor} in a ranger, {@code velocity_bounds} and
+ * <p>It follows from what the file uses. A {@code sensor} in a ranger, {@code velocity_bounds} and
  * {@code acceleration_bounds} are Stage 4; {@code scount} of a ranger and the entity {@code laser} are classic; a world
- * with neither is classic. Macros that are not used do not count.
+ * with neither is classic. Unused macros do not count.
  */
 enum Dialect {
     /** Stage 2 and 3: odometry starts at zero, {@code ranger_return} is 0 or 1. */
     CLASSIC,
-    /** Stage 4: odometry is the global pose, {@code ranger_return} a reflectance, negative for what cannot be seen. */
+    /** Stage 4: odometry is the global pose, {@code ranger_return} is a reflectance, negative for invisible things. */
     STAGE_4;
 
-    /** The dialect of a world; mixing both is worth a warning, and then it counts as Stage 4. */
-    static Dialect of(Entity world, Findings findings) {
+    /** The dialect of a world. A world that mixes both is read as Stage 4, with a warning. */
+    static Dialect of(Entity world, Diagnostics diagnostics) {
         Mark newer = firstMark(world, STAGE_4);
         if (newer == null) {
             return CLASSIC;
         }
         Mark classic = firstMark(world, CLASSIC);
         if (classic != null) {
-            findings.warn(
+            diagnostics.warn(
                     classic.where,
                     "\"" + classic.word + "\" belongs to the classic dialect, but \"" + newer.word + "\" at "
                             + newer.where + " to that of Stage 4; the world is read as one of Stage 4");

@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A file with everything it includes.
+ * A parsed file with all its includes.
  *
  * @param root its properties and entities at the top level
- * @param macros the {@code define}s by name; each is the entity an instance starts from
+ * @param macros the {@code define}s by name; each is the entity from which an instance starts
  */
 record Document(Entity root, Map<String, Entity> macros) {
     List<Entity> entities() {

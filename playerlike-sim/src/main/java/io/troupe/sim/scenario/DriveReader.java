@@ -4,16 +4,16 @@ import io.troupe.sim.scenario.DriveSpec.Bounds;
 import io.troupe.sim.scenario.DriveSpec.Localization;
 import java.util.List;
 
-/** Reads how a {@code position} moves and where it believes to be. */
+/** Reads the drive and the odometry of a {@code position}. */
 final class DriveReader {
     private final Units units;
     private final Dialect dialect;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
 
-    DriveReader(Units units, Dialect dialect, Findings findings) {
+    DriveReader(Units units, Dialect dialect, Diagnostics diagnostics) {
         this.units = units;
         this.dialect = dialect;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
     }
 
     DriveSpec read(Entity position) {
@@ -21,7 +21,7 @@ final class DriveReader {
         double[] velocity = position.numbers("velocity", 0, 0, 0);
         SourcePosition where = position.whereOf("velocity");
         if (velocity[1] != 0) {
-            findings.warn(
+            diagnostics.warn(
                     where,
                     "a robot with differential drive cannot move sideways: its start speed of " + velocity[1]
                             + " that way is left out");
@@ -39,7 +39,7 @@ final class DriveReader {
         if (!drive.equals("diff")) {
             SourcePosition where = position.whereOf("drive");
             if (List.of("omni", "car").contains(drive)) {
-                findings.warn(
+                diagnostics.warn(
                         where,
                         "\"drive\" \"" + drive
                                 + "\" is not simulated: the robot has two driven wheels, as with \"diff\"");
@@ -49,7 +49,9 @@ final class DriveReader {
         }
     }
 
-    /** {@code [x x y y z z turn turn]}, least and greatest; those of y and z mean nothing to two wheels. */
+    /**
+     * Reads {@code [x x y y z z turn turn]}, each least and greatest; y and z have no effect on a differential drive.
+     */
     private Bounds bounds(Entity position, String key) {
         if (dialect == Dialect.CLASSIC) {
             return Bounds.NONE;
@@ -92,8 +94,8 @@ final class DriveReader {
     }
 
     /**
-     * What odometry reports at the start: in the classic dialect it counts from {@code localization_origin}, which is
-     * the start pose unless the file says otherwise; in that of Stage 4 it is the global pose.
+     * The odometry pose at the start. In the classic dialect it is relative to {@code localization_origin}, which
+     * defaults to the start pose; in the Stage 4 dialect it is the global pose.
      */
     Pose startOdometry(Entity position, Pose start) {
         if (dialect == Dialect.STAGE_4) {

@@ -1,13 +1,13 @@
 package io.troupe.sim.scenario;
 
 /**
- * How a robot starts, what limits it and how it knows where it is.
+ * Start speed, limits and odometry of a robot.
  *
- * @param startForwardMps the speed it has before anybody commands it ({@code velocity})
- * @param startTurnRadps the turn rate, left positive
- * @param velocityBounds no command exceeds them; {@link Bounds#NONE} in the classic dialect
- * @param accelerationBounds told to clients; like Stage, the simulator reaches a commanded speed at once
- * @param localization what odometry reports
+ * @param startForwardMps speed before the first command ({@code velocity})
+ * @param startTurnRadps turn rate before the first command, left positive
+ * @param velocityBounds commands are clamped to them; {@link Bounds#NONE} in the classic dialect
+ * @param accelerationBounds reported to clients; like Stage, the simulator reaches a commanded speed at once
+ * @param localization the kind of odometry
  */
 public record DriveSpec(
         double startForwardMps,
@@ -15,7 +15,7 @@ public record DriveSpec(
         Bounds velocityBounds,
         Bounds accelerationBounds,
         Localization localization) {
-    /** At rest, unlimited, with true odometry. */
+    /** At rest, unlimited, with exact odometry. */
     public static final DriveSpec STANDARD = new DriveSpec(0, 0, Bounds.NONE, Bounds.NONE, new Localization.Gps());
 
     public DriveSpec withLocalization(Localization other) {
@@ -23,7 +23,7 @@ public record DriveSpec(
     }
 
     /**
-     * The least and the greatest of a motion.
+     * Least and greatest values of a motion.
      *
      * <p><b>Units and shapes.</b> m/s and rad/s of velocities, m/s² and rad/s² of accelerations; infinite where there
      * is no limit.
@@ -33,14 +33,14 @@ public record DriveSpec(
                 Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.POSITIVE_INFINITY);
     }
 
-    /** Where odometry gets its pose from. */
+    /** The source of the odometry pose. */
     public sealed interface Localization {
-        /** It is told the true pose. */
+        /** Odometry follows the true pose. */
         record Gps() implements Localization {}
 
         /**
-         * It adds up what the wheels do. Each run draws one error for each axis, evenly from plus or minus half of
-         * these, and is off by that share of every motion.
+         * Odometry sums up the motion of the wheels. Each run draws one error for each axis, uniform within plus or
+         * minus half of these shares, and adds that share to every motion.
          *
          * @param forward share of a motion along the robot's x axis
          * @param sideways share of a motion along its y axis

@@ -7,13 +7,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * A node of the file's tree, macros expanded: {@code type ( properties and children )}.
  *
- * <p>The typed readers may be used once {@link VocabularyCheck} has passed the tree: they rely on values of the right
- * kind.
+ * <p>The typed accessors may be used only after {@link VocabularyCheck}: they rely on values of the right kind.
  *
- * @param properties by {@link Property#key()}, never changed; overridden ones stand where they were given last
- * @param weight how many entities there are from here down
- * @param values how many numbers and texts their properties hold
- * @param depth how many of them stand in one another
+ * @param properties by {@link Property#key()}, immutable; a property given twice is at its last position
+ * @param weight number of entities in this subtree
+ * @param values number of numbers and texts in the properties of this subtree
+ * @param depth nesting depth of this subtree
  */
 record Entity(
         String type,
@@ -31,7 +30,7 @@ record Entity(
         return properties.containsKey(key);
     }
 
-    /** Where the property's value stands, or the entity itself if the property is not given. */
+    /** Position of the property's value, or of the entity itself if the property is not given. */
     SourcePosition whereOf(String key) {
         Property property = properties.get(key);
         return property == null ? where : property.value().where();

@@ -12,20 +12,23 @@ import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Collects what stands between an entity's parentheses, on top of the macro it is an instance of. */
+/** Collects the properties and children of an entity, starting from those of its macro. */
 final class EntityBuilder {
-    /** Macros inside macros grow exponentially; real worlds stay far below. */
+    /** Limit for nested macros, which grow exponentially; real worlds are far below. */
     static final long MOST_ENTITIES = 100_000;
 
-    /** Those of a macro count in each use of it: all of them are checked and turned into shapes. */
+    /**
+     * Limit of values. Those of a macro count in each use of it, because all of them are checked and converted to
+     * shapes.
+     */
     static final long MOST_VALUES = 5_000_000;
 
-    /** Macros that hold macros nest deeper than the text does. */
+    /** Limit of nesting. Macros that contain macros nest deeper than the text does. */
     private static final int DEEPEST_NESTING = 100;
 
     private final String type;
     private final SourcePosition where;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
     private final Map<String, Property> inherited; // shared with the macro and its other instances
     private final Map<String, Property> own = new LinkedHashMap<>();
     private final List<Entity> children = new ArrayList<>();
@@ -33,10 +36,10 @@ final class EntityBuilder {
     private long childValues;
     private int depth = 1;
 
-    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where, Findings findings) {
+    EntityBuilder(String word, @Nullable Entity macro, SourcePosition where, Diagnostics diagnostics) {
         this.type = macro == null ? word : macro.type();
         this.where = where;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
         this.inherited = macro == null ? Map.of() : macro.properties();
         if (macro != null) {
             macro.children().forEach(this::add);
@@ -46,9 +49,9 @@ final class EntityBuilder {
     void add(Property property) {
         Property earlier = own.remove(property.key());
         own.put(property.key(), property);
-        // the same place twice: a file included along two ways
+        // the same position twice: a file that was included twice
         if (earlier != null && !earlier.where().equals(property.where())) {
-            findings.warn(
+            diagnostics.warn(
                     property.where(),
                     "\"" + property.key() + "\" is given twice, the first time at " + earlier.where()
                             + ", and the last counts");
@@ -78,7 +81,7 @@ final class EntityBuilder {
     }
 
     /**
-     * The same with a table of its own, so that the instances of a macro of a macro look into two tables and not into
+     * Builds a macro, with a flat table of properties: instances of a macro of a macro then search two tables, not
      * many.
      */
     Entity buildMacro() {

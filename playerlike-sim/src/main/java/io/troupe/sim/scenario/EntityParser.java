@@ -11,10 +11,10 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the grammar that world and configuration files share into a tree, without knowing any entity or property.
+ * Parses the grammar that world and configuration files share into a tree. It knows no entities or properties.
  *
- * <p>{@code include "file"} is relative to the including file, or else, as in Stage, to the first one; {@code define
- * new old ( .. )} makes a macro, also of a macro.
+ * <p>{@code include "file"} is relative to the including file or else, as in Stage, to the first file; {@code define
+ * new old ( .. )} defines a macro, which may be based on another macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;
@@ -22,12 +22,12 @@ final class EntityParser {
     private static final int HIGHEST_INDEX = 1_000_000;
 
     /**
-     * Each macro has a table of its own of what it takes from another; real worlds stay far below. Instances share the
-     * table of their macro.
+     * Limit of inherited properties. Each macro has a separate table of those that it inherits; real worlds are far
+     * below. Instances share the table of their macro.
      */
     private static final long MOST_INHERITED = 1_000_000;
 
-    /** All macros are checked, used or not, with those that stand in them. */
+    /** Limit of entities in macros. All macros are checked, used or not, with the entities that they contain. */
     private static final long MOST_MACRO_ENTITIES = 1_000_000;
 
     private final Map<String, Entity> macros = new LinkedHashMap<>();
@@ -35,41 +35,41 @@ final class EntityParser {
     private final List<Path> open = new ArrayList<>();
     private final EntityBuilder root;
     private final Path mainFile;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
     private int filesRead;
     private long tokensRead;
     private long inherited;
     private long macroEntities;
     private long macroValues;
 
-    private EntityParser(String rootType, Path file, Findings findings) {
-        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1), findings);
+    private EntityParser(String rootType, Path file, Diagnostics diagnostics) {
+        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1), diagnostics);
         mainFile = file;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
     }
 
     /**
-     * The tree of a file.
+     * Parses a file.
      *
      * @param rootType the entity type that stands for the file itself
-     * @param asker where the file is named; null if the user named it
+     * @param namedAt position where the file is named; null if the user named it
      */
-    static Document parse(String rootType, Path file, @Nullable SourcePosition asker, Findings findings) {
-        var parser = new EntityParser(rootType, file, findings);
-        parser.file(file, asker);
+    static Document parse(String rootType, Path file, @Nullable SourcePosition namedAt, Diagnostics diagnostics) {
+        var parser = new EntityParser(rootType, file, diagnostics);
+        parser.file(file, namedAt);
         return new Document(parser.root.build(), parser.macros);
     }
 
-    /** The tree of a text, as if it were read from {@code file}, which need not exist. */
-    static Document parseText(String rootType, String text, Path file, Findings findings) {
-        var parser = new EntityParser(rootType, file, findings);
+    /** Parses a text as if it were read from {@code file}, which need not exist. */
+    static Document parseText(String rootType, String text, Path file, Diagnostics diagnostics) {
+        var parser = new EntityParser(rootType, file, diagnostics);
         parser.text(text, file);
         return new Document(parser.root.build(), parser.macros);
     }
 
-    private void file(Path file, @Nullable SourcePosition asker) {
-        String text = SourceText.read(file, asker);
-        guardIncludes(file, asker);
+    private void file(Path file, @Nullable SourcePosition namedAt) {
+        String text = SourceText.read(file, namedAt);
+        guardIncludes(file, namedAt);
         text(text, file);
     }
 
@@ -94,8 +94,8 @@ final class EntityParser {
         open.removeLast();
     }
 
-    private void guardIncludes(Path file, @Nullable SourcePosition asker) {
-        if (asker == null) {
+    private void guardIncludes(Path file, @Nullable SourcePosition namedAt) {
+        if (namedAt == null) {
             return;
         }
         Path absolute = file.toAbsolutePath().normalize();
@@ -103,10 +103,10 @@ final class EntityParser {
             String chain = Stream.concat(open.stream(), Stream.of(file))
                     .map(path -> String.valueOf(path.getFileName()))
                     .collect(Collectors.joining(" -> "));
-            throw new WorldFileException(asker, "a file cannot include itself: " + chain);
+            throw new WorldFileException(namedAt, "a file cannot include itself: " + chain);
         }
         if (++filesRead > MOST_FILES) {
-            throw new WorldFileException(asker, "more than " + MOST_FILES + " files are included");
+            throw new WorldFileException(namedAt, "more than " + MOST_FILES + " files are included");
         }
     }
 
@@ -124,7 +124,7 @@ final class EntityParser {
         }
         SourcePosition earlier = macroNames.putIfAbsent(name.text(), name.where());
         if (earlier != null && !earlier.equals(name.where())) {
-            findings.warn(
+            diagnostics.warn(
                     name.where(),
                     "macro \"" + name.text() + "\" is already defined at " + earlier + ", and the first counts");
         }
@@ -161,7 +161,7 @@ final class EntityParser {
             throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
         }
         Token opening = cursor.next();
-        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where(), findings);
+        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where(), diagnostics);
         while (!cursor.at(Kind.CLOSE)) {
             if (cursor.at(Kind.END)) {
                 throw new WorldFileException(
@@ -204,12 +204,15 @@ final class EntityParser {
         };
     }
 
-    /** The second half of {@code polygon[0].points}. */
+    /** True for the second half of {@code polygon[0].points}. */
     private static boolean isPart(Token token) {
         return token.kind() == Kind.WORD && token.text().startsWith(".");
     }
 
-    /** {@code point[0] [1 2]} has an index, {@code scale [1]} has not: an index is followed by a value or by a part. */
+    /**
+     * True if the brackets are an index: {@code point[0] [1 2]} has one, {@code scale [1]} has none. An index is
+     * followed by a value or by a part.
+     */
     private static boolean hasIndex(TokenCursor cursor) {
         if (cursor.peek(0).kind() != Kind.OPEN_TUPLE
                 || cursor.peek(1).kind() != Kind.NUMBER
@@ -255,5 +258,49 @@ final class EntityParser {
         }
         cursor.next();
         return new Value.Tuple(List.copyOf(items), opening.where());
+    }
+
+    /** A read position in the tokens of one file. */
+    private static final class TokenCursor {
+        private final Path file;
+        private final List<Token> tokens;
+        private int next;
+
+        TokenCursor(Path file, List<Token> tokens) {
+            this.file = file;
+            this.tokens = tokens;
+        }
+
+        Path file() {
+            return file;
+        }
+
+        boolean at(Kind kind) {
+            return peek(0).kind() == kind;
+        }
+
+        /** The token {@code ahead} positions further on; the end token beyond the end. */
+        Token peek(int ahead) {
+            return tokens.get(Math.min(next + ahead, tokens.size() - 1));
+        }
+
+        Token next() {
+            Token token = peek(0);
+            next++;
+            return token;
+        }
+
+        /** Takes the next token if it is of this kind, else throws an error with what was expected. */
+        Token expect(Kind kind, String expected) {
+            require(kind, expected);
+            return next();
+        }
+
+        /** As {@link #expect}, without taking the token. */
+        void require(Kind kind, String expected) {
+            if (!at(kind)) {
+                throw new WorldFileException(peek(0).where(), "expected " + expected + ", found " + peek(0).shown());
+            }
+        }
     }
 }

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** Cuts the text of a world or configuration file into tokens; {@code #} starts a comment to the end of the line. */
+/** Splits the text of a world or configuration file into tokens; {@code #} starts a comment to the end of the line. */
 final class Lexer {
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
 
@@ -121,7 +121,7 @@ final class Lexer {
         return new SourcePosition(file, line, at - lineStart + 1);
     }
 
-    /** Whether it is the point in {@code polygon[0].points}: after a bracket, without a space, and before a letter. */
+    /** True at the point in {@code polygon[0].points}: after a bracket, without a space, and before a letter. */
     private boolean startsPart(char c) {
         return c == '.'
                 && at > 0

@@ -1,13 +1,13 @@
 package io.troupe.sim.scenario;
 
 /**
- * A thing that stands still: a wall, a box.
+ * An immovable thing, such as a wall or a box.
  *
  * @param pose in the world's frame
  * @param colour {@code 0x00RRGGBB}
- * @param blocksBodies robots bump into it
- * @param blocksRangers sonar rays end at it
- * @param visible the blobfinder sees it (and what is behind it is hidden)
+ * @param blocksBodies robots collide with it
+ * @param blocksRangers it stops the rays of sonars, lasers and rangers
+ * @param visible blobfinders see it (and it hides what is behind it)
  */
 public record ObstacleSpec(
         String name,

@@ -5,10 +5,10 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Follows the edges of a bitmap's dark regions.
+ * Traces the edges of a bitmap's dark regions.
  *
- * <p>Pixels belong together when they share an edge; two that share a corner only do not, so there the line turns round
- * its own pixel.
+ * <p>Pixels that share an edge are connected. Pixels that share only a corner are not, so the line turns around its own
+ * pixel there.
  */
 final class PixelOutlines {
     /** East, north, west, south. */
@@ -17,20 +17,20 @@ final class PixelOutlines {
     private static final int[] DY = {0, 1, 0, -1};
 
     private final Pixels pixels;
-    /** The eastward edges that a line already runs along, by their western end. */
+    /** The eastward edges already traced, by their western end. */
     private final BitSet seen = new BitSet();
 
     private PixelOutlines(Pixels pixels) {
         this.pixels = pixels;
     }
 
-    /** The lines around all dark regions and their holes, the dark to the left; corners in pixels. */
+    /** The lines around all dark regions and their holes, the dark pixels to the left; corners in pixels. */
     static List<List<Point>> trace(Pixels pixels) {
         var outlines = new PixelOutlines(pixels);
         var lines = new ArrayList<List<Point>>();
         for (int y = 0; y < pixels.height; y++) {
             for (int x = 0; x < pixels.width; x++) {
-                // every closed line runs east somewhere
+                // every closed line has an eastward edge
                 boolean lowerEdge = pixels.isDark(x, y) && !pixels.isDark(x, y - 1);
                 if (lowerEdge && !outlines.seen.get(y * pixels.width + x)) {
                     lines.add(outlines.follow(x, y));
@@ -67,11 +67,11 @@ final class PixelOutlines {
         return isDarkAhead(x, y, direction, false) ? (direction + 3) % 4 : direction;
     }
 
-    /** The pixel beyond a corner, to the left or to the right of the way. */
+    /** True if the pixel beyond a corner, to the left or to the right of the direction, is dark. */
     private boolean isDarkAhead(int x, int y, int direction, boolean left) {
         int toLeft = (direction + 1) % 4;
         int side = left ? 1 : -1;
-        // twice the way from the corner to the pixel's centre
+        // twice the offset from the corner to the pixel's centre
         int offX = DX[direction] + side * DX[toLeft];
         int offY = DY[direction] + side * DY[toLeft];
         return pixels.isDark(x + (offX - 1) / 2, y + (offY - 1) / 2);

@@ -20,8 +20,8 @@ final class PixelRectangles {
 
     private static List<Box> joinedRows(Pixels pixels) {
         var boxes = new ArrayList<Box>();
-        int[] startedAt = new int[pixels.width]; // row in which the open box that begins at x began
-        int[] endsAt = new int[pixels.width]; // column behind it, 0 if there is none
+        int[] startedAt = new int[pixels.width]; // row in which the open box that starts at column x started
+        int[] endsAt = new int[pixels.width]; // column after it, 0 if there is none
         for (int y = 0; y <= pixels.height; y++) {
             int[] runs = runs(pixels, y);
             for (int x = 0; x < pixels.width; x++) {
@@ -37,7 +37,7 @@ final class PixelRectangles {
         return boxes;
     }
 
-    /** By the column in which a run of a row begins, the column behind its end; 0 where none begins. */
+    /** For each column in which a run of a row starts, the column after its end; 0 where none starts. */
     private static int[] runs(Pixels pixels, int y) {
         int[] runs = new int[pixels.width];
         for (int x = 0; x < pixels.width; x++) {

@@ -2,7 +2,7 @@ package io.troupe.sim.scenario;
 
 import java.util.BitSet;
 
-/** The dark pixels of a bitmap: row 0 is the lowest, unlike in an image. */
+/** The dark pixels of a bitmap. Row 0 is the lowest, unlike in an image. */
 final class Pixels {
     final int width;
     final int height;
@@ -18,7 +18,7 @@ final class Pixels {
         dark.set(y * width + x);
     }
 
-    /** Whether the pixel is dark; what is outside the bitmap is not. */
+    /** True if the pixel is dark; pixels outside the bitmap are not. */
     boolean isDark(int x, int y) {
         return x >= 0 && y >= 0 && x < width && y < height && dark.get(y * width + x);
     }
@@ -27,7 +27,7 @@ final class Pixels {
         return dark.cardinality();
     }
 
-    /** The dark pixels' bounding box, in pixels; only if there is a dark pixel. */
+    /** Bounding box of the dark pixels, in pixels; there must be at least one. */
     Box darkBox() {
         int minX = width;
         int maxX = 0;
@@ -40,7 +40,7 @@ final class Pixels {
         return new Box(minX, minY, maxX, maxY);
     }
 
-    /** Mirrored at the diagonal, so that columns become rows. */
+    /** The bitmap mirrored at its diagonal, so that columns become rows. */
     Pixels transposed() {
         var turned = new Pixels(height, width);
         for (int at = dark.nextSetBit(0); at >= 0; at = dark.nextSetBit(at + 1)) {

@@ -6,7 +6,7 @@ import java.util.List;
 
 /** Plane geometry of polygons in metres. */
 final class Polygons {
-    /** What is nearer than this, is the same place: a micrometre. */
+    /** Points nearer than this, a micrometre, count as the same. */
     static final double SAME_PLACE_M = 1e-6;
 
     private static final double TOUCHING_M = 1e-9;
@@ -37,7 +37,7 @@ final class Polygons {
         return turned;
     }
 
-    /** Twice the signed area of the triangle: positive if c lies to the left of the way from a to b. */
+    /** Twice the signed area of the triangle: positive if c lies to the left of the line from a to b. */
     static double turn(Point a, Point b, Point c) {
         return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
     }
@@ -46,12 +46,12 @@ final class Polygons {
         return StrictMath.hypot(b.x() - a.x(), b.y() - a.y());
     }
 
-    /** Whether the way from a over b to c turns left by more than rounding: b lies off the line from a to c. */
+    /** True if the path a, b, c turns left by more than rounding: b lies off the line from a to c. */
     static boolean turnsLeft(Point a, Point b, Point c) {
         return turn(a, b, c) > SAME_PLACE_M * distance(a, c);
     }
 
-    /** Whether two segments have a point in common. */
+    /** True if two segments have a common point. */
     static boolean meet(Point a, Point b, Point c, Point d) {
         double abc = turn(a, b, c);
         double abd = turn(a, b, d);
@@ -77,12 +77,14 @@ final class Polygons {
                 && onLine.y() <= Math.max(a.y(), b.y());
     }
 
-    /** Whether the insides of two convex polygons have a point in common; touching is not enough (separating axes). */
+    /**
+     * True if the interiors of two convex polygons have a common point (separating axes); touching is not overlapping.
+     */
     static boolean overlap(List<Point> one, List<Point> other) {
         return !hasGapBeyondEdge(one, other) && !hasGapBeyondEdge(other, one);
     }
 
-    /** Whether an edge of the first polygon, counter-clockwise, has all of the second on its outer side. */
+    /** True if an edge of the first polygon, which is counter-clockwise, has all of the second on its outer side. */
     private static boolean hasGapBeyondEdge(List<Point> polygon, List<Point> other) {
         Point a = polygon.getLast();
         for (Point b : polygon) {

@@ -1,14 +1,14 @@
 package io.troupe.sim.scenario;
 
 /**
- * Where something is and which way it faces.
+ * A position and a heading in the plane.
  *
- * <p><b>Units and shapes.</b> Metres; heading in radians, counter-clockwise, 0 along x; the frame is the owner's.
+ * <p><b>Units and shapes.</b> Metres; heading in radians, counter-clockwise, 0 along x; the frame depends on the owner.
  */
 public record Pose(double x, double y, double headingRad) {
     public static final Pose ORIGIN = new Pose(0, 0, 0);
 
-    /** The pose in the outer frame of one given in this pose's frame. */
+    /** Converts a pose in this pose's frame to the outer frame. */
     public Pose compose(Pose local) {
         double cos = StrictMath.cos(headingRad);
         double sin = StrictMath.sin(headingRad);
@@ -16,7 +16,7 @@ public record Pose(double x, double y, double headingRad) {
                 x + cos * local.x - sin * local.y, y + sin * local.x + cos * local.y, headingRad + local.headingRad);
     }
 
-    /** The point in the outer frame of one given in this pose's frame. */
+    /** Converts a point in this pose's frame to the outer frame. */
     public Point place(Point local) {
         double cos = StrictMath.cos(headingRad);
         double sin = StrictMath.sin(headingRad);

@@ -9,17 +9,17 @@ package io.troupe.sim.scenario;
 record Property(String name, int index, Value value, SourcePosition where) {
     static final int NO_INDEX = -1;
 
-    /** Different for every element of an array. */
+    /** Unique key of the property within its entity; elements of an array differ. */
     String key() {
         return key(name, index);
     }
 
-    /** How many numbers or texts it holds; an empty tuple counts as one. */
+    /** Number of numbers or texts in the value; an empty tuple counts as one. */
     int valueCount() {
         return value instanceof Value.Tuple tuple ? Math.max(1, tuple.items().size()) : 1;
     }
 
-    /** What the {@link Vocabulary} calls it: {@code polygon.points} for {@code polygon[0].points}. */
+    /** The name in the {@link Vocabulary}: {@code polygon.points} for {@code polygon[0].points}. */
     String word() {
         int bracket = name.indexOf('[');
         return bracket < 0 ? name : name.substring(0, bracket) + name.substring(name.indexOf(']') + 1);

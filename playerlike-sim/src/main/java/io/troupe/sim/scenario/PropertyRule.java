@@ -3,12 +3,12 @@ package io.troupe.sim.scenario;
 import java.util.List;
 
 /**
- * What may stand after a property's name.
+ * Rule for the value of a property.
  *
  * @param least fewest values of a tuple
  * @param most most values of a tuple
- * @param index whether the name stands with an index, as {@code point[0]} does
- * @param withoutEffect what to say of a property that Stage knows or knew and that does nothing here, empty if it does
+ * @param index whether the name has an index, as {@code point[0]} does
+ * @param withoutEffect warning text for a property of Stage that has no effect here, empty if it has one
  */
 record PropertyRule(Form form, int least, int most, Index index, String withoutEffect) {
     static final PropertyRule NUMBER = new PropertyRule(Form.NUMBER, 1, 1, Index.NONE, "");
@@ -17,7 +17,7 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
     static final PropertyRule TEXT = new PropertyRule(Form.TEXT, 1, 1, Index.NONE, "");
     static final PropertyRule TEXTS = new PropertyRule(Form.TEXTS, 0, Integer.MAX_VALUE, Index.NONE, "");
 
-    /** What steers Stage's window or its pace: any value. */
+    /** Properties of Stage's window or speed: any value. */
     static final PropertyRule ANY = new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, Index.MAYBE, "");
 
     enum Index {
@@ -52,7 +52,7 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
         return new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, Index.MAYBE, why);
     }
 
-    /** Throws unless the value is of this form. */
+    /** Throws unless the value has this form. */
     void check(Property property) {
         boolean indexed = property.index() != Property.NO_INDEX;
         if (indexed ? index == Index.NONE : index == Index.NEEDED) {
@@ -78,7 +78,7 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
                 value instanceof Value.Num number
                         && number.value() == StrictMath.rint(number.value())
                         && Math.abs(number.value()) <= Integer.MAX_VALUE;
-            // as in Stage, any other number than 0 means yes
+            // as in Stage, any number but 0 means yes
             case FLAG -> value instanceof Value.Num;
             case TEXT -> value instanceof Value.Text;
             case NUMBERS ->

@@ -1,7 +1,7 @@
 package io.troupe.sim.scenario;
 
 /**
- * By how much readings of a range are off: each is drawn anew, evenly from plus or minus half of these.
+ * Noise of range readings. Each error is drawn for every reading, uniform within plus or minus half of these.
  *
  * @param constantM independent of the range
  * @param proportional to the range, 0.01 = 1 %

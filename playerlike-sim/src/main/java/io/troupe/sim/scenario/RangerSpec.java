@@ -3,18 +3,18 @@ package io.troupe.sim.scenario;
 import java.util.List;
 
 /**
- * A ranging device: a laser scanner, or what the Stage 4 dialect calls a ranger.
+ * A ranging device: a laser scanner, or a ranger of the Stage 4 dialect.
  *
- * @param kind by which interface it is offered
- * @param mount where it sits, in the robot's frame
+ * @param kind the interface by which it is offered
+ * @param mount device pose in the robot's frame
  * @param lengthM its x extent
  * @param widthM its y extent
- * @param sensors whose ranges it publishes one after the other; 1 for a laser
+ * @param sensors in the order in which their ranges are published; 1 for a laser
  */
 public record RangerSpec(Kind kind, Pose mount, double lengthM, double widthM, List<RangeSensorSpec> sensors) {
-    /** The two ways in which a ranging device is offered. */
+    /** The interface of a ranging device. */
     public enum Kind {
-        /** Player's {@code laser}: a scan in one plane from one place. */
+        /** Player's {@code laser}: a scan in one plane from one point. */
         LASER,
         /** Player's {@code ranger}: any number of sensors. */
         RANGER

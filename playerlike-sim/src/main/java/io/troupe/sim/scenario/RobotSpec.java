@@ -4,23 +4,23 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A differential-drive robot: the Stage entity {@code position} with what hangs on it.
+ * A differential-drive robot: the Stage entity {@code position} with everything attached to it.
  *
- * @param name the world file's name of it, unique in the world
+ * @param name its name in the world file, unique in the world
  * @param pose start pose in the world's frame
  * @param colour {@code 0x00RRGGBB}
  * @param lengthM x extent of the body
  * @param widthM y extent of the body
  * @param origin of the body's centre relative to the centre of rotation (Stage's {@code origin})
- * @param startOdometry what odometry reports at the start: the zero pose in the classic dialect
+ * @param startOdometry odometry pose at the start: the zero pose in the classic dialect
  * @param sonar null if it has none
  * @param blobfinder null if it has none
  * @param rangers its lasers and rangers, in the order of the file
- * @param blocksRangers rays of others end at it
- * @param visible the blobfinders of others see it
- * @param blocksBodies if not, it drives through everything and everybody
- * @param drive how it moves
- * @param cargo what it carries
+ * @param blocksRangers it stops the rays of other robots
+ * @param visible the blobfinders of other robots see it
+ * @param blocksBodies false if it passes through all bodies
+ * @param drive start speed, limits and kind of odometry
+ * @param cargo the things that it carries
  */
 public record RobotSpec(
         String name,
@@ -46,7 +46,7 @@ public record RobotSpec(
         cargo = List.copyOf(cargo);
     }
 
-    /** A robot that blocks bodies, drives without limits and carries nothing. */
+    /** Creates a robot that blocks bodies, drives without limits and carries nothing. */
     public RobotSpec(
             String name,
             Pose pose,
@@ -84,7 +84,7 @@ public record RobotSpec(
                 where);
     }
 
-    /** Everything of it that bumps into things: the body and what it carries. */
+    /** The shape that collides with other bodies: the robot's body and its blocking cargo. */
     public Shape collisionShape() {
         Shape whole = shape;
         for (CargoSpec piece : cargo) {
@@ -93,7 +93,7 @@ public record RobotSpec(
         return whole;
     }
 
-    /** How wrong its odometry may be; {@link OdometryError#NONE} unless the file asks for it. */
+    /** Bounds of the odometry error; {@link OdometryError#NONE} unless the file specifies it. */
     public OdometryError odometryError() {
         return switch (drive.localization()) {
             case DriveSpec.Localization.Gps gps -> OdometryError.NONE;
@@ -102,13 +102,13 @@ public record RobotSpec(
         };
     }
 
-    /** The same robot with odometry that adds up what the wheels do, and is wrong by this. */
+    /** A copy with odometry that sums up the motion of the wheels, with the given error. */
     public RobotSpec withOdometryError(OdometryError error) {
         var counted = new DriveSpec.Localization.DeadReckoning(error.x(), error.y(), error.heading());
         return with(rangers, drive.withLocalization(counted));
     }
 
-    /** The same robot with these lasers and rangers. */
+    /** A copy with the given lasers and rangers. */
     public RobotSpec withRangers(List<RangerSpec> others) {
         return with(others, drive);
     }

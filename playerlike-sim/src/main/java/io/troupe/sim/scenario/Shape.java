@@ -4,14 +4,14 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * A body seen from above, in its own frame, origin at the pose point (a robot's centre of rotation).
+ * The outline of a body in its own frame, with the origin at the pose point (a robot's centre of rotation).
  *
- * <p><b>Units and shapes.</b> Metres. What bodies bump into and what rays end at are the same area, said twice: as
- * convex pieces and as lines around it, because rays must not see where one piece ends and the next begins.
+ * <p><b>Units and shapes.</b> Metres. The same area is given twice: as convex pieces for collisions, and as lines
+ * around it for rays, because rays must not see the edges between two pieces.
  *
  * @param polygons the area as pieces of 3 to 8 vertices, counter-clockwise, convex
- * @param outlines the lines around it, each closed by itself, the body to the left: counter-clockwise outside,
- *     clockwise around a hole
+ * @param outlines the lines around it, each closed, the body to the left: counter-clockwise outside, clockwise around a
+ *     hole
  */
 public record Shape(List<List<Point>> polygons, List<List<Point>> outlines) {
     public Shape {
@@ -20,7 +20,7 @@ public record Shape(List<List<Point>> polygons, List<List<Point>> outlines) {
         outlines = same ? polygons : copy(outlines);
     }
 
-    /** A body whose pieces are seen as they are. */
+    /** Creates a body whose outlines are its pieces. */
     public Shape(List<List<Point>> polygons) {
         this(polygons, polygons);
     }
@@ -29,12 +29,12 @@ public record Shape(List<List<Point>> polygons, List<List<Point>> outlines) {
         return rings.stream().map(List::copyOf).toList();
     }
 
-    /** Both bodies as one. */
+    /** The union of both bodies. */
     Shape with(Shape other) {
         return new Shape(join(polygons, other.polygons), join(outlines, other.outlines));
     }
 
-    /** The body in the frame in which {@code pose} is given. */
+    /** The body moved to the frame in which {@code pose} is given. */
     Shape at(Pose pose) {
         return pose.equals(Pose.ORIGIN) ? this : new Shape(place(polygons, pose), place(outlines, pose));
     }

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Works out the outline of a model: its blocks scaled to fill {@code size}, its boundary, or the plain box. */
+/** Computes the outline of a model: its blocks scaled to fill {@code size}, its boundary, or the plain rectangle. */
 final class ShapeReader {
     private static final double SMALLEST_M = 0.001;
     private static final double LARGEST_M = 10_000;
@@ -16,7 +16,7 @@ final class ShapeReader {
     private final Units units;
     private final BitmapShapes bitmaps;
 
-    /** @param mainFile of the world: bitmaps may stand beside it */
+    /** @param mainFile the world file: bitmaps may be beside it */
     ShapeReader(Units units, Path mainFile) {
         this.units = units;
         bitmaps = new BitmapShapes(mainFile);
@@ -66,7 +66,8 @@ final class ShapeReader {
     }
 
     /**
-     * What version 2 of Stage wrote as {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, as blocks.
+     * Converts the outlines of Stage 2, {@code polygons 1 polygon[0].points 8 polygon[0].point[0] [ .. ] ..}, to
+     * blocks.
      */
     private static List<Entity> outlinesOfStage2(Entity model, String word) {
         int count = model.whole(word + "s", 0);
@@ -89,7 +90,7 @@ final class ShapeReader {
             for (int j = 0; j < model.whole(prefix + "points", 0); j++) {
                 Property point = model.properties().get(Property.key(prefix + "point", j));
                 if (point == null) {
-                    break; // the reader of blocks says which one
+                    break; // BlockReader reports which one
                 }
                 var renamed = new Property("point", j, point.value(), point.where());
                 properties.put(renamed.key(), renamed);
@@ -136,5 +137,89 @@ final class ShapeReader {
                 Polygons.rectangle(-x, y - thick, x, y),
                 Polygons.rectangle(-x, -y, -x + thick, y),
                 Polygons.rectangle(x - thick, -y, x, y)));
+    }
+
+    /** Reads the outline in a {@code block ( points N point[0] [x y] .. )}, in the units of the file's author. */
+    private static final class BlockReader {
+        private static final int MOST_POINTS = 1000;
+        private static final double LARGEST = 1e6;
+
+        private BlockReader() {}
+
+        static List<Point> read(Entity block) {
+            int count = count(block);
+            var outline = new ArrayList<Point>();
+            for (int i = 0; i < count; i++) {
+                double[] xy = block.numbers(Property.key("point", i));
+                var point = new Point(xy[0], xy[1]);
+                if (Math.abs(point.x()) > LARGEST || Math.abs(point.y()) > LARGEST) {
+                    throw new WorldFileException(
+                            block.whereOf(Property.key("point", i)), "a block's coordinates must be within +-1000000");
+                }
+                outline.add(point);
+            }
+            checkDistinct(block, outline);
+            return outline;
+        }
+
+        private static int count(Entity block) {
+            long given = block.properties().values().stream()
+                    .filter(p -> p.name().equals("point"))
+                    .count();
+            int count = block.whole("points", (int) given);
+            SourcePosition where = block.whereOf("points");
+            if (count < 3 || count > MOST_POINTS) {
+                throw new WorldFileException(where, "a block needs 3 to " + MOST_POINTS + " points, not " + count);
+            }
+            for (int i = 0; i < count; i++) {
+                if (!block.has(Property.key("point", i))) {
+                    throw new WorldFileException(where, "\"points\" is " + count + ", but point[" + i + "] is missing");
+                }
+            }
+            if (given > count) {
+                throw new WorldFileException(where, "\"points\" is " + count + ", but " + given + " points are given");
+            }
+            return count;
+        }
+
+        private static void checkDistinct(Entity block, List<Point> outline) {
+            for (int i = 0; i < outline.size(); i++) {
+                int next = (i + 1) % outline.size();
+                if (outline.get(i).equals(outline.get(next))) {
+                    throw new WorldFileException(
+                            block.whereOf(Property.key("point", Math.max(i, next))),
+                            "point[" + i + "] and point[" + next
+                                    + "] are the same; a block's outline closes by itself");
+                }
+            }
+        }
+
+        /** Throws if the outline crosses or touches itself. */
+        static void checkSimple(Entity block, List<Point> outline) {
+            int n = outline.size();
+            for (int i = 0; i < n; i++) {
+                Point a = outline.get(i);
+                Point b = outline.get((i + 1) % n);
+                Point c = outline.get((i + 2) % n);
+                boolean turnsBack = Polygons.turn(a, b, c) == 0
+                        && (b.x() - a.x()) * (c.x() - b.x()) + (b.y() - a.y()) * (c.y() - b.y()) < 0;
+                if (turnsBack) {
+                    throw crossing(block, i, (i + 1) % n);
+                }
+                for (int j = i + 2; j < n; j++) {
+                    boolean neighbours = (j + 1) % n == i;
+                    if (!neighbours && Polygons.meet(a, b, outline.get(j), outline.get((j + 1) % n))) {
+                        throw crossing(block, i, j);
+                    }
+                }
+            }
+        }
+
+        private static WorldFileException crossing(Entity block, int i, int j) {
+            return new WorldFileException(
+                    block.where(),
+                    "the block's outline crosses or touches itself: the edge from point[" + i
+                            + "] meets the edge from point[" + j + "]");
+        }
     }
 }

@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Finds and reads files that a user or another file named. */
+/** Finds and reads files that the user or another file names. */
 final class SourceText {
     private static final long MOST_BYTES = 16_000_000;
 
@@ -25,48 +25,48 @@ final class SourceText {
     /**
      * The text of a file.
      *
-     * @param asker where the file is named; null if the user named it
+     * @param namedAt position where the file is named; null if the user named it
      */
-    static String read(Path file, @Nullable SourcePosition asker) {
+    static String read(Path file, @Nullable SourcePosition namedAt) {
         if (!Files.isRegularFile(file)) {
-            throw problem(asker, Files.exists(file) ? file + " is not a file" : "there is no file " + file);
+            throw problem(namedAt, Files.exists(file) ? file + " is not a file" : "there is no file " + file);
         }
         try {
             if (Files.size(file) > MOST_BYTES) {
-                throw problem(asker, file + " is larger than " + MOST_BYTES + " bytes");
+                throw problem(namedAt, file + " is larger than " + MOST_BYTES + " bytes");
             }
             String text = Files.readString(file);
             return text.startsWith("\uFEFF") ? text.substring(1) : text;
         } catch (CharacterCodingException e) {
-            throw problem(asker, file + " is not UTF-8 text");
+            throw problem(namedAt, file + " is not UTF-8 text");
         } catch (IOException e) {
-            throw problem(asker, "cannot read " + file + ": " + e);
+            throw problem(namedAt, "cannot read " + file + ": " + e);
         }
     }
 
-    /** The file that another one names, relative to that other one. */
-    static Path sibling(Path file, String name, SourcePosition asker) {
+    /** Path of a file that another one names, relative to that other one. */
+    static Path sibling(Path file, String name, SourcePosition namedAt) {
         try {
             return file.resolveSibling(name).normalize();
         } catch (InvalidPathException e) {
-            throw new WorldFileException(asker, "\"" + name + "\" is not a file name: " + e.getReason());
+            throw new WorldFileException(namedAt, "\"" + name + "\" is not a file name: " + e.getReason());
         }
     }
 
     /**
-     * The file that another one names: beside it, beside the first file, or where Stage keeps its worlds.
+     * Path of a file that another one names: beside it, beside the first file, or in Stage's world folders.
      *
      * @param first the file that the user named
      */
-    static Path sibling(Path file, Path first, String name, SourcePosition asker) {
-        return find(file, first, STAGE_FOLDERS, name, asker);
+    static Path sibling(Path file, Path first, String name, SourcePosition namedAt) {
+        return find(file, first, STAGE_FOLDERS, name, namedAt);
     }
 
-    /** The first of the places that has the file; where none has it, that beside the file that names it. */
-    static Path find(Path file, Path first, List<Path> folders, String name, SourcePosition asker) {
-        Path beside = sibling(file, name, asker);
+    /** The first candidate that exists; if none exists, the one beside the naming file. */
+    static Path find(Path file, Path first, List<Path> folders, String name, SourcePosition namedAt) {
+        Path beside = sibling(file, name, namedAt);
         return Stream.concat(
-                        Stream.of(beside, sibling(first, name, asker)),
+                        Stream.of(beside, sibling(first, name, namedAt)),
                         folders.stream().map(folder -> folder.resolve(name).normalize()))
                 .filter(Files::isRegularFile)
                 .findFirst()
@@ -90,7 +90,7 @@ final class SourceText {
         return List.copyOf(folders);
     }
 
-    private static WorldFileException problem(@Nullable SourcePosition asker, String problem) {
-        return asker == null ? new WorldFileException(problem) : new WorldFileException(asker, problem);
+    private static WorldFileException problem(@Nullable SourcePosition namedAt, String problem) {
+        return namedAt == null ? new WorldFileException(problem) : new WorldFileException(namedAt, problem);
     }
 }

@@ -1,9 +1,9 @@
 package io.troupe.sim.scenario;
 
 /**
- * A word, number, text or bracket of a file, and where it stands.
+ * A word, number, text or bracket of a file, with its position.
  *
- * @param text as written; of a text in quotes what stands between them
+ * @param text as written; of a text in quotes without the quotes
  */
 record Token(Kind kind, String text, SourcePosition where) {
     enum Kind {
@@ -17,7 +17,7 @@ record Token(Kind kind, String text, SourcePosition where) {
         END
     }
 
-    /** For messages: how the reader finds it in the file. */
+    /** The token as shown in messages. */
     String shown() {
         return switch (kind) {
             case END -> "the end of the file";

@@ -3,15 +3,15 @@ package io.troupe.sim.scenario;
 import java.util.Map;
 
 /**
- * Turns a world file's lengths and angles into metres and radians.
+ * Converts a world file's lengths and angles to metres and radians.
  *
  * @param metresPerUnit of the file's unit of length
- * @param degrees whether angles are in degrees, else in radians
+ * @param degrees true if angles are in degrees, false if in radians
  */
 record Units(double metresPerUnit, boolean degrees) {
     private static final Map<String, Double> LENGTHS = Map.of("m", 1.0, "cm", 0.01, "mm", 0.001);
 
-    /** Far beyond any world, and near enough that sums stay exact to better than a micrometre. */
+    /** Far beyond any world, and small enough that sums are exact to better than a micrometre. */
     private static final double FARTHEST_M = 1e6;
 
     static Units of(Entity world) {
@@ -43,7 +43,7 @@ record Units(double metresPerUnit, boolean degrees) {
         return degrees ? StrictMath.toRadians(written) : written;
     }
 
-    /** A property of the form {@code [x y z heading]} or {@code [x y heading]}. */
+    /** Reads a property of the form {@code [x y z heading]} or {@code [x y heading]}. */
     Pose pose(Entity entity, String key) {
         double[] values = entity.numbers(key, 0, 0, 0);
         SourcePosition where = entity.whereOf(key);

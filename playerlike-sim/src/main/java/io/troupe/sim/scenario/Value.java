@@ -2,11 +2,11 @@ package io.troupe.sim.scenario;
 
 import java.util.List;
 
-/** What stands after a property's name. */
+/** The value of a property. */
 sealed interface Value {
     SourcePosition where();
 
-    /** For messages: what it is and how it was written. */
+    /** The value as shown in messages: its kind and its text. */
     String shown();
 
     /** A finite number. */
@@ -24,7 +24,7 @@ sealed interface Value {
         }
     }
 
-    /** Values in square brackets; they are numbers and texts, never tuples. */
+    /** Values in square brackets: numbers and texts, no tuples. */
     record Tuple(List<Value> items, SourcePosition where) implements Value {
         @Override
         public String shown() {

@@ -20,13 +20,13 @@ import java.util.TreeSet;
  * The entity types and properties of both dialects of the Stage language and of Player's configuration files, as data.
  */
 final class Vocabulary {
-    /** Stands for a world file itself: its properties and entities at the top level. */
+    /** Type of a world file itself: its properties and entities at the top level. */
     static final String WORLD = "world file";
 
-    /** Stands for a configuration file itself. */
+    /** Type of a configuration file itself. */
     static final String CONFIG = "configuration file";
 
-    /** What an entity type may hold. */
+    /** Allowed content of an entity type. */
     record Type(Map<String, PropertyRule> properties, Set<String> children) {
         /** The names of properties, without those that have no effect. */
         Set<String> usefulProperties() {
@@ -40,7 +40,7 @@ final class Vocabulary {
         }
     }
 
-    /** Types that Stage knows, or knew in its version 2, and nobody can use here. */
+    /** Types that Stage knows, or knew in its version 2, and that have no use here. */
     private static final Set<String> WITHOUT_USE = Set.of(
             "actuator",
             "audio",
@@ -103,7 +103,7 @@ final class Vocabulary {
             all(FLAG, "boundary", "obstacle_return", "blob_return", "gripper_return", "stack_children", "alwayson"),
             all(FLAG, "gui_nose", "gui_grid", "gui_outline", "gui_move", "gui_boundary"),
             all(ANY, "gui_movemask", "trail_interval", "debug", "noblocks", "ignore_zloc"),
-            // outlines in the words of Stage 2
+            // outlines as in Stage 2
             all(WHOLE, "polygons", "blocks", "polygon.points", "block.points"),
             all(array(2, 2), "polygon.point", "block.point"),
             all(ANY, "polygon.fill", "polygon.filled"),
@@ -191,17 +191,17 @@ final class Vocabulary {
         return TYPES.containsKey(name) || WITHOUT_USE.contains(name);
     }
 
-    /** Whether real Stage knows the type and nobody can use it here. */
+    /** True if real Stage knows the type and it has no use here. */
     static boolean isWithoutUse(String type) {
         return WITHOUT_USE.contains(type);
     }
 
-    /** Whether it is a device that a robot carries. */
+    /** True if it is a device that a robot carries. */
     static boolean isSensor(String type) {
         return SENSORS.contains(type);
     }
 
-    /** The type of that name; only for one of which {@link #isType} says so and {@link #isWithoutUse} does not. */
+    /** The type with a name, for which {@link #isType} must be true and {@link #isWithoutUse} false. */
     static Type type(String name) {
         Type type = TYPES.get(name);
         if (type == null) {
@@ -210,14 +210,14 @@ final class Vocabulary {
         return type;
     }
 
-    /** The types a world may be built of, and {@code driver}: what an unknown word is compared with. */
+    /** The types that a world may consist of, and {@code driver}: the candidates for an unknown word. */
     static Set<String> readableTypes() {
         var names = new TreeSet<>(TYPES.keySet());
         names.removeAll(Set.of(WORLD, CONFIG));
         return names;
     }
 
-    /** The types that may usefully hold this one, sorted. */
+    /** The types that may contain this one with an effect, sorted. */
     static Set<String> holdersOf(String child) {
         if (SENSORS.contains(child)) {
             return Set.of("position");

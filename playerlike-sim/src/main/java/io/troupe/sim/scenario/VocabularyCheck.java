@@ -6,26 +6,26 @@ import java.util.IdentityHashMap;
 import java.util.Set;
 import java.util.TreeSet;
 
-/** Holds a tree against the {@link Vocabulary}: unknown names, wrong kinds of value, entities in the wrong place. */
+/** Checks a tree against the {@link Vocabulary}: unknown names, wrong kinds of value, entities in the wrong place. */
 final class VocabularyCheck {
     private final Document document;
-    private final Findings findings;
-    /** An entity's own properties, and once for all instances those that they share with their macro. */
+    private final Diagnostics diagnostics;
+    /** Properties already checked, by identity: those of a macro are shared by its instances and are checked once. */
     private final Set<Property> checkedInMacros = Collections.newSetFromMap(new IdentityHashMap<>());
 
     private final Set<Property> checkedInUse = Collections.newSetFromMap(new IdentityHashMap<>());
 
-    private VocabularyCheck(Document document, Findings findings) {
+    private VocabularyCheck(Document document, Diagnostics diagnostics) {
         this.document = document;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
     }
 
     /**
-     * Reports what is not in the vocabulary. Macros are checked too; what is known but has no effect is reported only
-     * where a macro is used, so that stock include files with more in them than a world needs can be read.
+     * Reports everything that is not in the vocabulary. Macros are checked too. A known property without effect is
+     * reported only where a macro is used, so that include files with more content than a world needs can be read.
      */
-    static void check(Document document, Findings findings) {
-        var check = new VocabularyCheck(document, findings);
+    static void check(Document document, Diagnostics diagnostics) {
+        var check = new VocabularyCheck(document, diagnostics);
         for (Entity macro : document.macros().values()) {
             if (!Vocabulary.isType(macro.type())) {
                 check.unknownType(macro, Vocabulary.readableTypes());
@@ -54,30 +54,30 @@ final class VocabularyCheck {
         }
         PropertyRule rule = type.properties().get(property.word());
         if (rule == null) {
-            findings.leaveOut(
+            diagnostics.unknownName(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
-                            + Suggestions.briefly(property.name(), type.usefulProperties()));
+                            + NearestNames.briefly(property.name(), type.usefulProperties()));
             return;
         }
         if (!rule.withoutEffect().isEmpty()) {
             if (used) {
-                findings.warn(property.where(), "\"" + property.name() + "\" " + rule.withoutEffect());
+                diagnostics.warn(property.where(), "\"" + property.name() + "\" " + rule.withoutEffect());
             }
             return;
         }
         rule.check(property);
     }
 
-    /** False for what is left out. */
+    /** False for entities that are left out. */
     private boolean mayRead(Entity child, Entity parent, Vocabulary.Type parentType, boolean used) {
         if (parentType.children().contains(child.type())) {
-            // the properties of Player's other drivers are their own
+            // the properties of Player's other drivers are not in the vocabulary
             return !child.type().equals("driver") || !child.has("name") || ConfigReader.mayBeStage(child);
         }
         if (Vocabulary.isWithoutUse(child.type())) {
             if (used) {
-                findings.warn(
+                diagnostics.warn(
                         child.where(),
                         "\"" + child.type() + "\" is not simulated and left out; simulated are model, position, ranger,"
                                 + " laser and blobfinder");
@@ -85,7 +85,7 @@ final class VocabularyCheck {
             return false;
         }
         if (Vocabulary.isSensor(child.type()) && parent.type().equals(Vocabulary.WORLD)) {
-            findings.warn(
+            diagnostics.warn(
                     child.where(),
                     "a " + child.type() + " that hangs on no robot (a position) is read by nobody and left out");
             return false;
@@ -103,7 +103,7 @@ final class VocabularyCheck {
     private void unknownType(Entity entity, Collection<String> builtIn) {
         var known = new TreeSet<>(builtIn);
         known.addAll(document.macros().keySet());
-        findings.leaveOut(
-                entity.where(), "unknown entity \"" + entity.type() + '"' + Suggestions.briefly(entity.type(), known));
+        diagnostics.unknownName(
+                entity.where(), "unknown entity \"" + entity.type() + '"' + NearestNames.briefly(entity.type(), known));
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.sim.scenario;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -10,15 +11,15 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** What must hold of a world as a whole before it can start: names, places, nothing inside anything else. */
+/** Checks a world as a whole: unique names, distances from the origin, overlaps, robots outside the walls. */
 final class WorldChecks {
     private static final Logger LOG = System.getLogger(WorldChecks.class.getName());
     private static final double EXACT_WITHIN_M = 150;
     private static final double USABLE_WITHIN_M = 500;
-    /** Rays reach walls there, and no robot starts there. */
+    /** Farthest reach of an obstacle: rays still hit it, but no robot may start there. */
     private static final double WALLS_WITHIN_M = 5_000;
 
-    /** A body where it stands in the world. */
+    /** A body at its place in the world. */
     private record Body(String name, SourcePosition where, List<List<Point>> pieces, Box box) {
         static Body of(RobotSpec robot) {
             return of("robot \"" + robot.name() + '"', robot.where(), robot.pose(), robot.collisionShape());
@@ -45,7 +46,7 @@ final class WorldChecks {
 
     private WorldChecks() {}
 
-    static void check(WorldSpec world, Findings findings) {
+    static void check(WorldSpec world, Diagnostics diagnostics) {
         checkNames(world);
         List<Body> robots = world.robots().stream()
                 .filter(RobotSpec::blocksBodies)
@@ -62,7 +63,7 @@ final class WorldChecks {
                 .map(Body::of);
         Stream.concat(robots.stream(), ghostRobots).forEach(body -> checkReach(body, USABLE_WITHIN_M));
         Stream.concat(walls.stream(), ghostWalls).forEach(body -> checkReach(body, WALLS_WITHIN_M));
-        reportOverlaps(robots, walls, findings);
+        reportOverlaps(robots, walls, diagnostics);
         checkArena(world.robots(), walls);
     }
 
@@ -100,13 +101,13 @@ final class WorldChecks {
         }
     }
 
-    /** As in Stage, a robot in something else cannot move; the simulator holds it. */
-    private static void reportOverlaps(List<Body> robots, List<Body> walls, Findings findings) {
+    /** Reports overlaps. As in Stage, a robot that overlaps something cannot move; the simulator holds it. */
+    private static void reportOverlaps(List<Body> robots, List<Body> walls, Diagnostics diagnostics) {
         for (int i = 0; i < robots.size(); i++) {
             Body robot = robots.get(i);
             Stream.concat(robots.subList(0, i).stream(), walls.stream())
                     .filter(robot::overlaps)
-                    .forEach(other -> findings.warn(
+                    .forEach(other -> diagnostics.warn(
                             robot.where,
                             robot.name + " overlaps " + other.name + " (" + other.where
                                     + ") at the start: "
@@ -124,7 +125,7 @@ final class WorldChecks {
         Optional<RobotSpec> outside = robots.stream()
                 .filter(robot -> !arena.holds(robot.pose().x(), robot.pose().y()))
                 .findFirst();
-        // things that stand about in the open are no arena
+        // separate obstacles in the open are no arena
         if (outside.isPresent() && Enclosure.isClosed(arena, pieces)) {
             RobotSpec robot = outside.get();
             throw new WorldFileException(
@@ -137,5 +138,83 @@ final class WorldChecks {
 
     private static String inMetres(double metres) {
         return String.format(Locale.ROOT, "%.3f", metres);
+    }
+
+    /**
+     * Distinguishes walls around a space from separate obstacles in the open, by a flood fill from outside over a grid
+     * of cells.
+     *
+     * <p>A gap narrower than a cell, a hundredth of the extent, counts as closed.
+     */
+    private static final class Enclosure {
+        private static final int CELLS = 100;
+
+        private final Box extent;
+        /** With one more row of cells on each side, from which the flood fill starts. */
+        private final boolean[][] taken = new boolean[CELLS + 2][CELLS + 2];
+
+        private Enclosure(Box extent) {
+            this.extent = extent;
+        }
+
+        /** True if the extent contains free space that cannot be reached from outside. */
+        static boolean isClosed(Box extent, List<List<Point>> convexPieces) {
+            if (convexPieces.isEmpty()) {
+                return false;
+            }
+            var enclosure = new Enclosure(extent);
+            convexPieces.forEach(enclosure::markTaken);
+            enclosure.flood();
+            for (boolean[] column : enclosure.taken) {
+                for (boolean cell : column) {
+                    if (!cell) {
+                        return true;
+                    }
+                }
+            }
+            return false;
+        }
+
+        private void markTaken(List<Point> piece) {
+            double width = extent.width() / CELLS;
+            double height = extent.height() / CELLS;
+            Box box = Box.around(List.of(piece));
+            int lastX = cell(box.maxX() - extent.minX(), width);
+            int lastY = cell(box.maxY() - extent.minY(), height);
+            for (int x = cell(box.minX() - extent.minX(), width); x <= lastX; x++) {
+                for (int y = cell(box.minY() - extent.minY(), height); y <= lastY; y++) {
+                    double left = extent.minX() + x * width;
+                    double below = extent.minY() + y * height;
+                    List<Point> cell = Polygons.rectangle(left, below, left + width, below + height);
+                    if (!taken[x + 1][y + 1] && Polygons.overlap(piece, cell)) {
+                        taken[x + 1][y + 1] = true;
+                    }
+                }
+            }
+        }
+
+        private static int cell(double distance, double cellSize) {
+            return Math.clamp((long) (distance / cellSize), 0, CELLS - 1);
+        }
+
+        private void flood() {
+            var front = new ArrayDeque<int[]>();
+            fill(front, 0, 0);
+            while (!front.isEmpty()) {
+                int[] cell = front.remove();
+                fill(front, cell[0] - 1, cell[1]);
+                fill(front, cell[0] + 1, cell[1]);
+                fill(front, cell[0], cell[1] - 1);
+                fill(front, cell[0], cell[1] + 1);
+            }
+        }
+
+        private void fill(ArrayDeque<int[]> front, int x, int y) {
+            boolean inside = x >= 0 && y >= 0 && x < CELLS + 2 && y < CELLS + 2;
+            if (inside && !taken[x][y]) {
+                taken[x][y] = true;
+                front.add(new int[] {x, y});
+            }
+        }
     }
 }

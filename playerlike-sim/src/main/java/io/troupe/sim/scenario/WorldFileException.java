@@ -1,8 +1,8 @@
 package io.troupe.sim.scenario;
 
 /**
- * A world or configuration file that cannot be read; the message begins with {@code file:line:column} where one is
- * known, and is cut short in its middle if need be.
+ * A world or configuration file that cannot be read. The message begins with {@code file:line:column} if the position
+ * is known; the middle of a long message is left out.
  */
 public final class WorldFileException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -17,7 +17,7 @@ public final class WorldFileException extends RuntimeException {
         super(shortened(problem));
     }
 
-    /** A problem that can be read: it may quote a word of any length, or list any number of names. */
+    /** Limits a problem to a readable length: it may quote a word of any length, or list any number of names. */
     static String shortened(String problem) {
         int leftOut = problem.length() - LONGEST_PROBLEM;
         return leftOut <= 0

@@ -1,6 +1,6 @@
 package io.troupe.sim.scenario;
 
-/** Something in a file that was left out or changed; prints as {@code file:line:column: problem}. */
+/** A part of a file that was left out or changed; prints as {@code file:line:column: problem}. */
 public record WorldFileWarning(SourcePosition where, String problem) {
     public WorldFileWarning {
         problem = WorldFileException.shortened(problem);

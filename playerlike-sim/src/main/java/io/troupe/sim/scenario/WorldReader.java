@@ -6,47 +6,47 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Turns the tree of a {@code .world} file into a {@link WorldSpec}. */
+/** Converts the tree of a {@code .world} file to a {@link WorldSpec}. */
 final class WorldReader {
     private static final int LONGEST_INTERVAL_MILLIS = 60_000;
 
     private final Units units;
     private final Dialect dialect;
-    private final Findings findings;
+    private final Diagnostics diagnostics;
     private final ShapeReader shapes;
     private final RobotReader robotReader;
     private final List<RobotSpec> robots = new ArrayList<>();
     private final List<ObstacleSpec> obstacles = new ArrayList<>();
     private final Map<String, Integer> unnamed = new TreeMap<>();
 
-    private WorldReader(Units units, Dialect dialect, Findings findings, Path mainFile) {
+    private WorldReader(Units units, Dialect dialect, Diagnostics diagnostics, Path mainFile) {
         this.units = units;
         this.dialect = dialect;
-        this.findings = findings;
+        this.diagnostics = diagnostics;
         this.shapes = new ShapeReader(units, mainFile);
-        this.robotReader = new RobotReader(units, dialect, shapes, findings);
+        this.robotReader = new RobotReader(units, dialect, shapes, diagnostics);
     }
 
-    /** The world of a parsed file, checked. */
-    static WorldSpec read(Document document, Findings findings) {
-        VocabularyCheck.check(document, findings);
+    /** Reads and checks the world of a parsed file. */
+    static WorldSpec read(Document document, Diagnostics diagnostics) {
+        VocabularyCheck.check(document, diagnostics);
         Entity root = document.root();
         var reader = new WorldReader(
                 Units.of(root),
-                Dialect.of(root, findings),
-                findings,
+                Dialect.of(root, diagnostics),
+                diagnostics,
                 root.where().file());
         for (Entity entity : document.entities()) {
             switch (entity.type()) {
                 case "position" -> reader.robot(entity);
                 case "model" -> reader.obstacle(entity, Pose.ORIGIN);
-                default -> {} // a window of the graphical program, or something left out
+                default -> {} // a window of Stage's graphical interface, or something left out
             }
         }
         Path file = root.where().file();
         String name = root.text("name", String.valueOf(file.getFileName()));
         var world = new WorldSpec(name, file, intervalMillis(root), reader.robots, reader.obstacles);
-        WorldChecks.check(world, findings);
+        WorldChecks.check(world, diagnostics);
         return world;
     }
 
@@ -74,7 +74,7 @@ final class WorldReader {
                 name(model),
                 pose,
                 shapes.shape(model),
-                Colours.of(model),
+                X11Colours.of(model),
                 model.flag("obstacle_return", true),
                 dialect.blocksRangers(model),
                 model.flag("blob_return", true),
@@ -83,11 +83,11 @@ final class WorldReader {
             if (child.type().equals("model")) {
                 obstacle(child, pose);
             } else if (child.type().equals("position")) {
-                findings.warn(
+                diagnostics.warn(
                         child.where(), "a position on a model does not drive here: it is read as a part of the model");
                 obstacle(child, pose);
             } else if (Vocabulary.isSensor(child.type())) {
-                findings.warn(
+                diagnostics.warn(
                         child.where(),
                         "a " + child.type()
                                 + " must hang on a robot (a position); on a model that stands still it is left"
@@ -99,7 +99,7 @@ final class WorldReader {
     private void reportProgram(Entity model) {
         String program = model.text("ctrl", "");
         if (!program.isBlank()) {
-            findings.warn(
+            diagnostics.warn(
                     model.whereOf("ctrl"),
                     "\"ctrl\" \"" + program
                             + "\" is a program that Stage runs and that is not run here: robots wait for"
@@ -111,14 +111,14 @@ final class WorldReader {
         boolean differs =
                 model.has("laser_return") && model.number("laser_return", 1) > 0 != dialect.blocksRangers(model);
         if (differs) {
-            findings.warn(
+            diagnostics.warn(
                     model.whereOf("laser_return"),
                     "lasers and sonars see the same things here: \"ranger_return\" counts, and \"laser_return\" differs"
                             + " from it");
         }
     }
 
-    /** The given name, or type and number within the type, as Stage does. */
+    /** The given name, or the type with its number within the type, as in Stage. */
     private String name(Entity entity) {
         int number = unnamed.merge(entity.type(), 1, Integer::sum) - 1;
         return entity.text("name", entity.type() + ":" + number);

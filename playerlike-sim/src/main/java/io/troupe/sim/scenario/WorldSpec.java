@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * A world as its file describes it.
+ * The description of a world, as read from its file.
  *
- * @param file where it was read from
+ * @param file the file from which it was read
  * @param intervalMillis simulated time between two publications of sensor data ({@code interval_sim})
  * @param robots in the order of the file
  * @param obstacles in the order of the file

@@ -1,4 +1,7 @@
-/** A world described in a file ({@code .world}, {@code .cfg}), read into records. */
+/**
+ * Worlds described in files ({@code .world}, {@code .cfg}). {@link io.troupe.sim.scenario.ScenarioReader} reads them
+ * into records.
+ */
 @NullMarked
 package io.troupe.sim.scenario;
 

@@ -23,11 +23,11 @@ import org.junit.jupiter.api.Test;
 class BlobfinderTest {
     private static final double DEGREE = StrictMath.PI / 180;
 
-    private static List<Blob> see(BlobfinderSpec camera, ObstacleSpec... obstacles) {
+    private static List<ColourBlob> see(BlobfinderSpec camera, ObstacleSpec... obstacles) {
         return see(camera, Specs.world(robot("r1", Pose.ORIGIN), obstacles));
     }
 
-    private static List<Blob> see(BlobfinderSpec camera, WorldSpec world) {
+    private static List<ColourBlob> see(BlobfinderSpec camera, WorldSpec world) {
         return new Blobfinder(camera).read(new Scene(world), 0).blobs();
     }
 
@@ -45,7 +45,7 @@ class BlobfinderTest {
     @Test
     void box_fillsTheColumnsItsFaceSpans() {
         // its outermost corners, seen from the camera: near left (2, 0.5) and far right (2.2, 0.3)
-        Blob blob = see(camera(8), box(2.1, 0.4, 0.2, 0.2, RED)).getFirst();
+        ColourBlob blob = see(camera(8), box(2.1, 0.4, 0.2, 0.2, RED)).getFirst();
 
         int[] columns = columnsBetween(StrictMath.atan2(0.5, 2), StrictMath.atan2(0.3, 2.2));
         assertThat(blob.colour()).isEqualTo(RED);
@@ -57,7 +57,7 @@ class BlobfinderTest {
 
     @Test
     void blobOfAWideWall_fillsTheImage_withTheHeightOfItsMeanRange() {
-        Blob blob = see(camera(8), wall("wall", 2.5, 0, 1, 20)).getFirst();
+        ColourBlob blob = see(camera(8), wall("wall", 2.5, 0, 1, 20)).getFirst();
 
         double sum = 0;
         for (int column = 0; column < 80; column++) {
@@ -76,7 +76,7 @@ class BlobfinderTest {
 
     @Test
     void nearThing_isClippedToTheImage() {
-        Blob blob = see(camera(8), wall("wall", 0.75, 0, 1, 4)).getFirst();
+        ColourBlob blob = see(camera(8), wall("wall", 0.75, 0, 1, 4)).getFirst();
 
         assertThat(blob.top()).isZero();
         assertThat(blob.bottom()).isEqualTo(60);
@@ -84,9 +84,9 @@ class BlobfinderTest {
 
     @Test
     void twoColours_areReportedFromLeftToRight() {
-        List<Blob> blobs = see(camera(8), box(3, -0.5, 0.4, 0.4, GREEN), box(3, 0.5, 0.4, 0.4, BLUE));
+        List<ColourBlob> blobs = see(camera(8), box(3, -0.5, 0.4, 0.4, GREEN), box(3, 0.5, 0.4, 0.4, BLUE));
 
-        assertThat(blobs).extracting(Blob::colour).containsExactly(BLUE, GREEN);
+        assertThat(blobs).extracting(ColourBlob::colour).containsExactly(BLUE, GREEN);
         assertThat(blobs.get(0).right()).isLessThan(40);
         assertThat(blobs.get(1).left()).isGreaterThanOrEqualTo(40);
         assertThat(blobs.get(0).left()).isEqualTo(79 - blobs.get(1).right());
@@ -102,7 +102,7 @@ class BlobfinderTest {
 
     @Test
     void blobsThatTouch_shareNoColumn_andSkipNone() {
-        List<Blob> blobs = see(camera(8), box(3, 0.5, 0.4, 1, BLUE), box(3, -0.5, 0.4, 1, GREEN));
+        List<ColourBlob> blobs = see(camera(8), box(3, 0.5, 0.4, 1, BLUE), box(3, -0.5, 0.4, 1, GREEN));
 
         assertThat(blobs).hasSize(2);
         assertThat(blobs.get(0).right()).isEqualTo(39);
@@ -111,15 +111,15 @@ class BlobfinderTest {
 
     @Test
     void wall_hidesWhatIsBehindIt() {
-        List<Blob> blobs = see(camera(8), box(4, 0, 0.5, 0.5, RED), wall("screen", 2, 0, 0.1, 1));
+        List<ColourBlob> blobs = see(camera(8), box(4, 0, 0.5, 0.5, RED), wall("screen", 2, 0, 0.1, 1));
 
-        assertThat(blobs).extracting(Blob::colour).containsExactly(BLACK);
+        assertThat(blobs).extracting(ColourBlob::colour).containsExactly(BLACK);
     }
 
     @Test
     void wall_hidesEvenWhenOnlyOtherColoursAreAskedFor() {
         // the screen covers the left half of the box
-        List<Blob> blobs = see(camera(8, RED), box(4, 0, 0.5, 1, RED), wall("screen", 2, 0.5, 0.1, 1));
+        List<ColourBlob> blobs = see(camera(8, RED), box(4, 0, 0.5, 1, RED), wall("screen", 2, 0.5, 0.1, 1));
 
         assertThat(blobs).hasSize(1);
         assertThat(blobs.getFirst().colour()).isEqualTo(RED);
@@ -131,7 +131,7 @@ class BlobfinderTest {
         WorldSpec world = Specs.world(
                 List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(2, 0, 0))), box(4, 0, 0.5, 0.5, RED));
 
-        assertThat(see(camera(8), world)).extracting(Blob::colour).containsExactly(ORANGE);
+        assertThat(see(camera(8), world)).extracting(ColourBlob::colour).containsExactly(ORANGE);
         assertThat(see(camera(8, RED), world)).isEmpty();
     }
 
@@ -144,9 +144,11 @@ class BlobfinderTest {
             wall("back", 6, 0, 1, 20)
         };
 
-        assertThat(see(camera(8, BLUE, RED), boxes)).extracting(Blob::colour).containsExactly(RED, BLUE);
+        assertThat(see(camera(8, BLUE, RED), boxes))
+                .extracting(ColourBlob::colour)
+                .containsExactly(RED, BLUE);
         assertThat(see(camera(8), boxes))
-                .extracting(Blob::colour)
+                .extracting(ColourBlob::colour)
                 .containsExactly(BLACK, RED, BLACK, 0xFE0000, BLACK, BLUE, BLACK);
     }
 
@@ -156,7 +158,7 @@ class BlobfinderTest {
                 "glass", new Pose(1, 0, 0), Specs.box(0.1, 4, 0), GREEN, true, true, false, Specs.at(1));
 
         assertThat(see(camera(8), glass, box(3, 0, 0.4, 0.4, RED)))
-                .extracting(Blob::colour)
+                .extracting(ColourBlob::colour)
                 .containsExactly(RED);
     }
 
@@ -175,7 +177,7 @@ class BlobfinderTest {
     void pannedCamera_looksWhereItsMountSays() {
         var left = new BlobfinderSpec(new Pose(0, 0, 90 * DEGREE), 80, 60, 8, 60 * DEGREE, List.of());
 
-        Blob blob = see(left, box(0, 3, 0.4, 0.4, RED)).getFirst();
+        ColourBlob blob = see(left, box(0, 3, 0.4, 0.4, RED)).getFirst();
 
         assertThat(blob.left() + blob.right()).isEqualTo(79);
     }

@@ -19,7 +19,7 @@ class NearestWallsTest {
                         random.nextDouble(-4, 4)));
     }
 
-    /** The same bits as looking at every wall, inside and outside of where the walls are. */
+    /** Compares with a search over all walls, bit for bit, inside and outside of the walls' extent. */
     @Test
     void gap_isThatOfTheNearestOfAll() {
         for (long seed = 0; seed < 300; seed++) {

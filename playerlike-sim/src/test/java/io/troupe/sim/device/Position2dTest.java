@@ -13,7 +13,7 @@ import java.util.TreeSet;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
-/** Odometry that miscounts, against closed forms. */
+/** Odometry with errors, compared with closed forms. */
 class Position2dTest {
     private static Pose report(Position2d odometry, Pose truth) {
         odometry.sense(truth.x(), truth.y(), truth.headingRad());
@@ -97,7 +97,7 @@ class Position2dTest {
         assertThat(drive(1, "r2")).isNotEqualTo(drive(1, "r1"));
     }
 
-    /** What odometry says about a metre. */
+    /** The distance that odometry reports for a drive of one metre. */
     private static double drive(long seed, String robot) {
         World world = World.create(
                 Specs.world(List.of(Specs.robot(robot, Pose.ORIGIN).withOdometryError(OdometryError.STAGE))),

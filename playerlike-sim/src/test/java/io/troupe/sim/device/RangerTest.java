@@ -17,7 +17,7 @@ import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;
 
-/** Scans against closed forms. */
+/** Scans compared with closed forms. */
 class RangerTest {
     private static final double DEGREE = StrictMath.PI / 180;
     private static final Offset<Double> EXACT = within(1e-9);
@@ -106,7 +106,7 @@ class RangerTest {
     void otherRobot_isSeen() {
         WorldSpec world = Specs.world(List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(3, 0, StrictMath.PI))));
 
-        // it looks back: its front is 0.18 m ahead of its centre of rotation
+        // it faces back: its front is 0.18 m ahead of its centre of rotation
         assertThat(read(laser(Pose.ORIGIN, 90, 3), world).get(1)).isCloseTo(3 - 0.18, EXACT);
         assertThat(read(laser(Pose.ORIGIN, 90, 3), world).getFirst()).isEqualTo(8);
     }
@@ -140,7 +140,7 @@ class RangerTest {
 
     @Test
     void noise_isWhatTheDrawsSay() {
-        // every draw is its bound: half of what the file says
+        // every draw is its bound: half of the specified value
         RangerSpec noisy = new RangerSpec(
                 RangerSpec.Kind.RANGER,
                 Pose.ORIGIN,

@@ -25,7 +25,7 @@ class SonarTest {
         return read(sonar, Specs.world(robot("r1", at), obstacles));
     }
 
-    /** What robot 0 would read with these sonars. */
+    /** Readings of robot 0 with these sonars. */
     private static List<Double> read(SonarSpec sonar, WorldSpec world) {
         return new Sonar(sonar).read(new Scene(world), 0);
     }
@@ -78,7 +78,7 @@ class SonarTest {
         WorldSpec world =
                 Specs.world(List.of(robot("r1", Pose.ORIGIN), robot("r2", new Pose(2, 0, StrictMath.PI / 2))));
 
-        // the other one shows its right side, half its width from its centre of rotation
+        // the other one's right side is half its width from its centre of rotation
         assertThat(read(sonars(0, 180), world).get(0)).isCloseTo(2 - 0.19, EXACT);
         assertThat(read(sonars(0, 180), world).get(1)).isEqualTo(5);
     }

@@ -16,8 +16,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * A camera for some colours casts few of its columns; one for all colours casts every one: both must see the same, bit
- * by bit.
+ * A camera with a colour list casts few of its columns, and one for all colours casts every column: both must see the
+ * same, bit by bit.
  */
 class SparseColumnsTest {
     private static final int[] COLOURS = {Specs.RED, Specs.GREEN, Specs.BLUE, Specs.ORANGE, Specs.BLACK};
@@ -40,7 +40,7 @@ class SparseColumnsTest {
         return Specs.world(robots, obstacles);
     }
 
-    /** Up to three things of any colour, some of them beyond the robot's edge, some that nobody sees. */
+    /** Up to three things of any colour, some of them beyond the robot's edge, some invisible. */
     private static List<CargoSpec> cargo(Random random) {
         var cargo = new ArrayList<CargoSpec>();
         int pieces = random.nextInt(4);
@@ -85,7 +85,7 @@ class SparseColumnsTest {
                     var some = new BlobfinderSpec(
                             all.mount(), all.widthPx(), all.heightPx(), all.rangeM(), all.fovRad(), colours);
                     Blobfinder camera = new Blobfinder(some).twin();
-                    List<Blob> expected = new Blobfinder(all)
+                    List<ColourBlob> expected = new Blobfinder(all)
                             .read(scene, robot).blobs().stream()
                                     .filter(blob -> colours.contains(blob.colour()))
                                     .toList();

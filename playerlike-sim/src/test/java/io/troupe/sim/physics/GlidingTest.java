@@ -13,15 +13,15 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
 /**
- * Robots that make their steps outside jbox2d end where it would have put them: two worlds, one with and one without
- * it, bit for bit.
+ * Robots that make their steps without jbox2d end at the same place as with it: compares two worlds, with and without
+ * gliding, bit for bit.
  */
 class GlidingTest {
     private static final int STEP_MICROS = 10_000;
     private static final int TICKS = 150;
     private static final int STEPS_PER_TICK = 10;
 
-    /** Two worlds that are told the same. */
+    /** Two worlds that receive the same commands. */
     private static final class Twins {
         private final Physics gliding;
         private final Physics plain;
@@ -67,7 +67,7 @@ class GlidingTest {
             }
         }
 
-        /** One to three boxes, the centre of rotation anywhere near. */
+        /** One to three boxes, with the centre of rotation anywhere near. */
         private Shape body() {
             var polygons = new ArrayList<List<Point>>();
             int count = 1 + random.nextInt(3);
@@ -87,7 +87,7 @@ class GlidingTest {
             return middle.compose(new Pose(x, y, 20 * random.nextDouble() - 10));
         }
 
-        /** New commands for some robots, and now and then one is put elsewhere, perhaps into another one. */
+        /** New commands for some robots, and sometimes a teleport, possibly into another robot. */
         private void tell() {
             for (int i = 0; i < robots; i++) {
                 int robot = i;
@@ -119,7 +119,7 @@ class GlidingTest {
             }
         }
 
-        /** Where the robots are, by bits, which are held back, and how often a box of the tree was left. */
+        /** The poses as bits, the stall flags, and the number of re-inserted boxes. */
         private List<Long> numbers(Physics physics) {
             var numbers = new ArrayList<Long>();
             for (int robot = 0; robot < robots; robot++) {
@@ -129,7 +129,7 @@ class GlidingTest {
                 numbers.add(Double.doubleToRawLongBits(physics.bodyHeadingRad(robot)));
                 numbers.add(physics.stalled(robot) ? 1L : 0);
             }
-            numbers.add(physics.tree().reinsertCount()); // else contacts are found later than by jbox2d
+            numbers.add(physics.tree().reinsertCount()); // otherwise contacts would be found later than by jbox2d
             return numbers;
         }
 

@@ -18,13 +18,13 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyDef;
 import org.junit.jupiter.api.Test;
 
-/** Our rays against jbox2d's own, which are slower and in single precision. */
+/** Compares our rays with those of jbox2d, which are slower and in single precision. */
 class RayOracleTest {
     private static final double REACH_M = 6;
     private static final int PLACES = 1_200;
     private static final int RAYS = 400;
     /**
-     * jbox2d turns bodies by a table of sines: its answer must lie between those of our rays this much to both sides.
+     * jbox2d rotates bodies by a sine table: its result must lie between those of our rays at this angle to both sides.
      */
     private static final double GRAZING_RAD = 3e-5;
 
@@ -105,7 +105,7 @@ class RayOracleTest {
         oracle.createBody(definition).createFixture(shape, 0);
     }
 
-    /** No place for a robot of 10 cm. */
+    /** True if a robot of 10 cm does not fit at this pose. */
     private static boolean isCrowded(List<ObstacleSpec> obstacles, Pose pose) {
         return obstacles.stream()
                 .anyMatch(each ->
@@ -119,8 +119,8 @@ class RayOracleTest {
         float[] best = {1};
         oracle.raycast(
                 (fixture, point, normal, fraction) -> {
-                    best[0] =
-                            Math.min(best[0], fraction); // a later hit may be farther: the callback alone does not sort
+                    // a later hit may be farther: the callback receives hits unsorted
+                    best[0] = Math.min(best[0], fraction);
                     return best[0];
                 },
                 from,

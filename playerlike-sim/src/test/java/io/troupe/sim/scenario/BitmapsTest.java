@@ -167,7 +167,7 @@ class BitmapsTest {
         return edges;
     }
 
-    /** How often the lines run round a point, counted along a ray to the right. */
+    /** Winding number of the lines around a point, counted along a ray to the right. */
     private static int windings(List<List<Point>> lines, double x, double y) {
         int windings = 0;
         for (List<Point> line : lines) {
@@ -202,7 +202,8 @@ class BitmapsTest {
     @ParameterizedTest
     @CsvSource({"10,127,1", "10,128,0", "5,127,1", "5,128,0"})
     void level_of127Of255_isTheBrightestDark(int imageType, int level, int dark) {
-        // type 10 is gray, whose levels getRGB would brighten; type 5 has three channels, of which the first counts
+        // type 10 is gray, whose levels getRGB would brighten; type 5 has three channels, of which the first
+        // counts
         var image = new BufferedImage(2, 1, imageType);
         int[] levels = {level, 255, 255};
         image.getRaster().setPixel(0, 0, Arrays.copyOf(levels, image.getRaster().getNumBands()));

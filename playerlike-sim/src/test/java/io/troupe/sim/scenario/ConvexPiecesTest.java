@@ -29,7 +29,10 @@ class ConvexPiecesTest {
         return points;
     }
 
-    /** Convex, counter-clockwise, 3 to 8 corners, without overlap, together of the same area. */
+    /**
+     * Asserts that the pieces are convex, counter-clockwise, of 3 to 8 corners, without overlap, and of the same total
+     * area.
+     */
     private static void assertCovers(List<List<Point>> pieces, List<Point> polygon) {
         double area = 0;
         for (List<Point> piece : pieces) {
@@ -125,7 +128,7 @@ class ConvexPiecesTest {
             int corners = 3 + random.nextInt(40);
             var star = new ArrayList<Point>();
             for (int i = 0; i < corners; i++) {
-                // one corner in each of equal sectors, around the middle: never crosses itself
+                // one corner in each of equal sectors around the middle: the outline never crosses itself
                 double angle = 2 * Math.PI * (i + 0.8 * random.nextDouble()) / corners;
                 double radius = 0.2 + random.nextDouble();
                 star.add(new Point(radius * Math.cos(angle), radius * Math.sin(angle)));

@@ -16,7 +16,7 @@ class CrowdWorldTest {
     void crowd_ofAnySize_hasItsRobotsApartAndInsideTheWalls(int robots) {
         Scenario crowd = CrowdWorld.scenario(robots);
 
-        // the reader refuses robots that overlap or stand outside
+        // the reader rejects robots that overlap or stand outside
         assertThat(crowd.world().robots()).hasSize(robots);
         assertThat(crowd.world().robots().getFirst().name()).isEqualTo("robot1");
         assertThat(crowd.devices()).hasSize(1 + 3 * robots);

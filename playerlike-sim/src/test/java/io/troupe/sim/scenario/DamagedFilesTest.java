@@ -8,7 +8,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Whatever happens to a file, the answer is a world or a {@link WorldFileException}, never another failure. */
+/** Reading a damaged file gives a world or a {@link WorldFileException}, never another exception. */
 class DamagedFilesTest {
     private static final long SEED = 20_260_102;
     private static final String[] PIECES = {

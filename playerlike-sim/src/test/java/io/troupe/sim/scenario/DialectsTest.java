@@ -12,7 +12,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Robots in the words of Stage 2 and 3, and in those of Stage 4. */
+/** Robots in the dialect of Stage 2 and 3, and in that of Stage 4. */
 class DialectsTest {
     @TempDir
     private Path dir;

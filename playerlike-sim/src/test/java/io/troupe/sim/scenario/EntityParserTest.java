@@ -23,7 +23,7 @@ class EntityParserTest {
     }
 
     private Document parse(String text) {
-        return EntityParser.parse(Vocabulary.WORLD, worlds.write("t.world", text), null, Findings.logged());
+        return EntityParser.parse(Vocabulary.WORLD, worlds.write("t.world", text), null, Diagnostics.logged());
     }
 
     @Test
@@ -183,7 +183,7 @@ class EntityParserTest {
                         + " other macros");
     }
 
-    /** As many entities as are allowed, with as many properties as Stage's models have. */
+    /** The maximum number of entities, each with as many properties as Stage's models have. */
     @Test
     void macroWithTwentyProperties_hasAsManyInstancesAsAFileMayHaveEntities() {
         var text = new StringBuilder("define post model (" + properties(20) + " size [0.1 0.1 1] color \"red\" )\n");
@@ -191,7 +191,7 @@ class EntityParserTest {
             text.append("post ( pose [").append(i).append(" 0 0 0] color \"blue\" )\n");
         }
 
-        Document document = EntityParser.parseText("world", text.toString(), Path.of("t.world"), Findings.logged());
+        Document document = EntityParser.parseText("world", text.toString(), Path.of("t.world"), Diagnostics.logged());
 
         assertThat(document.root().children()).hasSize(60_000);
         Entity last = document.root().children().getLast();

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * All shipped worlds damaged at random, random words, damaged images: the answer is a scenario or a
+ * Reads randomly damaged copies of all shipped worlds, random words and damaged images: the result is a scenario or a
  * {@link WorldFileException}.
  */
 class ReaderFuzzTest {
@@ -239,7 +239,7 @@ class ReaderFuzzTest {
         assertThat(survivors).as("files that could be read").isBetween(10, 990);
     }
 
-    /** An entity with properties that are mostly of the right kind. */
+    /** An entity with properties, most of the right kind. */
     private static void entity(StringBuilder text, Random random, int depth) {
         String[] types = {"model", "position", "ranger", "laser", "blobfinder", "sensor", "gripper"};
         text.append(types[depth == 0 ? random.nextInt(2) : random.nextInt(types.length)])

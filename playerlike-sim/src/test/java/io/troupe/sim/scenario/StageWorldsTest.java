@@ -17,7 +17,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Constructs of the worlds that come with Stage 2 to 4 are read without an option, some with a warning. */
+/** Constructs of the worlds that come with Stage 2 to 4 are read without options, some with a warning. */
 class StageWorldsTest {
     private static final Path RESOURCES = Path.of("src/test/resources/io/troupe/sim/scenario/stage");
 

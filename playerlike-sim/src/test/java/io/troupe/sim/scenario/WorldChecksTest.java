@@ -46,7 +46,8 @@ class WorldChecksTest {
 
     @Test
     void robots_whoseBoxesMeetButNotTheirBodies_areApart() {
-        // both turned by 45 degrees: corners at 0.7071 along the axes, so their upright boxes meet at (0.75, 0.75)
+        // both turned by 45 degrees: corners at 0.7071 along the axes, so their bounding boxes meet at (0.75,
+        // 0.75)
         double meeting = Math.sqrt(0.5);
         assertThat(worlds.warnings(robot("a", 0, 0, 45) + robot("b", meeting + 0.001, meeting + 0.001, 45)))
                 .isEmpty();

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** What a wrong world file is answered with: place, thing, value, what was expected. */
+/** Messages for wrong world files: position, name, value, what was expected. */
 class WorldErrorsTest {
     @TempDir
     private Path dir;

@@ -84,8 +84,8 @@ class WorldReaderTest {
     void block_ofTheRobot_fillsItsSizeAroundTheOrigin() {
         Shape shape = worlds.world(Worlds.ARENA).robots().getFirst().shape();
 
-        // drawn 0.4 x 0.511, so 0.12 of 0.2 becomes 0.132 of 0.22 along x, and 0.12 of 0.2555 the same share of 0.165
-        // along y
+        // drawn as 0.4 x 0.511, so 0.12 of 0.2 becomes 0.132 of 0.22 along x, and 0.12 of 0.2555 the same share of
+        // 0.165 along y
         double y = 0.165 * 0.12 / 0.2555;
         assertThat(shape.polygons()).hasSize(1);
         assertOutline(

@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 
-/** World files for tests, written into a directory of the test's own. */
+/** World files for tests, written to a temporary directory. */
 final class Worlds {
     /** A Pioneer 2DX with its 16 sonars, in the classic dialect. */
     static final String PIONEER = """
@@ -50,7 +50,7 @@ final class Worlds {
             )
             """;
 
-    /** A walled arena with two robots, as our main job has one. */
+    /** A walled arena with two robots, as in the paper's demonstration. */
     static final String ARENA = """
             include "pioneer.inc"
             name "arena"
@@ -99,24 +99,24 @@ final class Worlds {
         return ScenarioReader.readWorld(write("t.world", text));
     }
 
-    /** The message about a world file {@code t.world}, without the directory. */
+    /** The error message for a world file {@code t.world}, without the directory. */
     String problem(String text) {
         Path file = write("t.world", text);
         return problemOf(() -> ScenarioReader.readWorld(file));
     }
 
-    /** The message about a file {@code t.cfg}, without the directory. */
+    /** The error message for a file {@code t.cfg}, without the directory. */
     String configProblem(String text) {
         Path file = write("t.cfg", text);
         return problemOf(() -> ScenarioReader.readConfig(file));
     }
 
-    /** The warnings of the strict reader about a world file {@code t.world}, without the directory. */
+    /** The warnings of the strict reader for a world file {@code t.world}, without the directory. */
     List<String> warnings(String text) {
         return warningsOf(write("t.world", text));
     }
 
-    /** The warnings of the strict reader about a file, without the directory. */
+    /** The warnings of the strict reader for a file, without the directory. */
     List<String> warningsOf(Path file) {
         var warnings = new ArrayList<String>();
         ScenarioReader.read(file, warning -> warnings.add(warning.toString().replace(dir + "/", "")));

@@ -7,60 +7,60 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one robot has been told: what waits for the next interval, and what holds.
+ * The commands for one robot: the pending ones, which wait for the next interval, and the current one.
  *
- * <p><b>Threads.</b> Any thread may tell, unless a method says otherwise; the rest belongs to the one that advances the
- * world.
+ * <p><b>Threads.</b> Any thread may send commands, unless a method is documented otherwise; the rest belongs to the
+ * thread that advances the world.
  *
- * <p><b>Cost.</b> What the advancing thread tells by {@link #driveNow} allocates nothing.
+ * <p><b>Cost.</b> {@link #driveNow} allocates nothing.
  */
-final class Pilot {
+final class RobotCommands {
     /**
      * A command that waits for the next interval.
      *
-     * @param limitMicros how long a speed holds; 0 = until another command
+     * @param limitMicros time for which a speed holds; 0 = until another command
      */
-    private record Order(Drive drive, long limitMicros) {}
+    private record PendingDrive(MotionCommand drive, long limitMicros) {}
 
     private final DriveSpec spec;
     private final int robot;
     private final WorldSettings settings;
-    private final AtomicReference<@Nullable Order> newestDrive = new AtomicReference<>();
+    private final AtomicReference<@Nullable PendingDrive> newestDrive = new AtomicReference<>();
     private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
     private final AtomicReference<@Nullable Pose> newestPlace = new AtomicReference<>();
-    private boolean toldNow; // by the thread that advances the world
-    private double toldForwardMps;
-    private double toldTurnRadps;
-    private @Nullable Drive steering; // else the speeds below hold
+    private boolean hasDirect; // a speed from the thread that advances the world is pending
+    private double directForwardMps;
+    private double directTurnRadps;
+    private @Nullable MotionCommand steering; // null: the held speeds below apply
     private double heldForwardMps;
     private double heldTurnRadps;
     private double forwardMps; // in force in the interval that has ended
     private double turnRadps;
     private boolean powered = true;
-    private long toldAtMicros;
-    private long limitMicros; // of what holds; 0 = none
+    private long commandedAtMicros;
+    private long limitMicros; // of the current command; 0 = none
 
-    Pilot(DriveSpec spec, int robot, WorldSettings settings) {
+    RobotCommands(DriveSpec spec, int robot, WorldSettings settings) {
         this.spec = spec;
         this.robot = robot;
         this.settings = settings;
         hold(spec.startForwardMps(), spec.startTurnRadps(), 0, 0);
     }
 
-    /** @param newLimitMicros how long a speed holds; 0 = until another command, as a goal always does */
-    void drive(Drive command, long newLimitMicros) {
-        newestDrive.set(new Order(command, command instanceof Drive.GoTo ? 0 : newLimitMicros));
+    /** @param newLimitMicros time for which a speed holds; 0 = until another command, as always for a goal */
+    void drive(MotionCommand command, long newLimitMicros) {
+        newestDrive.set(new PendingDrive(command, command instanceof MotionCommand.GoTo ? 0 : newLimitMicros));
     }
 
-    /** A speed told by the thread that advances the world, newer than what the others said. */
+    /** Speed command from the thread that advances the world; replaces a pending command of another thread. */
     void driveNow(double newForwardMps, double newTurnRadps) {
         if (newestDrive.get() != null) {
             newestDrive.set(null);
         }
-        toldNow = true;
-        toldForwardMps = newForwardMps;
-        toldTurnRadps = newTurnRadps;
+        hasDirect = true;
+        directForwardMps = newForwardMps;
+        directTurnRadps = newTurnRadps;
     }
 
     void power(boolean on) {
@@ -75,7 +75,7 @@ final class Pilot {
         newestPlace.set(pose);
     }
 
-    /** Forgets what waits for the next interval. */
+    /** Discards the pending commands. */
     void forgetUntaken() {
         newestDrive.set(null);
         newestPower.set(null);
@@ -93,16 +93,16 @@ final class Pilot {
         return take(newestOdometry);
     }
 
-    /** Looks before it takes: that is cheaper, and mostly there is nothing. */
+    /** Reads before it swaps: that is cheaper, and mostly the value is null. */
     private static <T> @Nullable T take(AtomicReference<@Nullable T> newest) {
         return newest.get() == null ? null : newest.getAndSet(null);
     }
 
     /**
-     * What holds from now on: the newest command, unless its own time is over, the motors are off, which forgets what
-     * they were told, or the watchdog has barked.
+     * Applies the newest command. Motors off, an expired command limit or an expired watchdog stop the robot and
+     * discard its command.
      */
-    void latch(long nowMicros, @Nullable Recording recording) {
+    void apply(long nowMicros, @Nullable Recording recording) {
         Boolean power = take(newestPower);
         if (power != null && power != powered) {
             powered = power;
@@ -110,41 +110,44 @@ final class Pilot {
                 recording.power(robot, power);
             }
         }
-        if (toldNow) {
-            toldNow = false;
+        if (hasDirect) {
+            hasDirect = false;
             if (powered) {
-                note(recording, steering != null || differs(toldForwardMps, toldTurnRadps));
-                hold(toldForwardMps, toldTurnRadps, nowMicros, 0);
+                recordDirect(recording, steering != null || differs(directForwardMps, directTurnRadps));
+                hold(directForwardMps, directTurnRadps, nowMicros, 0);
             }
         }
-        Order command = take(newestDrive);
+        PendingDrive command = take(newestDrive);
         if (command != null && powered) {
             accept(command.drive, command.limitMicros, nowMicros, recording);
         }
         if (!powered || isLate(nowMicros)) {
-            stand();
-        } else if (limitMicros > 0 && nowMicros - toldAtMicros >= limitMicros) {
+            stop();
+        } else if (limitMicros > 0 && nowMicros - commandedAtMicros >= limitMicros) {
             expire(recording);
         }
     }
 
-    private void stand() {
+    private void stop() {
         steering = null;
         heldForwardMps = 0;
         heldTurnRadps = 0;
         limitMicros = 0;
     }
 
-    /** Recorded as a command to stand still: a replay knows no clients, and so nothing of their limits. */
+    /**
+     * Stops the robot when its command limit has expired. Recorded as a command to stand still, because a replay has no
+     * clients and so no command limits.
+     */
     private void expire(@Nullable Recording recording) {
         if (recording != null && (steering != null || differs(0, 0))) {
-            recording.drive(robot, Drive.STILL);
+            recording.drive(robot, MotionCommand.STILL);
         }
-        stand();
+        stop();
     }
 
-    private void accept(Drive command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
-        if (command instanceof Drive.Velocity velocity) {
+    private void accept(MotionCommand command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
+        if (command instanceof MotionCommand.Velocity velocity) {
             if (recording != null
                     && (isWatched() || steering != null || differs(velocity.forwardMps(), velocity.turnRadps()))) {
                 recording.drive(robot, velocity);
@@ -156,13 +159,13 @@ final class Pilot {
             recording.drive(robot, command);
         }
         steering = command;
-        toldAtMicros = nowMicros;
+        commandedAtMicros = nowMicros;
         limitMicros = newLimitMicros;
     }
 
-    private void note(@Nullable Recording recording, boolean changes) {
+    private void recordDirect(@Nullable Recording recording, boolean changes) {
         if (recording != null && (isWatched() || changes)) {
-            recording.drive(robot, new Drive.Velocity(toldForwardMps, toldTurnRadps));
+            recording.drive(robot, new MotionCommand.Velocity(directForwardMps, directTurnRadps));
         }
     }
 
@@ -174,7 +177,7 @@ final class Pilot {
         steering = null;
         heldForwardMps = newForwardMps;
         heldTurnRadps = newTurnRadps;
-        toldAtMicros = nowMicros;
+        commandedAtMicros = nowMicros;
         limitMicros = newLimitMicros;
     }
 
@@ -182,20 +185,23 @@ final class Pilot {
         return settings.watchdogMicros() > 0;
     }
 
-    /** A goal is reached some time; a speed would hold for ever. */
+    /**
+     * True if the watchdog has expired. It does not watch a robot on its way to a goal: that command ends by itself,
+     * while a speed would hold for ever.
+     */
     private boolean isLate(long nowMicros) {
         return isWatched()
-                && !(steering instanceof Drive.GoTo)
-                && nowMicros - toldAtMicros >= settings.watchdogMicros();
+                && !(steering instanceof MotionCommand.GoTo)
+                && nowMicros - commandedAtMicros >= settings.watchdogMicros();
     }
 
-    /** Turns what holds into the speeds of the next interval, given where odometry says that the robot is. */
+    /** Computes the speeds of the next interval from the current command and the reported odometry. */
     void steer(Position2d odometry) {
-        Drive how = steering;
+        MotionCommand how = steering;
         if (how == null) {
             clamp(heldForwardMps, heldTurnRadps);
         } else {
-            Drive.Velocity wanted = how.now(odometry.reported());
+            MotionCommand.Velocity wanted = how.now(odometry.reported());
             clamp(wanted.forwardMps(), wanted.turnRadps());
         }
     }
@@ -218,10 +224,10 @@ final class Pilot {
         return turnRadps;
     }
 
-    /** The world starts again. */
+    /** Resets the robot to its start speeds. */
     void forget(long nowMicros) {
         hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros, 0);
-        toldNow = false;
+        hasDirect = false;
         powered = true;
         clamp(0, 0);
     }

@@ -7,6 +7,7 @@ import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.scenario.BlobfinderSpec;
+import io.troupe.sim.scenario.OdometryError;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.RangerSpec;
 import io.troupe.sim.scenario.RobotSpec;
@@ -16,28 +17,29 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
-/** A robot's devices. */
-record RobotDevices(
+/** The sensors and the odometry of one robot. */
+record SimulatedDevices(
         Position2d position2d,
         @Nullable Sonar sonar,
         @Nullable Blobfinder blobfinder,
         List<Ranger> rangers,
         List<double[]> rangersM) {
-    /** The devices of all robots; those of one kind share what never changes. */
-    static List<RobotDevices> of(List<RobotSpec> robots, List<Pose> starts, long seed) {
+    /** Creates the devices of all robots. Devices of one specification share their immutable tables. */
+    static List<SimulatedDevices> of(List<RobotSpec> robots, List<Pose> starts, long seed) {
         Map<SonarSpec, Sonar> sonars = new HashMap<>();
         Map<BlobfinderSpec, Blobfinder> blobfinders = new HashMap<>();
-        List<RobotDevices> all = new ArrayList<>(robots.size());
+        List<SimulatedDevices> all = new ArrayList<>(robots.size());
         for (int i = 0; i < robots.size(); i++) {
             RobotSpec robot = robots.get(i);
             SonarSpec sonar = robot.sonar();
             BlobfinderSpec blobfinder = robot.blobfinder();
             try {
-                List<Ranger> rangers = Noise.rangers(robot, seed);
-                all.add(new RobotDevices(
-                        new Position2d(starts.get(i), robot.startOdometry(), Noise.ofOdometry(robot, seed)),
+                List<Ranger> rangers = createRangers(robot, seed);
+                all.add(new SimulatedDevices(
+                        new Position2d(starts.get(i), robot.startOdometry(), drawOdometryError(robot, seed)),
                         sonar == null
                                 ? null
                                 : sonars.computeIfAbsent(sonar, Sonar::new).twin(),
@@ -57,11 +59,40 @@ record RobotDevices(
         return all;
     }
 
-    /** The first ranger that can stand for a ring of sonars, as its sensors cast one ray each; -1 if there is none. */
+    /** Odometry error of this run, uniform within plus or minus half of the specified proportions. */
+    private static OdometryError drawOdometryError(RobotSpec robot, long seed) {
+        OdometryError most = robot.odometryError();
+        if (most.equals(OdometryError.NONE)) {
+            return most;
+        }
+        for (double proportion : new double[] {most.x(), most.y(), most.heading()}) {
+            if (!(proportion >= 0 && proportion < 2)) {
+                throw new IllegalArgumentException(
+                        "odometry error is " + most + ", expected proportions from 0 to less than 2");
+            }
+        }
+        var random = new RandomStream(seed, robot.name(), "odometry");
+        return new OdometryError(
+                random.nextWithin(most.x() / 2),
+                random.nextWithin(most.y() / 2),
+                random.nextWithin(most.heading() / 2));
+    }
+
+    private static List<Ranger> createRangers(RobotSpec robot, long seed) {
+        return IntStream.range(0, robot.rangers().size())
+                .mapToObj(i -> new Ranger(
+                        robot.rangers().get(i), new RandomStream(seed, robot.name(), "ranger" + i)::nextWithin))
+                .toList();
+    }
+
+    /**
+     * Index of the first ranger that can replace a sonar ring, because each of its sensors casts one ray; -1 if there
+     * is none.
+     */
     int sonarRanger() {
         for (int i = 0; i < rangers.size(); i++) {
             RangerSpec spec = rangers.get(i).spec();
-            // one reading for each sensor, as each has one at least
+            // each sensor casts at least one ray, so equal counts mean exactly one ray each
             if (spec.kind() == RangerSpec.Kind.RANGER
                     && rangers.get(i).size() == spec.sensors().size()) {
                 return i;
@@ -70,7 +101,7 @@ record RobotDevices(
         return -1;
     }
 
-    /** Reads what casts rays. */
+    /** Updates the devices that cast rays. */
     void sense(Scene scene, int robot, Scratch scratch) {
         if (sonar != null) {
             sonar.sense(scene, robot, scratch);

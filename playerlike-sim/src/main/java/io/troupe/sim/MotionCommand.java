@@ -2,15 +2,19 @@ package io.troupe.sim;
 
 import io.troupe.sim.scenario.Pose;
 
-/** What a robot has been told to do with its wheels, until it is told something else. */
-sealed interface Drive {
+/** A motion command, in force until the next one. */
+sealed interface MotionCommand {
     Velocity STILL = new Velocity(0, 0);
 
-    /** How fast to drive now, given where odometry says that the robot is; the world clamps it. */
+    /**
+     * Speed to drive at now, before the world clamps it.
+     *
+     * @param odometry pose that odometry reports
+     */
     Velocity now(Pose odometry);
 
     /** @param turnRadps left positive */
-    record Velocity(double forwardMps, double turnRadps) implements Drive {
+    record Velocity(double forwardMps, double turnRadps) implements MotionCommand {
         @Override
         public Velocity now(Pose odometry) {
             return this;
@@ -18,12 +22,12 @@ sealed interface Drive {
     }
 
     /**
-     * At a speed, steering to a heading in the odometry frame: it turns at the heading's error per second, at most 1
-     * rad/s.
+     * Drives at a speed and steers to a heading in the odometry frame. The turn rate is the heading error per second,
+     * at most 1 rad/s.
      *
-     * <p>Stage does nothing about this command; the way to steer is that of {@link GoTo}.
+     * <p>Stage ignores this command; the robot is steered as for {@link GoTo}.
      */
-    record Heading(double forwardMps, double headingRad) implements Drive {
+    record Heading(double forwardMps, double headingRad) implements MotionCommand {
         @Override
         public Velocity now(Pose odometry) {
             return new Velocity(forwardMps, turn(headingRad, odometry));
@@ -31,16 +35,16 @@ sealed interface Drive {
     }
 
     /**
-     * To a pose in the odometry frame, and then standing there.
+     * Drives to a pose in the odometry frame and stands there.
      *
-     * <p>Farther than 2 cm away along x or y it turns towards the goal, at the heading's error per second, and drives
-     * only while that error is below 11.25 degrees, at the distance per second, at most 0.4 m/s. Nearer, it turns to
-     * the final heading in the same way.
+     * <p>While the goal is more than 2 cm away along x or y, the robot turns towards it, by the heading error per
+     * second. It drives only while that error is below 11.25 degrees, by the distance per second, at most 0.4 m/s.
+     * Nearer to the goal it turns to the final heading in the same way.
      *
-     * <p><b>Source.</b> Stage's position control; its limit of 1 rad/s holds to the right only, by a slip, here on both
-     * sides.
+     * <p><b>Source.</b> Stage's position control. By a mistake there, its limit of 1 rad/s holds for right turns only;
+     * here it holds for both.
      */
-    record GoTo(Pose goal) implements Drive {
+    record GoTo(Pose goal) implements MotionCommand {
         private static final double NEAR_M = 0.02;
         private static final double FASTEST_MPS = 0.4;
         private static final double AHEAD_RAD = StrictMath.PI / 16;

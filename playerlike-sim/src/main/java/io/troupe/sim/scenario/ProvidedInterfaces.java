@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Which Player interfaces there are, and which of them a robot can provide. */
-final class DeviceOffer {
+/** The Player interfaces that exist, and those that a robot can provide. */
+final class ProvidedInterfaces {
     static final int DEFAULT_PORT = 6665;
     static final String SIMULATION = "simulation";
     private static final String POSITION = "position2d";
@@ -16,7 +16,7 @@ final class DeviceOffer {
     private static final String RANGER = "ranger";
     static final List<String> INTERFACES = List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER);
 
-    /** Interfaces of Player that other releases may provide. */
+    /** Player interfaces that are known and not provided here. */
     static final List<String> LATER = List.of(
             "fiducial",
             "gripper",
@@ -38,9 +38,9 @@ final class DeviceOffer {
             "position1d",
             "position3d");
 
-    private DeviceOffer() {}
+    private ProvidedInterfaces() {}
 
-    /** The interfaces of a robot's devices, one for each device. */
+    /** The interfaces of a robot's devices, one entry per device. */
     static List<String> of(RobotSpec robot) {
         var offer = new ArrayList<>(List.of(POSITION));
         if (robot.sonar() != null) {
@@ -54,8 +54,8 @@ final class DeviceOffer {
     }
 
     /**
-     * What a configuration may provide: on top of {@link #of} one ring of sonars by both of its interfaces, as programs
-     * for both dialects expect them.
+     * The interfaces that a configuration may provide: those of {@link #of}, and the sonar ring by both of its
+     * interfaces, as programs for both dialects expect.
      */
     static List<String> ofConfiguration(RobotSpec robot) {
         var offer = new ArrayList<>(of(robot));
@@ -67,7 +67,9 @@ final class DeviceOffer {
         return offer;
     }
 
-    /** The ranger that can stand for a ring of sonars: one range for each place; -1 if there is none. */
+    /**
+     * Index of the ranger that can replace a sonar ring, because each of its sensors has one ray; -1 if there is none.
+     */
     private static int ringOf(RobotSpec robot) {
         for (int i = 0; i < robot.rangers().size(); i++) {
             RangerSpec ranger = robot.rangers().get(i);
@@ -86,7 +88,7 @@ final class DeviceOffer {
         };
     }
 
-    /** Which of the robot's rangers is its n-th device of an interface, as {@link DeviceBinding#ranger} has it. */
+    /** The value of {@link DeviceBinding#ranger} for a robot's n-th device of an interface. */
     static int rangerOf(RobotSpec robot, String interfaceName, int nth) {
         if (interfaceName.equals(SONAR)) {
             return robot.sonar() == null ? Math.max(0, ringOf(robot)) : 0;
@@ -97,10 +99,10 @@ final class DeviceOffer {
                 return i;
             }
         }
-        return interfaceName.equals(RANGER) ? DeviceBinding.SONAR_RING : 0; // after the rangers
+        return interfaceName.equals(RANGER) ? DeviceBinding.SONAR_RING : 0; // the ring comes after the rangers
     }
 
-    /** Everything in the world, as {@link ScenarioReader#read(java.nio.file.Path)} describes it. */
+    /** Binds all devices of the world, as {@link ScenarioReader#read(java.nio.file.Path)} describes. */
     static Scenario everything(WorldSpec world) {
         var devices = new ArrayList<DeviceBinding>();
         devices.add(new DeviceBinding(DEFAULT_PORT, SIMULATION, 0, "", 0, new SourcePosition(world.file(), 1, 1)));

@@ -5,15 +5,15 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Splits robots among threads: each has a fixed range of them, the caller's own the first.
+ * Divides the robots among threads. Each thread has a fixed range of them; the calling thread has the first range.
  *
- * <p><b>Threads.</b> Daemon threads, started at once, ended by {@link #close}, which may come from any thread and lets
- * a run that is under way finish; all others belong to one thread.
+ * <p><b>Threads.</b> Daemon threads, started by the constructor and ended by {@link #close}. {@code close} may be
+ * called from any thread and lets a current run finish. All other methods belong to one thread.
  *
- * <p><b>Errors.</b> What a range throws is thrown by {@link #run}; of several, that of the lowest range.
+ * <p><b>Errors.</b> {@link #run} throws the exception of a range; if several failed, that of the lowest range.
  */
-final class Sensing implements AutoCloseable {
-    /** Does something for the robots from one index to before another. */
+final class SensingThreads implements AutoCloseable {
+    /** The work for the robots from one index (inclusive) to another (exclusive). */
     @FunctionalInterface
     interface Ranges {
         /** @param range number of the range, from 0 */
@@ -30,7 +30,7 @@ final class Sensing implements AutoCloseable {
     private int atWork;
     private boolean closed;
 
-    Sensing(String name, int rangeCount, int robotCount, Ranges ranges) {
+    SensingThreads(String name, int rangeCount, int robotCount, Ranges ranges) {
         this.robotCount = robotCount;
         this.rangeCount = rangeCount;
         this.ranges = ranges;
@@ -44,7 +44,7 @@ final class Sensing implements AutoCloseable {
         }
     }
 
-    /** Does all ranges and returns when all are done. */
+    /** Runs all ranges and returns when all are done. */
     void run() {
         if (!begin()) {
             for (int range = 0; range < rangeCount; range++) {
@@ -63,7 +63,7 @@ final class Sensing implements AutoCloseable {
         }
     }
 
-    /** Whether there are helpers, who then begin too. */
+    /** Starts a round of the helper threads; false if there are none. */
     private boolean begin() {
         if (rangeCount == 1) {
             return false;
@@ -98,7 +98,7 @@ final class Sensing implements AutoCloseable {
                 try {
                     lock.wait();
                 } catch (InterruptedException e) {
-                    interrupted = true; // they are about to finish, and nothing may change meanwhile
+                    interrupted = true; // the helpers finish soon, and the world must not change before
                 }
             }
         }
@@ -117,7 +117,7 @@ final class Sensing implements AutoCloseable {
         }
     }
 
-    /** Whether there is a round after so many, once it begins; false when closed. */
+    /** Waits for the round after the given number of rounds; false when closed. */
     private boolean awaitRound(long done) {
         synchronized (lock) {
             while (round == done && !closed) {
@@ -131,7 +131,7 @@ final class Sensing implements AutoCloseable {
         }
     }
 
-    /** The threads besides the caller's. */
+    /** The threads other than the caller's. */
     List<Thread> helpers() {
         return List.copyOf(helpers);
     }

@@ -12,46 +12,46 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All that a world has been told and takes in when its next interval begins, and the recording of it.
+ * Commands for the robots of a world, buffered until the next interval begins, and the recording of them.
  *
- * <p><b>Threads.</b> Any thread may tell; {@link #takeReset} and {@link #latch} belong to the one that advances the
- * world.
+ * <p><b>Threads.</b> Any thread may send commands. {@link #takeReset} and {@link #apply} belong to the thread that
+ * advances the world.
  */
-final class Orders {
+final class WorldCommands {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
 
-    /** The snapshot of the newest question about a teleport. */
-    private record Seen(Snapshot at, Room.Occupancy occupancy) {}
+    /** Occupancy at the snapshot of the newest teleport check. */
+    private record TeleportCheck(Snapshot at, PlacementCheck.Occupancy occupancy) {}
 
     private final WorldSpec spec;
     private final WorldSettings settings;
-    private final Room room;
-    private final AtomicReference<@Nullable Seen> seen = new AtomicReference<>();
-    private final List<Pilot> pilots = new ArrayList<>();
+    private final PlacementCheck placement;
+    private final AtomicReference<@Nullable TeleportCheck> lastCheck = new AtomicReference<>();
+    private final List<RobotCommands> robotCommands = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
 
-    Orders(WorldSpec spec, WorldSettings settings) {
+    WorldCommands(WorldSpec spec, WorldSettings settings) {
         this.spec = spec;
         this.settings = settings;
-        room = new Room(spec);
+        placement = new PlacementCheck(spec);
         for (int i = 0; i < spec.robots().size(); i++) {
-            pilots.add(new Pilot(spec.robots().get(i).drive(), i, settings));
+            robotCommands.add(new RobotCommands(spec.robots().get(i).drive(), i, settings));
         }
     }
 
     // ---- from any thread
 
-    /** @param limitMicros how long it holds; 0 = until another command */
+    /** @param limitMicros time for which the command holds; 0 = until another command */
     void drive(int robot, double forwardMps, double turnRadps, long limitMicros) {
         check(robot, forwardMps, turnRadps);
-        pilots.get(robot).drive(new Drive.Velocity(forwardMps, turnRadps), limitMicros);
+        robotCommands.get(robot).drive(new MotionCommand.Velocity(forwardMps, turnRadps), limitMicros);
     }
 
-    /** From the thread that advances the world: newer than what the others have said so far. */
+    /** Speed command from the thread that advances the world; replaces all commands sent so far by other threads. */
     void driveNow(int robot, double forwardMps, double turnRadps) {
         check(robot, forwardMps, turnRadps);
-        pilots.get(robot).driveNow(forwardMps, turnRadps);
+        robotCommands.get(robot).driveNow(forwardMps, turnRadps);
     }
 
     private void check(int robot, double forwardMps, double turnRadps) {
@@ -62,14 +62,14 @@ final class Orders {
         }
     }
 
-    /** @param limitMicros how long it holds; 0 = until another command */
+    /** @param limitMicros time for which the command holds; 0 = until another command */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
         RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
         }
-        pilots.get(robot).drive(new Drive.Heading(forwardMps, headingRad), limitMicros);
+        robotCommands.get(robot).drive(new MotionCommand.Heading(forwardMps, headingRad), limitMicros);
     }
 
     void goTo(int robot, Pose goal) {
@@ -78,12 +78,12 @@ final class Orders {
             throw new IllegalArgumentException(
                     "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
         }
-        pilots.get(robot).drive(new Drive.GoTo(goal), 0);
+        robotCommands.get(robot).drive(new MotionCommand.GoTo(goal), 0);
     }
 
     void power(int robot, boolean on) {
         robot(robot);
-        pilots.get(robot).power(on);
+        robotCommands.get(robot).power(on);
     }
 
     void odometry(int robot, Pose pose) {
@@ -91,10 +91,10 @@ final class Orders {
         if (refusal != null) {
             throw new IllegalArgumentException(refusal);
         }
-        pilots.get(robot).odometry(pose);
+        robotCommands.get(robot).odometry(pose);
     }
 
-    /** Why a robot's odometry cannot be set to that, or null. */
+    /** Reason why a robot's odometry cannot be set to a pose, or null. */
     @Nullable
     String odometryRefusal(int robot, Pose pose) {
         RobotSpec target = robot(robot);
@@ -104,27 +104,28 @@ final class Orders {
                         + ", expected finite numbers of at most " + Position2d.FARTHEST;
     }
 
-    /** Checked only when it takes effect. */
+    /** Queues a teleport that is checked only when it takes effect. */
     void teleport(int robot, Pose pose) {
         robot(robot);
-        pilots.get(robot).teleport(pose);
+        robotCommands.get(robot).teleport(pose);
     }
 
-    /** Why a robot could not be put there where everything is at a snapshot, or null. */
+    /** Reason why a robot could not be placed at a pose in the world of a snapshot, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose, Snapshot at) {
         robot(robot);
-        Seen known = seen.get();
+        TeleportCheck known = lastCheck.get();
         if (known == null || known.at() != at) {
-            known = new Seen(at, room.occupancy(other -> at.robots().get(other).pose()));
-            seen.set(known);
+            known = new TeleportCheck(
+                    at, placement.occupancy(other -> at.robots().get(other).pose()));
+            lastCheck.set(known);
         }
         return known.occupancy().refusal(robot, pose);
     }
 
-    /** What anybody says from now on holds after the reset. */
+    /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
-        pilots.forEach(Pilot::forgetUntaken);
+        robotCommands.forEach(RobotCommands::forgetUntaken);
         resetWanted.set(true);
     }
 
@@ -161,7 +162,7 @@ final class Orders {
 
     // ---- from the thread that advances the world
 
-    /** Whether the world shall begin again; what it was told and has taken in is forgotten then. */
+    /** True if a reset was requested; it discards all commands taken so far. */
     boolean takeReset(long nowMicros) {
         if (!resetWanted.get() || !resetWanted.getAndSet(false)) {
             return false;
@@ -170,44 +171,49 @@ final class Orders {
         if (log != null) {
             log.reset();
         }
-        pilots.forEach(pilot -> pilot.forget(nowMicros));
+        robotCommands.forEach(commands -> commands.forget(nowMicros));
         return true;
     }
 
     /**
-     * Takes in teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless somebody on
-     * another thread has said something.
+     * Takes teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless another thread
+     * has sent a command.
      */
-    void latch(long tick, long nowMicros, Physics physics, List<RobotDevices> devices) {
+    void apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices) {
         Recording log = recording.get();
-        Room.Occupancy occupancy = null;
-        for (int i = 0; i < pilots.size(); i++) {
-            Pose place = pilots.get(i).takeTeleport();
+        PlacementCheck.Occupancy occupancy = null;
+        for (int i = 0; i < robotCommands.size(); i++) {
+            Pose place = robotCommands.get(i).takeTeleport();
             if (place != null) {
                 if (occupancy == null) {
-                    occupancy = room.occupancy(physics::pose);
+                    occupancy = placement.occupancy(physics::pose);
                 }
-                latchPlace(i, place, tick, occupancy, physics, devices.get(i).position2d());
+                applyTeleport(i, place, tick, occupancy, physics, devices.get(i).position2d());
             }
         }
-        for (int i = 0; i < pilots.size(); i++) {
-            Pilot pilot = pilots.get(i);
+        for (int i = 0; i < robotCommands.size(); i++) {
+            RobotCommands commands = robotCommands.get(i);
             Position2d odometry = devices.get(i).position2d();
-            Pose toSet = pilot.takeOdometry();
+            Pose toSet = commands.takeOdometry();
             if (toSet != null) {
                 odometry.set(physics.pose(i), toSet);
                 if (log != null) {
                     log.odometry(i, toSet);
                 }
             }
-            pilot.latch(nowMicros, log);
-            pilot.steer(odometry);
-            physics.drive(i, pilot.forwardMps(), pilot.turnRadps());
+            commands.apply(nowMicros, log);
+            commands.steer(odometry);
+            physics.drive(i, commands.forwardMps(), commands.turnRadps());
         }
     }
 
-    private void latchPlace(
-            int robot, Pose place, long tick, Room.Occupancy occupancy, Physics physics, Position2d odometry) {
+    private void applyTeleport(
+            int robot,
+            Pose place,
+            long tick,
+            PlacementCheck.Occupancy occupancy,
+            Physics physics,
+            Position2d odometry) {
         String refusal = occupancy.refusal(robot, place);
         if (refusal != null) {
             LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
@@ -222,13 +228,13 @@ final class Orders {
         }
     }
 
-    /** In the interval that has ended. */
+    /** Speed in the interval that has ended. */
     double forwardMps(int robot) {
-        return pilots.get(robot).forwardMps();
+        return robotCommands.get(robot).forwardMps();
     }
 
-    /** In the interval that has ended. */
+    /** Turn rate in the interval that has ended. */
     double turnRadps(int robot) {
-        return pilots.get(robot).turnRadps();
+        return robotCommands.get(robot).turnRadps();
     }
 }

@@ -8,25 +8,25 @@ import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.contacts.Contact;
 
 /**
- * Who touches whom. Bodies are known by id: robots from 0, obstacles after them.
+ * Tracks which bodies touch. Bodies have ids: robots from 0, obstacles after them.
  *
- * <p>jbox2d reports fixtures, and inside its step, where its world must be left alone: the callbacks only write to a
- * buffer, and {@link #settle} afterwards turns it into pairs of bodies. A body of several polygons touches once,
- * however many of them do.
+ * <p>jbox2d reports contacts of fixtures, and does so inside its step, where its world must not be changed. The
+ * callbacks therefore only write to a buffer, and {@link #settle} converts it into pairs of bodies after the step. Two
+ * bodies touch once, however many of their polygons do.
  */
-final class TouchLedger implements ContactListener {
+final class TouchTracker implements ContactListener {
     private static final long END = 1L << 63;
 
-    private final OpenPairs open = new OpenPairs();
+    private final TouchingPairs open = new TouchingPairs();
     private final Touches begun;
     private final boolean[] touched;
     private long[] buffer = new long[64];
     private int buffered;
     private long[] started = new long[64];
     private int startedCount;
-    private boolean recent; // the last step changed something, so that `touched` may hold a touch that is over
+    private boolean recent; // the last step had contact events, so `touched` may contain a touch that has ended
 
-    TouchLedger(int robotCount) {
+    TouchTracker(int robotCount) {
         touched = new boolean[robotCount];
         begun = new Touches(robotCount);
     }
@@ -64,7 +64,7 @@ final class TouchLedger implements ContactListener {
         return (Integer) body.getUserData();
     }
 
-    /** Takes over what happened in the step that ended at this time. */
+    /** Processes the contact events of the step that ended at this time. */
     void settle(long timeMicros) {
         if (buffered == 0 && !recent) {
             return;
@@ -111,12 +111,69 @@ final class TouchLedger implements ContactListener {
         }
     }
 
-    /** Whether anything touched the robot in the last step. */
+    /** True if anything touched the robot in the last step. */
     boolean touched(int robot) {
         return touched[robot];
     }
 
     Touches begun() {
         return begun;
+    }
+
+    /** Sorted pairs of touching bodies, with the number of polygon contacts of each pair. */
+    private static final class TouchingPairs {
+        private long[] pairs = new long[64];
+        private int[] counts = new int[64];
+        private long[] before = new long[64]; // the pairs at the last call of `remember`
+        private int size;
+        private int sizeBefore;
+
+        int size() {
+            return size;
+        }
+
+        long pair(int i) {
+            return pairs[i];
+        }
+
+        void remember() {
+            if (before.length < size) {
+                before = new long[pairs.length];
+            }
+            System.arraycopy(pairs, 0, before, 0, size);
+            sizeBefore = size;
+        }
+
+        /** True if the bodies touched at the last call of {@link #remember}. */
+        boolean touchedBefore(long pair) {
+            return Arrays.binarySearch(before, 0, sizeBefore, pair) >= 0;
+        }
+
+        void begin(long pair) {
+            int at = Arrays.binarySearch(pairs, 0, size, pair);
+            if (at >= 0) {
+                counts[at]++;
+                return;
+            }
+            if (size == pairs.length) {
+                pairs = Arrays.copyOf(pairs, 2 * size);
+                counts = Arrays.copyOf(counts, 2 * size);
+            }
+            int to = -at - 1;
+            System.arraycopy(pairs, to, pairs, to + 1, size - to);
+            System.arraycopy(counts, to, counts, to + 1, size - to);
+            pairs[to] = pair;
+            counts[to] = 1;
+            size++;
+        }
+
+        void end(long pair) {
+            int at = Arrays.binarySearch(pairs, 0, size, pair);
+            if (at >= 0 && --counts[at] == 0) {
+                size--;
+                System.arraycopy(pairs, at + 1, pairs, at, size - at);
+                System.arraycopy(counts, at + 1, counts, at, size - at);
+            }
+        }
     }
 }

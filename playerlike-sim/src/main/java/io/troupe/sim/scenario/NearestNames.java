@@ -4,26 +4,26 @@ import java.util.Collection;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** Finds the name somebody probably meant. */
-final class Suggestions {
-    /** Nobody means a longer name, and the comparison takes the product of both lengths. */
+/** Finds the known name nearest to a misspelt one. */
+final class NearestNames {
+    /** Limit of the length: longer names are not misspellings, and the cost is the product of both lengths. */
     private static final int LONGEST = 100;
 
-    private Suggestions() {}
+    private NearestNames() {}
 
-    /** The end of an error message: the nearest known name and all of them. */
+    /** End of an error message: the nearest known name and all of them. */
     static String of(String written, Collection<String> known) {
         String nearest = nearest(written, known);
         return (nearest.isEmpty() ? "; " : "; did you mean \"" + nearest + "\"? ") + "known: " + list(known);
     }
 
-    /** The end of an error message: the nearest known name, or all of them (they may be many) if none is near. */
+    /** End of an error message: the nearest known name, or all of them (there may be many) if none is near. */
     static String briefly(String written, Collection<String> known) {
         String nearest = nearest(written, known);
         return nearest.isEmpty() ? "; known: " + list(known) : "; did you mean \"" + nearest + "\"?";
     }
 
-    /** The known name with the fewest slips between, empty if that is more than a third of the letters. */
+    /** The known name with the smallest edit distance, empty if that exceeds a third of the letters. */
     static String nearest(String written, Collection<String> known) {
         String best = "";
         if (written.length() > LONGEST) {
@@ -47,7 +47,7 @@ final class Suggestions {
         return names.isEmpty() ? "none" : names.stream().sorted().collect(Collectors.joining(", "));
     }
 
-    /** Letters left out, added, changed, or swapped with the neighbour (optimal string alignment distance). */
+    /** Optimal string alignment distance: letters left out, added, changed, or swapped with the neighbour. */
     static int slips(String from, String to) {
         int[][] d = new int[from.length() + 1][to.length() + 1];
         for (int i = 0; i <= from.length(); i++) {

@@ -1,18 +1,18 @@
 package io.troupe.sim.device;
 
-/** For each thing a circle that holds it. */
-final class Circles {
+/** A bounding circle for each thing. */
+final class BoundingCircles {
     final double[] x;
     final double[] y;
     final double[] radiusM;
 
-    Circles(int things) {
+    BoundingCircles(int things) {
         x = new double[things];
         y = new double[things];
         radiusM = new double[things];
     }
 
-    /** A circle around this point that holds the outline; a thing without polygons gets an empty one. */
+    /** Sets a circle around a point that encloses the outline; a thing without polygons gets radius 0. */
     void set(int thing, double centreX, double centreY, Outline outline) {
         x[thing] = centreX;
         y[thing] = centreY;

@@ -11,17 +11,17 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.TreeMap;
 
-/** Colour names of X11 and CSS, whatever their case and spaces. */
-final class Colours {
+/** Colour names of X11 and CSS; case and spaces do not matter. */
+final class X11Colours {
     private static final Map<String, Integer> BY_NAME = load();
 
-    private Colours() {}
+    private X11Colours() {}
 
-    /** The colour of that name, {@code 0x00RRGGBB}. */
+    /** The colour with a name, {@code 0x00RRGGBB}. */
     static int named(String name, SourcePosition where) {
         Integer colour = BY_NAME.get(name.toLowerCase(Locale.ROOT).replace(" ", ""));
         if (colour == null) {
-            String nearest = Suggestions.nearest(name, BY_NAME.keySet());
+            String nearest = NearestNames.nearest(name, BY_NAME.keySet());
             throw new WorldFileException(
                     where,
                     "unknown colour \"" + name + '"'
@@ -33,8 +33,8 @@ final class Colours {
     }
 
     /**
-     * The colour of an entity, red unless it says otherwise; {@code "random"} is one that depends on where the entity
-     * stands; of a name and a mixture the one given last counts.
+     * The colour of an entity; the default is red. {@code "random"} is a colour that depends on the position of the
+     * entity in the file. If both a name and {@code color_rgba} are given, the last one counts.
      */
     static int of(Entity entity) {
         int colour = 0xff0000;
@@ -51,7 +51,7 @@ final class Colours {
         return colour;
     }
 
-    /** Another colour for every place in a file, and the same one in every run. */
+    /** A different colour for every position in a file; the same in every run. */
     private static int drawn(SourcePosition where) {
         long bits = 0x9E3779B97F4A7C15L * (31L * where.line() + where.column());
         bits = (bits ^ bits >>> 32) * 0xD6E8FEB86659FD93L;
@@ -71,14 +71,15 @@ final class Colours {
         return colour;
     }
 
-    /** All names in small letters without spaces, and their colours. */
+    /** All names in lower case without spaces, with their colours. */
     static Map<String, Integer> byName() {
         return Collections.unmodifiableMap(BY_NAME);
     }
 
     private static Map<String, Integer> load() {
         var colours = new TreeMap<String, Integer>();
-        var resource = Objects.requireNonNull(Colours.class.getResourceAsStream("x11-colours.txt"), "x11-colours.txt");
+        var resource =
+                Objects.requireNonNull(X11Colours.class.getResourceAsStream("x11-colours.txt"), "x11-colours.txt");
         try (var lines = new BufferedReader(new InputStreamReader(resource, StandardCharsets.UTF_8))) {
             lines.lines().filter(line -> !line.startsWith("#")).forEach(line -> {
                 String[] valueAndName = line.split(" ", 2);

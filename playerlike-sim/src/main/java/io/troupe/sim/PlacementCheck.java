@@ -17,16 +17,16 @@ import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether a robot can be put somewhere.
+ * Checks whether a robot can be placed at a pose.
  *
- * <p><b>Threads.</b> Any thread: what stands still is never moved, and robots are placed anew for each question.
+ * <p><b>Threads.</b> Any thread. Obstacles never move, and the robot's outline is computed for each check.
  */
-final class Room {
+final class PlacementCheck {
     private record Obstacle(String title, Outline outline) {}
 
     private record Cell(long column, long row) {}
 
-    /** Obstacles in more cells than this are in none, and every question looks at them. */
+    /** Obstacles that cover more cells than this are in no cell; every check looks at them. */
     private static final int MOST_CELLS = 16;
 
     private final List<RobotSpec> robots;
@@ -36,9 +36,9 @@ final class Room {
     private final double[] radiusM; // of a robot around its centre of rotation
     private final double cellM;
 
-    Room(WorldSpec spec) {
+    PlacementCheck(WorldSpec spec) {
         robots = spec.robots();
-        radiusM = robots.stream().mapToDouble(Room::radiusM).toArray();
+        radiusM = robots.stream().mapToDouble(PlacementCheck::radiusM).toArray();
         cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
         for (ObstacleSpec obstacle : spec.obstacles()) {
             if (obstacle.blocksBodies()) {
@@ -77,7 +77,7 @@ final class Room {
         return new Cell((long) Math.floor(x / cellM), (long) Math.floor(y / cellM));
     }
 
-    /** The lowest index of an obstacle in the way, or -1. */
+    /** Lowest index of an overlapping obstacle, or -1. */
     private int firstObstacle(Pose pose, Outline outline) {
         for (int index : obstaclesNear(pose)) {
             if (obstacles.get(index).outline().overlaps(outline)) {
@@ -87,7 +87,7 @@ final class Room {
         return -1;
     }
 
-    /** Those that a robot at this pose might touch, in order. */
+    /** Indices of the obstacles that a robot at this pose might touch, in ascending order. */
     Set<Integer> obstaclesNear(Pose pose) {
         var near = new TreeSet<>(largeObstacles);
         Cell at = cell(pose.x(), pose.y());
@@ -108,19 +108,20 @@ final class Room {
     }
 
     /**
-     * Sorts the robots by where they are, for any number of questions.
+     * Sorts the robots into cells, for any number of checks.
      *
-     * @param poses where each of them is, asked again with every question
+     * @param poses pose of each robot, read again at every check
      */
     Occupancy occupancy(IntFunction<Pose> poses) {
         return new Occupancy(poses);
     }
 
     /**
-     * Which robots are where, in square cells that are so wide that robots can only touch if their centres are in
-     * neighbouring ones.
+     * Index of the robots by cell. Cells are square and so wide that robots can touch only if their centres are in the
+     * same or in neighbouring cells.
      *
-     * <p><b>Threads.</b> Any thread may ask; {@link #moved} belongs to the thread that made it, before others ask.
+     * <p><b>Threads.</b> Any thread may check. {@link #moved} belongs to the thread that created the index, before
+     * other threads use it.
      */
     final class Occupancy {
         private final IntFunction<Pose> poses;
@@ -143,7 +144,7 @@ final class Room {
             }
         }
 
-        /** Takes over that a robot has been put elsewhere. */
+        /** Updates the cell of a robot that has been teleported. */
         void moved(int robot) {
             if (robots.get(robot).blocksBodies()) {
                 members.get(cellOf[robot]).remove((Integer) robot);
@@ -151,7 +152,7 @@ final class Room {
             }
         }
 
-        /** Why a robot cannot be at a pose, or null if it can. */
+        /** Reason why a robot cannot be at a pose, or null if it can. */
         @Nullable
         String refusal(int robot, Pose pose) {
             String attempt = "robot '" + robots.get(robot).name() + "' cannot be put at (" + pose.x() + " m, "
@@ -182,7 +183,7 @@ final class Room {
                     : attempt + "it would overlap robot '" + robots.get(other).name() + "'";
         }
 
-        /** The lowest index of a robot in the way, or -1. */
+        /** Lowest index of an overlapping robot, or -1. */
         private int firstOverlapping(int robot, Pose pose, Outline outline) {
             Cell at = cell(pose.x(), pose.y());
             int first = Integer.MAX_VALUE;

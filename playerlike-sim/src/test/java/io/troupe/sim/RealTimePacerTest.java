@@ -9,13 +9,13 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** On a clock that only moves when somebody sleeps or works. */
-class PacerTest {
+/** Runs on a clock that moves only during sleeps and work. */
+class RealTimePacerTest {
     private static final double NEVER = Double.POSITIVE_INFINITY;
 
     private final ManualClock wall = new ManualClock();
     private final List<Long> sleptMillis = new ArrayList<>();
-    private final Pacer pacer = new Pacer(wall, nanos -> {
+    private final RealTimePacer pacer = new RealTimePacer(wall, nanos -> {
         sleptMillis.add(nanos / 1_000_000);
         wall.advance(Duration.ofNanos(nanos));
     });
@@ -71,7 +71,7 @@ class PacerTest {
     @Test
     void largeDelay_atAnotherPace_isCountedInSimulatedTime() {
         tick(2, 0);
-        tick(2, 1050); // a second of the machine's time, two simulated ones
+        tick(2, 1050); // a second on the wall clock, two simulated ones
         assertThat(pacer.droppedMicros()).isEqualTo(1_750_000);
     }
 
@@ -106,7 +106,7 @@ class PacerTest {
     @Test
     void pace_nextToNothing_waitsVeryLong_andIsNeverLate() {
         var left = new ArrayList<Long>();
-        var slow = new Pacer(wall, nanos -> {
+        var slow = new RealTimePacer(wall, nanos -> {
             left.add(nanos);
             wall.advance(Duration.ofNanos(nanos));
         });

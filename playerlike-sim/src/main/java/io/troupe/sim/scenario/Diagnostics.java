@@ -6,44 +6,44 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /**
- * What becomes of things in a file that need not stop its reading: what Stage or Player knows and is not simulated here
- * is a warning, what neither knows an error of a strict reader and a warning of a lenient one.
+ * Reports problems in a file that need not stop its reading. A feature of Stage or Player that is not simulated here is
+ * a warning. An unknown name is an error for a strict reader and a warning for a lenient one.
  */
-final class Findings {
-    /** More help nobody, and a file may hold as many as it has words. */
+final class Diagnostics {
+    /** Limit of warnings: a file could cause one per word. */
     static final int MOST_WARNINGS = 1000;
 
     private static final System.Logger LOG = System.getLogger(ScenarioReader.class.getName());
 
     private final Consumer<WorldFileWarning> warnings;
     private final boolean lenient;
-    /** What stands in a macro is found in every instance of it. */
+    /** Warnings already reported: a problem in a macro is found in every instance of it. */
     private final Set<WorldFileWarning> reported = new HashSet<>();
 
-    private Findings(Consumer<WorldFileWarning> warnings, boolean lenient) {
+    private Diagnostics(Consumer<WorldFileWarning> warnings, boolean lenient) {
         this.warnings = warnings;
         this.lenient = lenient;
     }
 
-    static Findings strict(Consumer<WorldFileWarning> warnings) {
-        return new Findings(warnings, false);
+    static Diagnostics strict(Consumer<WorldFileWarning> warnings) {
+        return new Diagnostics(warnings, false);
     }
 
-    /** Strict; warnings go to the log. */
-    static Findings logged() {
+    /** Strict, with warnings to the log. */
+    static Diagnostics logged() {
         return strict(warning -> LOG.log(Level.WARNING, "{0}", warning));
     }
 
-    static Findings lenient(Consumer<WorldFileWarning> warnings) {
-        return new Findings(warnings, true);
+    static Diagnostics lenient(Consumer<WorldFileWarning> warnings) {
+        return new Diagnostics(warnings, true);
     }
 
-    /** As strict as this one, with the warnings to another place. */
-    Findings with(Consumer<WorldFileWarning> others) {
-        return new Findings(others, lenient);
+    /** As strict as this one, with warnings to another consumer. */
+    Diagnostics with(Consumer<WorldFileWarning> others) {
+        return new Diagnostics(others, lenient);
     }
 
-    /** Reports a thing that Stage or Player reads, and that is left out or changed here. */
+    /** Reports a feature of Stage or Player that is left out or changed here. */
     void warn(SourcePosition where, String problem) {
         warn(new WorldFileWarning(where, problem));
     }
@@ -60,11 +60,11 @@ final class Findings {
     }
 
     /**
-     * Reports an unknown name; if the reader goes on, the thing is left out.
+     * Reports an unknown name, which a lenient reader leaves out.
      *
      * @throws WorldFileException if the reader is strict
      */
-    void leaveOut(SourcePosition where, String problem) {
+    void unknownName(SourcePosition where, String problem) {
         if (!lenient) {
             throw new WorldFileException(where, problem);
         }

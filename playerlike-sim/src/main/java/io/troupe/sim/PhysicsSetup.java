@@ -8,13 +8,13 @@ import io.troupe.sim.scenario.Shape;
 import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 
-/** Puts the bodies of a world into the physics. */
-final class Bodies {
+/** Creates the physics bodies of a world. */
+final class PhysicsSetup {
     private static final Shape NO_SHAPE = new Shape(List.of());
 
-    private Bodies() {}
+    private PhysicsSetup() {}
 
-    /** All bodies of a world where they start. */
+    /** Creates the physics with all bodies at their start poses. */
     static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
         var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
         for (ObstacleSpec obstacle : spec.obstacles()) {
@@ -31,11 +31,11 @@ final class Bodies {
     }
 
     /**
-     * How long the steps are in which jbox2d moves the bodies: the settings' step, or a whole fraction of it in which
-     * no point of a robot travels farther than half the width of a robot's widest convex piece, which no wall lets
-     * through then. In longer ones fast robots would pass thin walls, and push one another through thick ones. A piece
-     * that is narrower than the widest of its robot, such as a thin arm, may still pass a thin post that only this
-     * piece meets.
+     * Length of the steps in which jbox2d moves the bodies. It is the settings' step, or the largest whole fraction of
+     * it in which no point of a robot travels farther than half the width of that robot's widest convex piece. Within
+     * that distance no wall lets the piece pass. With longer steps, fast robots would pass through thin walls and push
+     * one another through thick ones. A piece narrower than the widest of its robot, such as a thin arm, may still pass
+     * a thin post that only this piece meets.
      */
     static int stepMicros(WorldSpec spec, WorldSettings settings) {
         int longest = settings.physicsStepMicros();
@@ -47,7 +47,7 @@ final class Bodies {
         return 1;
     }
 
-    /** How many parts a step of the settings needs at least. */
+    /** Minimum number of parts into which a step of the settings must be divided. */
     private static int parts(WorldSpec spec, WorldSettings settings) {
         double stepS = settings.physicsStepMicros() / 1e6;
         double travelM = 0;
@@ -55,7 +55,8 @@ final class Bodies {
         for (RobotSpec robot : spec.robots()) {
             List<List<Point>> pieces = robot.collisionShape().polygons();
             smallestM = Math.min(
-                    smallestM, pieces.stream().mapToDouble(Bodies::widthM).max().orElseThrow());
+                    smallestM,
+                    pieces.stream().mapToDouble(PhysicsSetup::widthM).max().orElseThrow());
             double radiusM = pieces.stream()
                     .flatMap(List::stream)
                     .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
@@ -66,7 +67,10 @@ final class Bodies {
         return 1 + (int) Math.min(travelM / (smallestM / 2), settings.physicsStepMicros());
     }
 
-    /** Between the nearest two parallel lines that a convex polygon fits between: one of them lies along an edge. */
+    /**
+     * Width of a convex polygon: the smallest distance between two parallel lines that enclose it. One of the lines
+     * always lies along an edge.
+     */
     private static double widthM(List<Point> polygon) {
         double narrowestM = Double.POSITIVE_INFINITY;
         for (int i = 0; i < polygon.size(); i++) {

@@ -14,20 +14,20 @@ import io.troupe.sim.scenario.SonarSpec;
 import java.util.List;
 
 /**
- * Lasers and rangers in the words of Player.
+ * Converts laser and ranger readings and configurations to Player device data.
  *
- * <p>The resolution is the angle between two rays, so that the first angle and the number of ranges lead to the last
- * angle; Stage divides the field of view by the number of rays, one too many. Readings have no steps of their own: the
- * range resolution is 1 for a laser, as Stage says, and 0 for a ranger. There are no intensities.
+ * <p>The resolution is the angle between two rays, so the last angle follows from the first angle and the number of
+ * ranges. Stage divides the field of view by the number of rays, which is one too many. Range readings are not
+ * quantised: as in Stage, the range resolution is 1 for a laser, and it is 0 for a ranger. There are no intensities.
  */
-final class RangerMessages {
+final class RangerConversion {
     private static final float LASER_RANGE_RESOLUTION = 1;
-    /** Clients round, and count the beams or the steps between them. */
+    /** Relative tolerance. Clients round, and count either the beams or the steps between them. */
     private static final float ROUNDING = 0.01f;
 
-    private RangerMessages() {}
+    private RangerConversion() {}
 
-    /** A ring of sonars as a ranger with one sensor for each. */
+    /** A sonar ring as a ranger with one sensor per sonar. */
     static RangerSpec ring(SonarSpec sonar) {
         return new RangerSpec(
                 RangerSpec.Kind.RANGER,
@@ -41,8 +41,8 @@ final class RangerMessages {
     }
 
     /**
-     * Whether a client asks for what a laser does already. Its range resolution does not matter, and a frequency of 0
-     * is none, as in messages of javaclient3, which have no such field.
+     * True if a requested laser configuration equals the current one. Its range resolution does not matter. A frequency
+     * of 0 means none, as in messages of javaclient3, which have no such field.
      */
     static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
         return isNear(asked.minAngleRad(), real.minAngleRad())
@@ -73,7 +73,7 @@ final class RangerMessages {
         return new DeviceReply.LaserGeometry(flat(laser.mount()), new Size3d(laser.widthM(), laser.lengthM(), 0));
     }
 
-    /** Its sensors' poses are relative to its own. */
+    /** Geometry of a ranger. The poses of its sensors are relative to the ranger's pose. */
     static DeviceReply rangerGeometry(RangerSpec ranger) {
         return new DeviceReply.RangerGeometry(
                 flat(ranger.mount()),
@@ -98,7 +98,7 @@ final class RangerMessages {
                 1000f / intervalMillis);
     }
 
-    /** Of its first sensor: Player has one configuration for all of them. */
+    /** Configuration of the first sensor: Player has one configuration for all sensors of a ranger. */
     static RangerConfiguration rangerConfiguration(RangerSpec ranger, int intervalMillis) {
         RangeSensorSpec sensor = ranger.sensors().getFirst();
         return new RangerConfiguration(

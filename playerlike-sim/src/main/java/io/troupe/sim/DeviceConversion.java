@@ -4,9 +4,9 @@ import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.sim.PortServer.Offer;
-import io.troupe.sim.device.Blob;
+import io.troupe.sim.PortServer.PortDevice;
 import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Pose;
@@ -17,40 +17,40 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 import java.util.Objects;
 
-/** Readings of the world in the words of Player. */
-final class DeviceMessages {
-    private DeviceMessages() {}
+/** Converts readings of the world to Player device data. */
+final class DeviceConversion {
+    private DeviceConversion() {}
 
-    static DataMessage data(Offer offer, WorldSpec world, Snapshot now) {
-        RobotReading reading = now.robots().get(offer.robot());
-        DeviceData data = switch (offer.type()) {
+    static DataMessage data(PortDevice device, WorldSpec world, Snapshot now) {
+        RobotReading reading = now.robots().get(device.robot());
+        DeviceData data = switch (device.type()) {
             case POSITION2D -> position(reading.odometry());
-            case SONAR -> new DeviceData.SonarRanges(floats(sonarM(offer, world, reading)));
+            case SONAR -> new DeviceData.SonarRanges(floats(sonarM(device, world, reading)));
             case RANGER ->
                 new DeviceData.RangerRanges(
-                        isRing(offer.type(), offer.ranger())
+                        isRing(device.type(), device.ranger())
                                 ? Objects.requireNonNull(reading.sonarM())
-                                : reading.rangersM().get(offer.ranger()));
+                                : reading.rangersM().get(device.ranger()));
             case LASER ->
-                RangerMessages.scan(
-                        world.robots().get(offer.robot()).rangers().get(offer.ranger()),
-                        reading.rangersM().get(offer.ranger()),
+                RangerConversion.scan(
+                        world.robots().get(device.robot()).rangers().get(device.ranger()),
+                        reading.rangersM().get(device.ranger()),
                         now.tick());
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };
-        return new DataMessage(offer.address(), now.timeMicros() / 1e6, data);
+        return new DataMessage(device.address(), now.timeMicros() / 1e6, data);
     }
 
-    /** Whether a device is the robot's sonar ring, offered as a ranger. */
+    /** True if a device is the robot's sonar ring, offered as a ranger. */
     static boolean isRing(Interfaces type, int ranger) {
         return type == Interfaces.RANGER && ranger == DeviceBinding.SONAR_RING;
     }
 
-    /** Of the robot's ring, or where it has none of the ranger that stands for one. */
-    private static List<Double> sonarM(Offer offer, WorldSpec world, RobotReading reading) {
-        return world.robots().get(offer.robot()).sonar() == null
-                ? reading.rangersM().get(offer.ranger())
+    /** Ranges of the robot's sonar ring or, without a ring, of the ranger that replaces it. */
+    private static List<Double> sonarM(PortDevice device, WorldSpec world, RobotReading reading) {
+        return world.robots().get(device.robot()).sonar() == null
+                ? reading.rangersM().get(device.ranger())
                 : Objects.requireNonNull(reading.sonarM());
     }
 
@@ -74,7 +74,7 @@ final class DeviceMessages {
         return List.of(converted);
     }
 
-    private static DeviceData.Blob blob(Blob blob) {
+    private static DeviceData.Blob blob(ColourBlob blob) {
         return new DeviceData.Blob(
                 0,
                 blob.colour(),
@@ -88,7 +88,7 @@ final class DeviceMessages {
                 (float) blob.rangeM());
     }
 
-    /** From right to left, as Stage lists them. The image is 0 x 0 when it shows no blob, as Stage's is. */
+    /** Blobs from right to left, in Stage's order. As in Stage, the image size is 0 x 0 when there is no blob. */
     private static DeviceData blobs(BlobImage image) {
         boolean empty = image.blobs().isEmpty();
         return new DeviceData.Blobs(
@@ -97,7 +97,7 @@ final class DeviceMessages {
                 empty
                         ? List.of()
                         : image.blobs().reversed().stream()
-                                .map(DeviceMessages::blob)
+                                .map(DeviceConversion::blob)
                                 .toList());
     }
 

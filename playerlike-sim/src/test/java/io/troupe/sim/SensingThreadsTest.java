@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(60)
-class SensingTest {
+class SensingThreadsTest {
     private static long fingerprint(int threads) {
         try (World world = World.create(
                 Tiles.world(50, 1, Specs.RED, Specs.GREEN, Specs.BLUE),
@@ -39,7 +39,7 @@ class SensingTest {
         for (int robots : new int[] {3, 10, 1000}) {
             var visits = new AtomicIntegerArray(robots);
             var threads = new Thread[3];
-            try (var sensing = new Sensing("test", 3, robots, (range, from, to) -> {
+            try (var sensing = new SensingThreads("test", 3, robots, (range, from, to) -> {
                 threads[range] = Thread.currentThread();
                 for (int i = from; i < to; i++) {
                     visits.incrementAndGet(i);
@@ -62,7 +62,7 @@ class SensingTest {
     @Test
     void failureOnAThread_isThrownToTheCaller_andTheNextRunIsWhole() {
         var fails = new boolean[] {true};
-        try (var sensing = new Sensing("test", 2, 2, (range, from, to) -> {
+        try (var sensing = new SensingThreads("test", 2, 2, (range, from, to) -> {
             if (range == 1 && fails[0]) {
                 throw new IllegalArgumentException("broken sonar");
             }
@@ -76,7 +76,7 @@ class SensingTest {
     @Test
     void close_endsTheThreads_andOneIsEnoughAfterwards() throws InterruptedException {
         var visits = new AtomicIntegerArray(5);
-        var sensing = new Sensing("test", 4, 5, (range, from, to) -> {
+        var sensing = new SensingThreads("test", 4, 5, (range, from, to) -> {
             for (int i = from; i < to; i++) {
                 visits.incrementAndGet(i);
             }

@@ -8,44 +8,44 @@ import java.util.function.LongConsumer;
 /**
  * Keeps simulated time in step with a clock.
  *
- * <p>Deadlines are counted from one moment, so that waiting a little too long once does no harm. Who is late catches
- * up, at most a quarter of a simulated second; the rest is dropped, and the log says so.
+ * <p>Deadlines are counted from one start time, so an overlong wait does no lasting harm. A late simulation catches up
+ * by at most a quarter of a simulated second; the remaining delay is dropped and logged.
  *
- * <p><b>Threads.</b> The one that ticks; {@link #droppedMicros} from any.
+ * <p><b>Threads.</b> The ticking thread; {@link #droppedMicros} from any thread.
  */
-final class Pacer {
+final class RealTimePacer {
     static final long CATCH_UP_MICROS = 250_000;
-    private static final System.Logger LOG = System.getLogger(Pacer.class.getName());
-    /** Some 73 years: how long an interval takes at most, whatever the pace, so that sums of times do not overflow. */
+    private static final System.Logger LOG = System.getLogger(SimulationRunner.class.getName());
+    /** About 73 years: upper limit of an interval at any pace, so that sums of times do not overflow. */
     private static final long LONGEST_NANOS = 1L << 61;
 
-    private static final long QUIET_NANOS = 1_000_000_000;
+    private static final long LOG_INTERVAL_NANOS = 1_000_000_000;
 
     private final Clock wall;
-    private final LongConsumer sleep; // at most so many nanoseconds
+    private final LongConsumer sleep; // argument: maximum time in nanoseconds
     private double factor = Double.POSITIVE_INFINITY;
     private boolean started;
     private long startNanos;
     private long startMicros;
-    private long unsaidMicros;
-    private long saidAtNanos;
-    private boolean saidAny;
+    private long unloggedMicros;
+    private long loggedAtNanos;
+    private boolean loggedAny;
     private final AtomicLong droppedMicros = new AtomicLong();
 
-    Pacer(Clock wall, LongConsumer sleep) {
+    RealTimePacer(Clock wall, LongConsumer sleep) {
         this.wall = wall;
         this.sleep = sleep;
     }
 
-    /** Forgets what has been, after a pause. */
+    /** Restarts the deadlines after a pause. */
     void restart() {
         started = false;
     }
 
     /**
-     * Waits until an interval of simulated time is over that has just begun.
+     * Waits until the current interval of simulated time has passed on the clock.
      *
-     * @param wantedFactor simulated seconds in a second; infinite: do not wait
+     * @param wantedFactor simulated seconds per second; infinite = do not wait
      */
     void await(long beginMicros, long endMicros, double wantedFactor) {
         if (wantedFactor == Double.POSITIVE_INFINITY) {
@@ -75,25 +75,25 @@ final class Pacer {
         return (long) Math.min(simulatedMicros * 1000 / factor, LONGEST_NANOS);
     }
 
-    /** Says so at most once in a second. */
+    /** Counts dropped time, and logs it at most once per second. */
     private void drop(long micros, long nowNanos) {
         droppedMicros.addAndGet(micros);
-        unsaidMicros += micros;
-        if (!saidAny || nowNanos - saidAtNanos >= QUIET_NANOS) {
+        unloggedMicros += micros;
+        if (!loggedAny || nowNanos - loggedAtNanos >= LOG_INTERVAL_NANOS) {
             LOG.log(
                     System.Logger.Level.WARNING,
                     String.format(
                             Locale.ROOT,
                             "the machine is too slow for %.3g times real time: %.3f simulated seconds are late for good",
                             factor,
-                            unsaidMicros / 1e6));
-            saidAny = true;
-            saidAtNanos = nowNanos;
-            unsaidMicros = 0;
+                            unloggedMicros / 1e6));
+            loggedAny = true;
+            loggedAtNanos = nowNanos;
+            unloggedMicros = 0;
         }
     }
 
-    /** How much simulated time is late for good. */
+    /** Simulated time that was late and has been dropped. */
     long droppedMicros() {
         return droppedMicros.get();
     }

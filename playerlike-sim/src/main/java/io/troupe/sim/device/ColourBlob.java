@@ -1,7 +1,7 @@
 package io.troupe.sim.device;
 
 /**
- * A run of image columns of one colour.
+ * A run of neighbouring image columns of one colour.
  *
  * @param colour {@code 0x00RRGGBB}
  * @param areaPx2 (right - left) x (bottom - top), never negative
@@ -11,4 +11,5 @@ package io.troupe.sim.device;
  * @param right last column
  * @param rangeM mean distance of its columns
  */
-public record Blob(int colour, int areaPx2, int x, int y, int left, int right, int top, int bottom, double rangeM) {}
+public record ColourBlob(
+        int colour, int areaPx2, int x, int y, int left, int right, int top, int bottom, double rangeM) {}

@@ -14,21 +14,21 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-class RoomTest {
+class PlacementCheckTest {
     private static List<Pose> rows(int count) {
         return IntStream.range(0, count)
                 .mapToObj(i -> new Pose(i % 100 - 50, i / 100 - 50, i))
                 .toList();
     }
 
-    private static Room room(List<Pose> poses) {
+    private static PlacementCheck room(List<Pose> poses) {
         List<RobotSpec> robots = IntStream.range(0, poses.size())
                 .mapToObj(i -> Specs.robot("r" + i, poses.get(i)))
                 .toList();
-        return new Room(Specs.world(robots));
+        return new PlacementCheck(Specs.world(robots));
     }
 
-    /** Each question looks at the robots that are near, not at all of them. */
+    /** Each check looks at the robots that are near, not at all robots. */
     @Test
     void teleportsOfAllRobots_lookAtAFewRobotsEach() {
         List<Pose> poses = new ArrayList<>(rows(4_000));
@@ -37,7 +37,7 @@ class RoomTest {
             looks[0]++;
             return poses.get(robot);
         };
-        Room.Occupancy occupancy = room(poses).occupancy(counted);
+        PlacementCheck.Occupancy occupancy = room(poses).occupancy(counted);
         for (int robot = 0; robot < 4_000; robot++) {
             Pose to = new Pose(poses.get(robot).x() + 0.1, poses.get(robot).y(), 1);
             assertThat(occupancy.refusal(robot, to)).as("robot %d", robot).isNull();
@@ -52,8 +52,8 @@ class RoomTest {
         long seed = 7;
         var random = new SplittableRandom(seed);
         List<Pose> poses = new ArrayList<>(rows(60));
-        Room room = room(poses);
-        Room.Occupancy occupancy = room.occupancy(poses::get);
+        PlacementCheck room = room(poses);
+        PlacementCheck.Occupancy occupancy = room.occupancy(poses::get);
         int refused = 0;
         for (int i = 0; i < 2_000; i++) {
             int robot = random.nextInt(60);
@@ -80,7 +80,7 @@ class RoomTest {
                 .map(pose -> Specs.box("o", pose, 0.2, 0.2, Specs.BLACK))
                 .toList());
         obstacles.add(Specs.box("wall", new Pose(0, 60, 0), 200, 0.1, Specs.BLACK));
-        var room = new Room(Specs.world(List.of(Specs.robot("r", new Pose(100, 0, 0))), obstacles));
+        var room = new PlacementCheck(Specs.world(List.of(Specs.robot("r", new Pose(100, 0, 0))), obstacles));
         assertThat(room.obstaclesNear(new Pose(0, -40, 0)))
                 .contains(1_050, 4_000)
                 .hasSizeLessThan(30);
@@ -98,7 +98,8 @@ class RoomTest {
         }
         var start = new Pose(100, 0, 0);
         var robot = Specs.robot("r", start);
-        Room.Occupancy occupancy = new Room(Specs.world(List.of(robot), obstacles)).occupancy(each -> start);
+        PlacementCheck.Occupancy occupancy =
+                new PlacementCheck(Specs.world(List.of(robot), obstacles)).occupancy(each -> start);
         int refused = 0;
         for (int i = 0; i < 1_000; i++) {
             Pose to = new Pose(random.nextDouble(-31, 31), random.nextDouble(-31, 31), random.nextDouble(6));

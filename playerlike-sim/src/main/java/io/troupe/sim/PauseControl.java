@@ -5,24 +5,24 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Whether a simulation's time passes: paused, let go on step by step, or held back by a pacer.
+ * Controls whether simulated time passes: paused, single steps, or delayed by a pacer.
  *
- * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitTime} and {@link #sleep} belong to the
- * one that ticks.
+ * <p><b>Threads.</b> Any thread; guarded by the simulation's lock. {@link #awaitUnpaused} and {@link #sleep} belong to
+ * the ticking thread.
  */
-final class TimeGate {
+final class PauseControl {
     private final Object lock;
     private Clock wall = Clock.system();
     private boolean paused;
     private long pausedSinceNanos;
-    private long pausedNanos; // of the pauses that are over
+    private long pausedNanos; // total of the pauses that have ended
     private boolean stoodStill;
     private int stepsWanted;
-    private boolean stepping; // paused, and a tick that was let pass has not been followed by another call of awaitTime
+    private boolean stepping; // paused, but during a single step, up to the next call of awaitUnpaused
     private boolean open = true;
 
-    /** @param lock is notified whenever something changes */
-    TimeGate(Object lock) {
+    /** @param lock is notified of every change */
+    PauseControl(Object lock) {
         this.lock = lock;
     }
 
@@ -39,8 +39,8 @@ final class TimeGate {
     }
 
     /**
-     * A clock that stands still while time is paused, except for a tick that {@link #step} has let pass, which can wait
-     * for a silent client as well; what it says has a meaning only as a difference within a tick.
+     * A clock that stops while time is paused. It runs during a tick that {@link #step} has let pass, because that tick
+     * too can wait for a silent client. Only differences within a tick have a meaning.
      */
     long runningNanos() {
         synchronized (lock) {
@@ -56,7 +56,7 @@ final class TimeGate {
         pausedNanos += wall.nanos() - pausedSinceNanos;
     }
 
-    /** Whether that changed anything. */
+    /** True if the call changed the state. */
     boolean pause(boolean wanted) {
         synchronized (lock) {
             boolean changes = paused != wanted;
@@ -85,7 +85,7 @@ final class TimeGate {
         }
     }
 
-    /** Nobody waits here any more. */
+    /** Ends all waits. */
     void close() {
         synchronized (lock) {
             open = false;
@@ -93,14 +93,14 @@ final class TimeGate {
         }
     }
 
-    /** Time is standing still for another reason: there is no client. */
+    /** Records that time stands still because there is no client. */
     void standsStill() {
         synchronized (lock) {
             stoodStill = true;
         }
     }
 
-    /** Whether time stood still since the last call: nothing is late then. */
+    /** True if time stood still since the last call; a pacer then has no delay to catch up. */
     boolean takeStoodStill() {
         synchronized (lock) {
             boolean stood = stoodStill;
@@ -110,11 +110,11 @@ final class TimeGate {
     }
 
     /**
-     * Waits as long as time is paused.
+     * Waits while time is paused.
      *
-     * @param meanwhile is done again and again
+     * @param meanwhile repeated while waiting
      */
-    void awaitTime(@Nullable Runnable meanwhile) {
+    void awaitUnpaused(@Nullable Runnable meanwhile) {
         endStep();
         while (true) {
             synchronized (lock) {
@@ -145,7 +145,7 @@ final class TimeGate {
         }
     }
 
-    /** Sleeps at most so long, and no longer if something happens. */
+    /** Sleeps for at most the given time; a change of state ends the sleep. */
     void sleep(long nanos) {
         synchronized (lock) {
             if (!open) {
@@ -153,7 +153,7 @@ final class TimeGate {
             }
             long millis = nanos / 1_000_000;
             if (millis >= 2) {
-                waitMillis(millis - 1); // which is good to a millisecond
+                waitMillis(millis - 1); // Object.wait is accurate to a millisecond
                 return;
             }
         }

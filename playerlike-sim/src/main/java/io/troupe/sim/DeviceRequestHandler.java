@@ -1,0 +1,315 @@
+package io.troupe.sim;
+
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.Interfaces;
+import io.troupe.sim.PendingCommands.Kind;
+import io.troupe.sim.PortServer.PortDevice;
+import io.troupe.sim.scenario.ObstacleSpec;
+import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.scenario.RangerSpec;
+import io.troupe.sim.scenario.RobotSpec;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Handles the commands and requests that a client sends to the simulated devices. Changes of the world are deferred to
+ * the end of the tick. {@code Pause} takes effect at once, because a paused world has no ticks.
+ *
+ * <p><b>Threads.</b> Any thread; guarded by the simulation's lock.
+ *
+ * <p><b>Source.</b> What Stage acknowledges, refuses and ignores.
+ */
+final class DeviceRequestHandler {
+    /** Queues an action for the end of the tick. */
+    interface CommandQueue {
+        void add(PortDevice device, Kind kind, Runnable action);
+    }
+
+    private static final DeviceReply ACK = new DeviceReply.Ack();
+    private static final DeviceReply NOT_OFFERED =
+            new DeviceReply.Nack("the simulator does not offer that for this device");
+    private static final DeviceReply AS_IN_THE_FILE =
+            new DeviceReply.Nack("the configuration of a simulated device is that of its world file");
+
+    private final Simulation simulation;
+    private final World world;
+    private final CommandQueue queue;
+    /** Time in microseconds for which the client's speed commands hold, for each device with a limit set. */
+    private final Map<PortDevice, Long> commandLimitsMicros = new HashMap<>();
+
+    DeviceRequestHandler(Simulation simulation, CommandQueue queue) {
+        this.simulation = simulation;
+        this.world = simulation.world();
+        this.queue = queue;
+    }
+
+    void command(PortDevice device, DeviceCommand command) {
+        switch (device.type()) {
+            case POSITION2D -> drive(device, command);
+            case SIMULATION -> simulate(device, command);
+            case SONAR, RANGER, LASER, BLOBFINDER -> throw new IllegalArgumentException(device + " takes no commands");
+        }
+    }
+
+    /**
+     * Handles a motion command. Sideways speeds are ignored because the robots have a differential drive. The byte
+     * {@code state} is ignored as in Stage: a command with state 0 also drives.
+     */
+    private void drive(PortDevice device, DeviceCommand command) {
+        int robot = device.robot();
+        long limitMicros = commandLimitsMicros.getOrDefault(device, 0L);
+        Runnable action = switch (command) {
+            case DeviceCommand.Velocity to -> {
+                checkFinite(device, to, to.vx(), to.va());
+                yield () -> world.command(robot, to.vx(), to.va(), limitMicros);
+            }
+            case DeviceCommand.Car to -> {
+                checkFinite(device, to, to.velocityMps(), to.angleRad());
+                yield () -> world.command(robot, to.velocityMps(), to.angleRad(), limitMicros);
+            }
+            case DeviceCommand.VelocityHeading to -> {
+                checkFinite(device, to, to.velocityMps(), to.headingRad());
+                yield () -> world.steer(robot, to.velocityMps(), to.headingRad(), limitMicros);
+            }
+            case DeviceCommand.GoTo to -> {
+                checkFinite(device, to, to.px(), to.py(), to.pa());
+                yield () -> world.goTo(robot, new Pose(to.px(), to.py(), to.pa()));
+            }
+            case DeviceCommand.Pause other -> throw notUnderstood(device, other);
+            case DeviceCommand.Reset other -> throw notUnderstood(device, other);
+            case DeviceCommand.Save other -> throw notUnderstood(device, other);
+        };
+        queue.add(device, Kind.SPEED, action);
+    }
+
+    private void simulate(PortDevice device, DeviceCommand command) {
+        switch (command) {
+            case DeviceCommand.Pause pause -> simulation.togglePause(this);
+            case DeviceCommand.Reset reset -> queue.add(device, Kind.RESET, simulation::reset);
+            case DeviceCommand.Save save ->
+                System.getLogger(Simulation.class.getName())
+                        .log(System.Logger.Level.WARNING, "a client asked to save the world, which is not offered");
+            case DeviceCommand.Velocity other -> throw notUnderstood(device, other);
+            case DeviceCommand.Car other -> throw notUnderstood(device, other);
+            case DeviceCommand.VelocityHeading other -> throw notUnderstood(device, other);
+            case DeviceCommand.GoTo other -> throw notUnderstood(device, other);
+        }
+    }
+
+    private static IllegalArgumentException notUnderstood(PortDevice device, DeviceCommand command) {
+        return new IllegalArgumentException(device + " does not understand " + command);
+    }
+
+    private static void checkFinite(PortDevice device, DeviceCommand command, double... numbers) {
+        for (double number : numbers) {
+            if (!Double.isFinite(number)) {
+                throw new IllegalArgumentException(device + " was told " + command + ", expected finite numbers");
+            }
+        }
+    }
+
+    DeviceReply request(PortDevice device, DeviceRequest request) {
+        if (request instanceof DeviceRequest.Capability asked) {
+            return Capabilities.understands(device.type(), asked.type(), asked.subtype()) ? ACK : NOT_OFFERED;
+        }
+        return switch (device.type()) {
+            case POSITION2D -> ofPosition(device, request);
+            case SONAR ->
+                switch (request) {
+                    case DeviceRequest.Geometry geometry ->
+                        DeviceConversion.sonarGeometry(robot(device), device.ranger());
+                    case DeviceRequest.Power power -> sensorPower(device, power.on());
+                    default -> NOT_OFFERED;
+                };
+            case LASER -> ofLaser(device, robot(device).rangers().get(device.ranger()), request);
+            case RANGER -> ofRanger(device, ranger(device), request);
+            case BLOBFINDER -> NOT_OFFERED;
+            case SIMULATION -> ofSimulation(device, request);
+        };
+    }
+
+    private RobotSpec robot(PortDevice device) {
+        return world.spec().robots().get(device.robot());
+    }
+
+    private RangerSpec ranger(PortDevice device) {
+        RobotSpec robot = robot(device);
+        return DeviceConversion.isRing(device.type(), device.ranger())
+                ? RangerConversion.ring(Objects.requireNonNull(robot.sonar()))
+                : robot.rangers().get(device.ranger());
+    }
+
+    private DeviceReply ofPosition(PortDevice device, DeviceRequest request) {
+        return switch (request) {
+            case DeviceRequest.Geometry geometry -> DeviceConversion.positionGeometry(robot(device));
+            case DeviceRequest.ResetOdometry reset -> odometry(device, Pose.ORIGIN);
+            case DeviceRequest.SetOdometry set -> odometry(device, new Pose(set.px(), set.py(), set.pa()));
+            case DeviceRequest.Power power -> {
+                queue.add(device, Kind.POWER, () -> world.motorPower(device.robot(), power.on()));
+                yield ACK;
+            }
+            // ignored: the type of each command determines its mode
+            case DeviceRequest.PositionMode mode ->
+                mode.mode() == 0 || mode.mode() == 1
+                        ? ACK
+                        : new DeviceReply.Nack(
+                                "position mode is " + mode.mode() + ", expected 0 (velocity) or 1 (position)");
+            case DeviceRequest.SetIntegerProperty set -> commandLimit(device, set);
+            default -> NOT_OFFERED;
+        };
+    }
+
+    /**
+     * Sets the time for which later commands hold. The limit belongs to the client and not to the world, so a reset of
+     * the world keeps it.
+     */
+    private DeviceReply commandLimit(PortDevice device, DeviceRequest.SetIntegerProperty set) {
+        if (!set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
+            return new DeviceReply.Nack(
+                    "there is no property '" + set.key() + "', expected " + DeviceRequest.COMMAND_LIMIT_KEY);
+        }
+        if (set.value() < 0) {
+            return new DeviceReply.Nack(set.key() + " is " + set.value() + ", expected 0 (no limit) or more");
+        }
+        commandLimitsMicros.put(device, set.value() * 1000L);
+        return ACK;
+    }
+
+    private DeviceReply odometry(PortDevice device, Pose pose) {
+        String refusal = world.odometryRefusal(device.robot(), pose);
+        if (refusal != null) {
+            return new DeviceReply.Nack(refusal);
+        }
+        queue.add(device, Kind.ODOMETRY, () -> world.setOdometry(device.robot(), pose));
+        return ACK;
+    }
+
+    /**
+     * Refuses to switch a sensor off, as Stage does. In lock step a client without data has nothing to answer, and
+     * other clients may rely on the sensor's data.
+     */
+    private static DeviceReply sensorPower(PortDevice device, boolean on) {
+        return on ? ACK : new DeviceReply.Nack(device + " of a simulated robot cannot be switched off");
+    }
+
+    private DeviceReply ofLaser(PortDevice device, RangerSpec laser, DeviceRequest request) {
+        var configuration =
+                RangerConversion.laserConfiguration(laser, world.spec().intervalMillis());
+        return switch (request) {
+            case DeviceRequest.Geometry geometry -> RangerConversion.laserGeometry(laser);
+            case DeviceRequest.GetConfiguration get -> new DeviceReply.OfLaser(configuration);
+            case DeviceRequest.SetLaserConfiguration set ->
+                RangerConversion.isSame(set.configuration(), configuration)
+                        ? new DeviceReply.OfLaser(configuration)
+                        : AS_IN_THE_FILE;
+            case DeviceRequest.Power power -> sensorPower(device, power.on());
+            case DeviceRequest.LaserId id ->
+                new DeviceReply.LaserId(device.address().index());
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply ofRanger(PortDevice device, RangerSpec ranger, DeviceRequest request) {
+        var configuration =
+                RangerConversion.rangerConfiguration(ranger, world.spec().intervalMillis());
+        return switch (request) {
+            case DeviceRequest.Geometry geometry -> RangerConversion.rangerGeometry(ranger);
+            case DeviceRequest.GetConfiguration get -> new DeviceReply.OfRanger(configuration);
+            case DeviceRequest.SetRangerConfiguration set ->
+                set.configuration().equals(configuration) ? new DeviceReply.OfRanger(configuration) : AS_IN_THE_FILE;
+            case DeviceRequest.Power power -> sensorPower(device, power.on());
+            case DeviceRequest.Intensities intensities -> intensities.on() ? NOT_OFFERED : ACK;
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply ofSimulation(PortDevice device, DeviceRequest request) {
+        return switch (request) {
+            case DeviceRequest.GetPose get -> {
+                Pose pose = poseOf(get.model());
+                yield pose == null
+                        ? noModel(get.model())
+                        : new DeviceReply.ModelPose(get.model(), pose.x(), pose.y(), pose.headingRad());
+            }
+            case DeviceRequest.SetPose set -> teleport(device, set);
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private DeviceReply noModel(String model) {
+        return new DeviceReply.Nack("world '" + world.spec().name() + "' has no model '" + model + "'");
+    }
+
+    private @Nullable Pose poseOf(String model) {
+        int robot = world.robotNumber(model);
+        if (robot >= 0) {
+            return world.latest().robots().get(robot).pose();
+        }
+        for (ObstacleSpec obstacle : world.spec().obstacles()) {
+            if (obstacle.name().equals(model)) {
+                return obstacle.pose();
+            }
+        }
+        return null;
+    }
+
+    private DeviceReply teleport(PortDevice device, DeviceRequest.SetPose set) {
+        int robot = world.robotNumber(set.model());
+        if (robot < 0) {
+            return poseOf(set.model()) == null
+                    ? noModel(set.model())
+                    : new DeviceReply.Nack("'" + set.model() + "' is an obstacle, and only robots can be moved");
+        }
+        Pose pose = new Pose(set.px(), set.py(), set.pa());
+        String refusal = world.teleportRefusal(robot, pose);
+        if (refusal != null) {
+            return new DeviceReply.Nack(refusal);
+        }
+        // one address per robot, so that only the newest teleport of each robot counts
+        var itself = new PortDevice(device.address(), Interfaces.SIMULATION, robot, 0);
+        queue.add(itself, Kind.PLACE, () -> world.teleportLater(robot, pose));
+        return ACK;
+    }
+
+    /** The messages that the simulated devices understand, as Player's type and subtype numbers. */
+    private static final class Capabilities {
+        private static final int DATA = 1;
+        private static final int COMMAND = 2;
+        private static final int REQUEST = 3;
+        /** Subtype of the capability request itself. */
+        private static final int CAPABILITY = 255;
+
+        private Capabilities() {}
+
+        static boolean understands(Interfaces device, int type, int subtype) {
+            return type == REQUEST && subtype == CAPABILITY
+                    || subtypes(device, type).contains(subtype);
+        }
+
+        private static List<Integer> subtypes(Interfaces device, int type) {
+            return switch (type) {
+                case DATA -> device == Interfaces.SIMULATION ? List.of() : List.of(1);
+                case COMMAND ->
+                    switch (device) {
+                        case POSITION2D -> List.of(1, 2, 3, 4);
+                        case SIMULATION -> List.of(1, 2);
+                        case SONAR, RANGER, LASER, BLOBFINDER -> List.of();
+                    };
+                case REQUEST ->
+                    switch (device) {
+                        case POSITION2D -> List.of(1, 2, 4, 5, 6, 253);
+                        case SONAR, SIMULATION -> List.of(1, 2);
+                        case RANGER -> List.of(1, 2, 3, 4, 5);
+                        case LASER -> List.of(1, 2, 3, 4, 5);
+                        case BLOBFINDER -> List.of();
+                    };
+                default -> List.of();
+            };
+        }
+    }
+}
