@@ -12,10 +12,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The bus communication unit (BCU): all that an interface says on the bus and hears from it.
+ * The bus communication unit (BCU): connects a component interface with the bus.
  *
- * <p><b>Role.</b> Data messages go to topics and come from them; control messages, and questions for data, are
- * answered.
+ * <p><b>Role.</b> Publishes data messages, subscribes to topics, and answers control messages and requests for data.
  *
  * <p><b>Threads.</b> The actor space on which it was attached.
  *
@@ -33,7 +32,7 @@ public final class BusCommunication implements AutoCloseable {
         return new BusCommunication(bus.attach(name));
     }
 
-    /** Where the component is on the bus. */
+    /** The address of the component on the bus. */
     public Address address() {
         return port.address();
     }

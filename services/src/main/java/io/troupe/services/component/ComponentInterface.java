@@ -13,21 +13,22 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The interface that makes a component fit the architecture: its CCU, its DCU and its BCU, and the component's life.
+ * Connects a component with the bus and the broker: it consists of the CCU, the DCU and the BCU, and manages the
+ * component's lifecycle.
  *
- * <p><b>Role.</b> A {@link Provider}: registered with a broker, it is started when somebody needs its service. It can
- * be controlled by the messages of {@link Control} just as well.
+ * <p><b>Role.</b> A {@link Provider}: a broker with which it is registered starts it when its service is required. The
+ * messages of {@link Control} control it as well.
  *
- * <p><b>Threads.</b> It lives on one actor space, on whose thread it is opened and closed; what {@link Provider} has
- * may be called from any.
+ * <p><b>Threads.</b> Belongs to one actor space and is opened and closed on its thread. The methods of {@link Provider}
+ * may be called from any thread.
  *
- * <p><b>Order.</b> From invocation to termination is one life. A component hears its topics from the moment it is being
- * invoked: what comes before it runs waits in the DCU. What it says while {@link #stop} terminates it is still
- * published. What it says or does after that is told to the observer and has no other effect.
+ * <p><b>Order.</b> A run lasts from invocation to termination. The component is subscribed to its topics from the start
+ * of the invocation; values that arrive before it runs are buffered in the DCU. Output during the termination by
+ * {@link #stop} is still published. Any later output or failure is only reported to the observer.
  *
- * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with what it failed of until
- * it is started again. One whose termination fails may still be alive: {@link #start} and {@link #stop} terminate it
- * again, and are rejected until this succeeds.
+ * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with the error until the
+ * component is started again. If a termination fails, the component may still be running: {@link #start} and
+ * {@link #stop} repeat the termination, and are rejected until it succeeds.
  *
  * <p><b>Source.</b> Paper, section 2.2.2 and Figure 6.
  */
@@ -52,10 +53,10 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     /**
-     * Puts a component on the bus, without starting it.
+     * Attaches a component to the bus without starting it.
      *
-     * @param name its name on the bus
-     * @throws IllegalStateException on any thread but that of an actor space
+     * @param name the component's name on the bus
+     * @throws IllegalStateException if the current thread is not that of an actor space
      */
     public static <I, O> ComponentInterface<I, O> open(
             Bus bus, String name, Component<I, O> component, ComponentObserver observer) {
@@ -84,27 +85,30 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         return new Control.HealthReport(address().name(), lives.state().name(), problem);
     }
 
-    /** Where the component is on the bus. */
+    /** The address of the component on the bus. */
     public Address address() {
         return bus.address();
     }
 
-    /** What this is the interface of. */
+    /** The description of the component. */
     public Component<I, O> component() {
         return component;
     }
 
-    /** The DCU, for what it has to say of losses. */
+    /** The DCU, which counts lost values. */
     public DataConversion<I, O> conversion() {
         return conversion;
     }
 
-    /** Where the component stands, on the space of its interface. */
+    /** The current state of the component. Call on the space of the interface. */
     public Lifecycle state() {
         return lives.state();
     }
 
-    /** Answers questions for data from now on, while the component runs; on the space of the interface. */
+    /**
+     * Registers a handler for requests for data. Requests are rejected while the component does not run. Call on the
+     * space of the interface.
+     */
     public <Q extends Record, A extends Record> void answer(
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         bus.answer(
@@ -144,21 +148,21 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     /**
-     * Leaves the bus for good, at once, so that its name is free. A component that runs is terminated: what it says
-     * while that lasts is reported as not published, and so is a termination that fails; {@link #stop} first publishes
-     * it. Calls of {@link #start} are rejected from now on.
+     * Leaves the bus permanently and immediately, so that its name can be used again. A running component is
+     * terminated. Its output during this termination is reported as not published, and a failed termination is reported
+     * to the observer; call {@link #stop} first to publish that output. Later calls of {@link #start} are rejected.
      */
     @Override
     public void close() {
         Promise<@Nullable Void> ended = lives.close();
-        bus.close(); // not when it has ended: a termination may hang
+        bus.close(); // does not wait for the termination, which may hang
         ended.exceptionally(error -> {
             observer.problem(address(), "could not be terminated", error);
             return null;
         });
     }
 
-    /** An observer that throws is reported to the log, and changes nothing. */
+    /** Forwards to an observer and logs its exceptions, which have no other effect. */
     private record SafeObserver(ComponentObserver observer) implements ComponentObserver {
         private static final System.Logger LOG = System.getLogger(ComponentObserver.class.getName());
 
@@ -191,7 +195,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         }
     }
 
-    /** The way of the data: bus, DCU, CCU, and back. */
+    /** The path of the data: from the bus through DCU and CCU to the component, and back. */
     private final class DataPath implements Lives.Turns<O> {
         @Override
         public void begins() {
@@ -210,7 +214,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         @Override
         public void ends() {
             bus.hearNothing();
-            publishOutput(); // its last words
+            publishOutput(); // output before and during the termination
         }
 
         @Override
@@ -222,7 +226,8 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         }
 
         private void publishOutput() {
-            outputWaits.set(false); // before taking: what comes while it publishes has a turn of its own
+            // cleared before draining: output that arrives during the drain schedules another one
+            outputWaits.set(false);
             conversion.drainToApplication(bus::publish);
         }
 

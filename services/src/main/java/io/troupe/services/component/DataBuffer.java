@@ -8,13 +8,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bounded buffer in a {@link DataConversion}.
+ * The bounded buffer of a {@link DataConversion}.
  *
- * <p><b>Threads.</b> Any thread; one lock, held for moments.
+ * <p><b>Threads.</b> Any thread; guarded by one lock that is held briefly.
  */
 final class DataBuffer {
     private final Buffering buffering;
-    private final Deque<ApplicationData<?>> waiting = new ArrayDeque<>(); // guarded by this, as are the counts
+    private final Deque<ApplicationData<?>> waiting = new ArrayDeque<>(); // guarded by this, as are the counters
     private long dropped;
     private long superseded;
 
@@ -23,9 +23,9 @@ final class DataBuffer {
     }
 
     /**
-     * Puts a value in.
+     * Adds a value.
      *
-     * @return what was lost for it, if anything
+     * @return the value that was dropped to make room, or null
      */
     synchronized @Nullable ApplicationData<?> put(ApplicationData<?> data) {
         if (buffering.whenFull() == WhenFull.LATEST_OF_EACH_TOPIC
@@ -40,7 +40,7 @@ final class DataBuffer {
         return oldest;
     }
 
-    /** Takes everything out, the oldest first. */
+    /** Removes and returns all values, the oldest first. */
     synchronized List<ApplicationData<?>> take() {
         List<ApplicationData<?>> taken = new ArrayList<>(waiting);
         waiting.clear();

@@ -6,28 +6,28 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 
 /**
- * The data conversion unit (DCU): turns the component's data into the application's and back, through a bounded buffer
- * for each direction.
+ * The data conversion unit (DCU): converts the component's data to the application's format and back, through one
+ * bounded buffer for each direction.
  *
- * <p><b>Role.</b> The buffers give each side its own time: a component may deliver from a thread of its own while the
- * bus is served by the actor space, and what the bus brings while the component is being invoked waits for it.
+ * <p><b>Role.</b> The buffers decouple component and bus. The component may deliver output on a separate thread while
+ * the actor space serves the bus. Values from the bus are buffered while the component is being invoked.
  *
- * <p><b>Threads.</b> Any thread puts in; one at a time takes out.
+ * <p><b>Threads.</b> Any thread may add values; only one thread at a time may drain a buffer.
  *
  * <p><b>Order.</b> First in, first out, in each direction.
  *
- * <p><b>Errors.</b> What is lost, because a buffer is full, a conversion fails or the bus refuses it, is counted and
- * told to the observer; the rest goes on.
+ * <p><b>Errors.</b> A value is lost if a buffer is full, a conversion fails, or the bus refuses it. Losses are counted
+ * and reported to the observer; other values are not affected.
  *
  * <p><b>Source.</b> Paper, section 2.2.2.2.
  */
 public final class DataConversion<I, O> {
     /**
-     * How many values did not get through, both directions together.
+     * Number of lost values, both directions together.
      *
-     * @param dropped because a buffer was full
-     * @param superseded because a newer one of the same topic came, where only the newest counts
-     * @param refused because they could not be converted or published
+     * @param dropped values dropped because a buffer was full
+     * @param superseded values replaced by a newer one of their topic, if only the latest value counts
+     * @param refused values that could not be converted or published
      */
     public record Losses(long dropped, long superseded, long refused) {}
 
@@ -46,7 +46,7 @@ public final class DataConversion<I, O> {
         this.toComponent = new DataBuffer(component.input());
     }
 
-    /** Converts what the component gives, and keeps it for {@link #drainToApplication}. */
+    /** Converts an output of the component, and buffers it for {@link #drainToApplication}. */
     void fromComponent(O output) {
         List<ApplicationData<?>> converted;
         try {
@@ -58,12 +58,15 @@ public final class DataConversion<I, O> {
         converted.forEach(data -> put(toApplication, data));
     }
 
-    /** Keeps what the bus brings for {@link #drainToComponent}. */
+    /** Buffers a value from the bus for {@link #drainToComponent}. */
     void fromBus(ApplicationData<?> data) {
         put(toComponent, data);
     }
 
-    /** Publishes what waits, one by one; what cannot be published is lost alone. */
+    /**
+     * Publishes the buffered output one by one. A value that cannot be published is lost; the others are still
+     * published.
+     */
     void drainToApplication(Consumer<ApplicationData<?>> publisher) {
         for (var data : toApplication.take()) {
             try {
@@ -75,8 +78,8 @@ public final class DataConversion<I, O> {
     }
 
     /**
-     * Converts what waits, one by one, and hands it to the component; what the component throws is the caller's
-     * business, and ends it.
+     * Converts the buffered input one by one, and passes it to the component. The drain continues after a failed
+     * conversion. An exception of the component is not caught here.
      */
     void drainToComponent(Consumer<? super I> component) {
         for (var data : toComponent.take()) {
@@ -91,12 +94,16 @@ public final class DataConversion<I, O> {
         }
     }
 
-    /** Forgets what waits for the component; it was meant for a life that is over. */
+    /**
+     * Discards the buffered input of an earlier run.
+     *
+     * @return the number of discarded values
+     */
     int forgetInput() {
         return toComponent.take().size();
     }
 
-    /** How many values did not get through so far. */
+    /** Number of values lost so far. */
     public Losses losses() {
         return new Losses(
                 toApplication.dropped() + toComponent.dropped(),

@@ -5,7 +5,10 @@ import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** The component from one invocation to its end: its CCU, whose exceptions and errors become rejections here. */
+/**
+ * One run of the component, from invocation to termination. Calls its CCU and converts the exceptions and errors that
+ * it throws to rejected promises, except those of {@link #data}.
+ */
 final class Life<I, O> {
     private final ComponentCommunication<I, O> communication;
     private volatile boolean over;
@@ -30,7 +33,7 @@ final class Life<I, O> {
         communication.data(input);
     }
 
-    /** Whether what it says counts no more; any thread asks. */
+    /** True once the run is over, so that later signals must be ignored. Any thread. */
     boolean isOver() {
         return over;
     }

@@ -6,11 +6,12 @@ import io.troupe.services.bus.Address;
 import java.util.function.Consumer;
 
 /**
- * What the component says in one of its lives: after that it is told, and has no effect.
+ * Receives the signals of the component during one run. Signals after the end of the run are reported to the observer
+ * and otherwise ignored.
  *
- * @param speaker the life
- * @param output takes data, on any thread
- * @param failed hears of a failure, on the space
+ * @param speaker the run
+ * @param output accepts data, on any thread
+ * @param failed called with the error of a failure, on the space
  */
 record LifeSignals<O>(
         Life<?, O> speaker,

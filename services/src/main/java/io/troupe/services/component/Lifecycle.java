@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-/** Where a component stands between invocation and termination. */
+/** State of a component between invocation and termination. */
 public enum Lifecycle {
     NOT_INVOKED("has not been invoked"),
     INVOKING("is being invoked"),
@@ -15,7 +15,7 @@ public enum Lifecycle {
         this.words = words;
     }
 
-    /** As it stands in a sentence about the component. */
+    /** Predicate for messages whose subject is the component, as in "hall runs". */
     public String words() {
         return words;
     }

@@ -13,18 +13,18 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The lives of one component, one after the other: which state it is in, and what counts of what it says.
+ * State machine of one component: starts, terminates and restarts it, and ignores signals from earlier runs.
  *
- * <p><b>Threads.</b> The space of its interface, except for the signals of the component.
+ * <p><b>Threads.</b> The space of the interface, except for the signals of the component.
  *
- * <p><b>Order.</b> The observer may call the interface: it is notified when the fields have the new state, and nothing
- * is done after that without looking at them again.
+ * <p><b>Order.</b> The observer may call the interface. It is therefore notified after the fields have been updated,
+ * and the fields are read again after each notification.
  *
- * <p><b>Errors.</b> A life whose termination fails is kept: no life begins beside it, and each invocation and
+ * <p><b>Errors.</b> A run whose termination fails is kept. No new run starts beside it; each invocation and each
  * termination terminates it again, until this succeeds.
  */
 final class Lives<I, O> {
-    /** What the interface does at the turns of a life. */
+    /** Callbacks at the transitions of a run. */
     interface Turns<O> {
         void begins();
 
@@ -32,7 +32,7 @@ final class Lives<I, O> {
 
         void ends();
 
-        /** From any thread. */
+        /** Called on any thread. */
         void output(O output);
     }
 
@@ -44,22 +44,22 @@ final class Lives<I, O> {
     private Lifecycle state = Lifecycle.NOT_INVOKED;
     private @Nullable Life<I, O> life;
     private @Nullable Throwable failure;
-    /** Settled when the life of now is over; made when somebody asks for it. */
+    /** Settled at the end of the current run; null until it is requested. */
     private @Nullable Deferred<@Nullable Void> end;
 
-    /** Settled when the newest invocation or termination is over. */
+    /** Settled when the most recent invocation or termination has completed. */
     private Deferred<@Nullable Void> change = new Deferred<>();
 
-    /** The invocation that waits until no earlier life is being terminated. */
+    /** The invocation that waits for the termination of earlier runs, or null. */
     private @Nullable Deferred<@Nullable Void> next;
 
-    /** The lives that are being terminated, and those whose termination has failed. */
+    /** Runs that are being terminated, or whose termination has failed. */
     private final Set<Life<I, O>> unended = new LinkedHashSet<>();
 
-    /** How many terminations of these have not answered. */
+    /** Number of terminations in progress. */
     private int terminations;
 
-    /** Why the newest terminations failed, if they did. */
+    /** The error of the most recent failed termination, or null. */
     private @Nullable Throwable stuck;
 
     private boolean closed;
@@ -128,13 +128,13 @@ final class Lives<I, O> {
             life = mine;
             state = Lifecycle.INVOKING;
             turns.begins();
-        } catch (RuntimeException | Error refusal) { // a component's code
+        } catch (RuntimeException | Error refusal) { // thrown by code of the component
             fail(refusal);
             return started;
         }
         observer.changed(owner, Lifecycle.INVOKING);
         if (mine != life || state != Lifecycle.INVOKING) {
-            return started; // the observer has terminated it
+            return started; // terminated by the observer
         }
         mine.invoke(new LifeSignals<>(mine, space, owner, observer, turns::output, why -> failed(mine, why)))
                 .handle((runs, error) -> {
@@ -162,7 +162,7 @@ final class Lives<I, O> {
         }
     }
 
-    /** Terminates what runs, for good: there is no life after it. */
+    /** Terminates the current run; no other run starts after it. */
     Promise<@Nullable Void> close() {
         closed = true;
         return terminate();
@@ -205,7 +205,7 @@ final class Lives<I, O> {
         return life == null || state != Lifecycle.RUNNING ? Promise.failed(notRunning()) : life.health();
     }
 
-    /** Settled when what runs now ends: fulfilled if it was terminated, rejected if it has failed. */
+    /** Settled when the current run ends: fulfilled if it was terminated, rejected if it has failed. */
     Promise<@Nullable Void> whenEnded() {
         if (life == null) {
             return Promise.failed(notRunning());
@@ -216,7 +216,7 @@ final class Lives<I, O> {
         return end;
     }
 
-    /** Why nothing can be had of it now. */
+    /** The error for requests that need a running component. */
     ProviderException notRunning() {
         return new ProviderException(owner + " " + state.words() + why(failure), failure);
     }
@@ -225,7 +225,7 @@ final class Lives<I, O> {
         return error == null ? "" : ": " + words(error);
     }
 
-    /** What an error says, or what it is if it says nothing. */
+    /** The message of an error, or its class if the message is empty. */
     static String words(Throwable error) {
         String message = error.getMessage();
         if (message == null) {
@@ -236,10 +236,10 @@ final class Lives<I, O> {
 
     // ---- data
 
-    /** Hands data to the component, if it runs. */
+    /** Passes data to the component if it runs. */
     void data(I input) {
         if (life == null || state != Lifecycle.RUNNING) {
-            return; // it failed on the value before
+            return; // it failed on an earlier value of the same drain
         }
         try {
             life.data(input);

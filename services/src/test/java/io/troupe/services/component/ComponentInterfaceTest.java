@@ -27,11 +27,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * The three units of a component interface, with a scripted component on a hand-cranked space.
+ * The three units of a component interface, with a scripted component on a manually driven space.
  *
- * <p>Long because one component goes through all of them: first a life without faults and the bus messages that control
- * it, then the buffer between component and bus, then each way in which a life can fail (invocation, data, conversion,
- * hanging, termination), then lives that overlap (start, stop and restart during one another), at last closing.
+ * <p>The file is long because the same component is used for all tests: a run without faults and its control by bus
+ * messages; the buffer between component and bus; each failure of a run (invocation, data, conversion, a hanging
+ * component, termination); overlapping runs (start, stop and restart during one another); and closing.
  */
 class ComponentInterfaceTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);
@@ -443,7 +443,7 @@ class ComponentInterfaceTest {
         assertThat(face.conversion().losses().refused()).isEqualTo(1);
     }
 
-    /** With a null among its texts it cannot cross a bus. */
+    /** A record that a bus rejects if its list has a null element. */
     record Unfit(List<String> texts) {}
 
     @Test

@@ -4,9 +4,9 @@ import io.troupe.services.bus.Address;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Writes down what an observer of components hears. */
+/** A component observer that records its notifications. */
 public class Notes implements ComponentObserver {
-    private final List<String> notes = new ArrayList<>(); // guarded by this: a process tells from its own threads
+    private final List<String> notes = new ArrayList<>(); // guarded by this: processes have threads
 
     @Override
     public synchronized void changed(Address component, Lifecycle state) {
@@ -28,7 +28,7 @@ public class Notes implements ComponentObserver {
         notes.add(component.name() + " " + what);
     }
 
-    /** What has been noted since this was asked the last time. */
+    /** Returns the notes since the last call. */
     public synchronized List<String> take() {
         var taken = List.copyOf(notes);
         notes.clear();

@@ -27,8 +27,8 @@ import org.junit.jupiter.params.provider.NullSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Components controlled over the bus that are slow, hang, or go away; the limit of their control messages is shorter
- * than the broker's own ones.
+ * Components controlled over the bus that are slow, hang, or end. The limit of their control messages is shorter than
+ * the limits of the broker.
  */
 class RemoteProviderFaultsTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);
@@ -116,7 +116,7 @@ class RemoteProviderFaultsTest {
     void healthThatHangs_makesItSuspect_andFailedOnlyAfterSoManyMisses() {
         connect();
         first.health = ScriptedComponent::later;
-        seconds(2); // asked after one second, given up after another
+        seconds(2); // checked after one second, overdue after another
         assertThat(health(0)).isEqualTo(Health.SUSPECT);
         seconds(3);
         assertThat(health(0)).isEqualTo(Health.SUSPECT);

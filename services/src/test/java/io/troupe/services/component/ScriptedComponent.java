@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A component that does what a test says; it takes and gives text, the application knows numbers. */
+/** A component that is scripted by a test. Its input and output are texts; the application's values are numbers. */
 final class ScriptedComponent {
-    /** The application's data. */
+    /** A value of the application. */
     record Number(int value) {}
 
     static final Topic<Number> IN = new Topic<>("counter/in", Number.class);
@@ -39,7 +39,7 @@ final class ScriptedComponent {
         return lives.getLast();
     }
 
-    /** For a script that answers later. */
+    /** A promise that the test settles later. */
     static Deferred<@Nullable Void> later() {
         return new Deferred<>();
     }

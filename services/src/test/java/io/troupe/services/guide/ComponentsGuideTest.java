@@ -55,7 +55,7 @@ class ComponentsGuideTest {
     static final Topic<Temperature> TEMPERATURE = new Topic<>("hall/temperature", Temperature.class);
     static final Topic<Label> LABEL = new Topic<>("hall/label", Label.class);
 
-    /** Somebody else's package: it has its own data, and calls back. */
+    /** A third-party package with its own data format and a callback. */
     private static final class Thermometer {
         private boolean on;
         private String label = "";

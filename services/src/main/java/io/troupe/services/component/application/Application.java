@@ -20,22 +20,24 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An application that runs.
+ * A running application.
  *
- * <p><b>Role.</b> Puts the components of its plan on the bus, registers them with the broker, and asks the broker for
- * all its needs: that is what starts components, and only those that are needed. Then it keeps each user connected with
- * the provider that the broker names.
+ * <p><b>Role.</b> Attaches the components of its plan to the bus, registers them with the broker, and requests all
+ * needs of the plan from the broker. The broker starts the components, and only those that are needed. The application
+ * then connects each user with the provider that the broker selects.
  *
- * <p><b>Threads.</b> One actor space, on which it is started, stopped, and tells its observers. Bus and broker belong
- * to it, and are closed with it.
+ * <p><b>Threads.</b> One actor space, on which it is started and stopped, and on which it notifies its observers. The
+ * application owns bus and broker, and closes them at its end.
  *
- * <p><b>Order.</b> Needs are met one after the other, in the order of the plan; replacements are timed from the moment
- * when all are. When one provider takes the place of another its wires do so in one turn of the space.
+ * <p><b>Order.</b> Needs are met one after the other, in the order of the plan. The times of replacements count from
+ * the moment when all needs are met. When one provider replaces another, their wires are exchanged in one turn of the
+ * space.
  *
- * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application:
- * everything that was started is stopped, and then {@link #started} or {@link #ended} is rejected with the broker's
- * {@link MissingServiceException}. So do two needs that would feed one topic, with an {@link ApplicationException}.
- * {@link #replace} and {@link #add} are rejected with one when it is being stopped, or has been.
+ * <p><b>Errors.</b> A need that no provider can meet, or that stays unmet for longer than the patience, ends the
+ * application: everything that was started is stopped, and then {@link #started} or {@link #ended} is rejected with the
+ * broker's {@link MissingServiceException}. Two needs that would feed one topic end it in the same way, with an
+ * {@link ApplicationException}. {@link #replace} and {@link #add} are rejected with an {@link ApplicationException}
+ * once the application is being stopped.
  *
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
@@ -67,7 +69,7 @@ public final class Application {
     /**
      * Starts an application.
      *
-     * @throws IllegalStateException on any thread but that of an actor space
+     * @throws IllegalStateException if the current thread is not that of an actor space
      */
     public static Application start(ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
         ActorSpace space = ActorSpace.current();
@@ -80,18 +82,18 @@ public final class Application {
         return application;
     }
 
-    /** Fulfilled when all needs are met; rejected if one cannot be, after everything has been stopped again. */
+    /** Fulfilled when all needs are met; rejected if a need cannot be met, after everything has been stopped. */
     public Promise<@Nullable Void> started() {
         return started;
     }
 
-    /** Fulfilled when it has been stopped; rejected with what has ended it. */
+    /** Fulfilled when the application has been stopped; rejected with the error that has ended it. */
     public Promise<@Nullable Void> ended() {
         return ended;
     }
 
     private void begin() {
-        ended.exceptionally(error -> null); // whoever waits for the start hears of it there
+        ended.exceptionally(error -> null); // a failed start is reported by started(); ended() needs no listener
         Promise<?> registered = Promise.done();
         try {
             for (var each : plan.components().entrySet()) {
@@ -161,9 +163,10 @@ public final class Application {
     }
 
     /**
-     * Puts a component in the place of another, under the service that this one is registered for, while the
-     * application runs.
+     * Replaces a component by another while the application runs. The new component is registered for the service of
+     * the old one.
      *
+     * @param old the component that is replaced
      * @param by a component of the plan that is not in use
      */
     public Promise<@Nullable Void> replace(String old, String by) {
@@ -184,7 +187,10 @@ public final class Application {
                 .thenAccept(replaced -> {});
     }
 
-    /** What a component offers: not what it was made for, if it has itself taken the place of another. */
+    /**
+     * The service for which a component is registered, which is not its original one if it has replaced another
+     * component.
+     */
     private ServiceRecord offerOf(ComponentInterface<?, ?> face, List<ServiceRecord> all) {
         return all.stream()
                 .filter(each -> each.provider().equals(face.address()))
@@ -194,10 +200,10 @@ public final class Application {
     }
 
     /**
-     * Connects one more component on the fly: it is registered, and started as soon as somebody needs it.
+     * Adds a component at run time: registers it, so that the broker starts it when it is needed.
      *
-     * @param name as the component's maker was given
-     * @throws IllegalArgumentException if there is a component of that name
+     * @param name name of the component, with which it was also created
+     * @throws IllegalArgumentException if there already is a component of that name
      */
     public Promise<ServiceRecord> add(String name, Component<?, ?> component) {
         if (ending) {
@@ -213,7 +219,11 @@ public final class Application {
         return new ApplicationException(plan.name() + " has been stopped, and " + what);
     }
 
-    /** The interface of a component. */
+    /**
+     * The interface of a component.
+     *
+     * @throws IllegalArgumentException if there is no such component
+     */
     public ComponentInterface<?, ?> face(String component) {
         var face = interfaces.get(component);
         if (face == null) {
@@ -241,8 +251,8 @@ public final class Application {
         settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
         int met = usage.timesMet();
         space.delay(settings.patience()).handle((over, closed) -> {
-            if (closed == null
-                    && usage.timesMet() == met) { // else it had one meanwhile, and a later loss has its own time
+            // a need that has been met since then has its own limit after the next loss
+            if (closed == null && usage.timesMet() == met) {
                 end(why);
             }
             return null;
@@ -251,7 +261,7 @@ public final class Application {
 
     // ---- the end
 
-    /** Stops everything that was started, in reverse order, and leaves the bus. */
+    /** Stops everything that was started, in reverse order, and closes the bus. Fulfilled when this is done. */
     public Promise<@Nullable Void> stop() {
         end(null);
         return ended;
@@ -273,7 +283,7 @@ public final class Application {
 
     private void settle(@Nullable Throwable why) {
         if (why == null) {
-            started.resolve(null); // whoever stops it before it has started does not wait for that any more
+            started.resolve(null); // also settles the start of an application that is stopped while it starts
             ended.resolve(null);
         } else {
             started.reject(why);

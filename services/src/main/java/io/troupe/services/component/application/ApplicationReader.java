@@ -20,9 +20,9 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * Reads the declaration of an application.
+ * Reads application files.
  *
- * <p><b>Units and shapes.</b> One statement a line:
+ * <p><b>Units and shapes.</b> One statement per line:
  *
  * <pre>
  * application NAME
@@ -32,13 +32,13 @@ import java.util.regex.Pattern;
  * at TIME replace COMPONENT by COMPONENT
  * </pre>
  *
- * A user is the application, a component, or a robot of one. Times are {@code 500ms}, {@code 20s} or {@code 2min}, from
- * when all needs are met.
+ * A user is the application, a component, or a robot of a component. Times are written {@code 500ms}, {@code 20s} or
+ * {@code 2min}, and count from the moment when all needs are met.
  *
- * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first mistake.
+ * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first error.
  */
 public final class ApplicationReader {
-    private static final String BYTE_ORDER_MARK = "\uFEFF"; // some editors write one
+    private static final String BYTE_ORDER_MARK = "\uFEFF"; // written by some editors
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
     private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
@@ -57,8 +57,8 @@ public final class ApplicationReader {
     /**
      * Reads a file.
      *
-     * @param values of what the file writes as <code>${name}</code>
-     * @throws UncheckedIOException if there is no such file
+     * @param values replacements for <code>${name}</code> in the file
+     * @throws UncheckedIOException if the file cannot be read
      */
     public static ApplicationPlan read(Path file, Kinds kinds, Map<String, String> values) {
         try {
@@ -69,7 +69,7 @@ public final class ApplicationReader {
     }
 
     /**
-     * The text of a declaration, as {@link #parse} takes it.
+     * The text of a file, decoded for {@link #parse}.
      *
      * @throws ApplicationFileException if it is not UTF-8
      */
@@ -91,7 +91,7 @@ public final class ApplicationReader {
         return read.startsWith(BYTE_ORDER_MARK) ? read.substring(BYTE_ORDER_MARK.length()) : read;
     }
 
-    /** Reads a text as if it stood in that file. */
+    /** Parses a text; the file is used for error positions and relative paths. */
     public static ApplicationPlan parse(String text, Path file, Kinds kinds, Map<String, String> values) {
         var reader = new ApplicationReader(file, kinds);
         List<String> lines = text.lines().toList();

@@ -14,15 +14,15 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * {@code component NAME is KIND [PARAMETER=VALUE ..]}.
+ * The statement {@code component NAME is KIND [PARAMETER=VALUE ..]}.
  *
- * @param kind where the kind is named
+ * @param kind the word that names the kind
  */
 record ComponentStatement(String name, Word kind, Component<?, ?> component) {
     private static final String SERVICE = "service";
     private static final String CAPABILITIES = "capabilities";
 
-    /** Reads what follows the first word. */
+    /** Parses the rest of the line after the word {@code component}. */
     static ComponentStatement read(Words words, Kinds kinds, Path directory) {
         String name = words.name("the component's name");
         words.expect("is");
@@ -51,7 +51,7 @@ record ComponentStatement(String name, Word kind, Component<?, ?> component) {
         }
     }
 
-    /** What is given for it, with commas between; empty if nothing is. */
+    /** The comma-separated names given for a key; empty if the key is missing. */
     private static List<String> names(String key, Map<String, Word> arguments, Words words) {
         Word given = arguments.get(key);
         if (given == null) {

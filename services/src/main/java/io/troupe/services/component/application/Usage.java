@@ -9,14 +9,15 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * One need while the application runs: whichever provider the broker names is connected with the user, and no other.
+ * Connection of one need in a running application: connects the topics of the user with those of the provider that the
+ * broker selects.
  */
 final class Usage implements Broker.Connection {
-    /** Hears when the need is not met any more. */
+    /** Listener for a need that is not met any more. */
     interface Losses {
         void lost(Usage usage, MissingServiceException why);
 
-        /** The provider cannot be connected, because another feeds the same. */
+        /** The provider cannot be connected, because another one feeds the same topic. */
         void clash(ApplicationException why);
     }
 
@@ -38,7 +39,10 @@ final class Usage implements Broker.Connection {
         return need;
     }
 
-    /** How often it has got a provider; the same number as at a loss means that it has had none since. */
+    /**
+     * Number of providers it has been connected with. If the number is the same as at a loss, there has been no
+     * provider since.
+     */
     int timesMet() {
         return timesMet;
     }
@@ -53,7 +57,7 @@ final class Usage implements Broker.Connection {
             losses.clash(clash);
             return;
         }
-        disconnect(); // in the same turn: no value finds both connected, or none
+        disconnect(); // in the same turn, so that every value sees exactly one provider
         open = wiring.open(wires);
         timesMet++;
         observer.accept(new ApplicationEvent.Connected(need, provider, wires));

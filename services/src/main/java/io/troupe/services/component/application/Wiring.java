@@ -16,15 +16,16 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Connects topics: of a user and its provider those that have the same last name and type.
+ * Forwards values between topics. A user and its provider are connected by those topics that have the same last name
+ * and type.
  *
- * <p><b>Role.</b> What the user's side publishes goes to the provider if that hears it, and what the provider publishes
- * to the user's side if that hears it.
+ * <p><b>Role.</b> A topic that the user's side publishes is connected with that of the provider if the provider
+ * subscribes to it, and a topic that the provider publishes with that of the user if the user's side subscribes to it.
  *
  * <p><b>Threads.</b> The application's space.
  */
 final class Wiring {
-    /** Why a topic is fed. */
+    /** A wire that feeds its target topic, with the need that has claimed it, or null if the wire is declared. */
     private record Feed(Wire<?> wire, @Nullable Need need) {
         String why() {
             return need == null
@@ -50,11 +51,12 @@ final class Wiring {
     }
 
     /**
-     * Lets a need, or the declaration itself, feed topics.
+     * Claims the target topics of wires for a need, or for the wires of the declaration.
      *
-     * @param need null for wires of the declaration, which may join several into one
-     * @throws ApplicationException if another feeds one already: a robot that two drive obeys none, and a control law
-     *     that hears two robots drives neither; or if values would go round in a circle
+     * @param need null for declared wires, several of which may feed one topic
+     * @throws ApplicationException if another claim feeds one of the topics, or if the wires would close a cycle. A
+     *     robot that two providers drive follows neither, and a control law that receives the readings of two robots
+     *     drives neither
      */
     void claim(@Nullable Need need, List<Wire<?>> wires) {
         for (var wire : wires) {
@@ -82,8 +84,8 @@ final class Wiring {
     }
 
     /**
-     * What is to be connected between a user and a provider; a provider that is no component of this application has no
-     * topics that are known here.
+     * The wires between a user and a provider. A provider that is not a component of this application has no known
+     * topics, and so no wires.
      */
     List<Wire<?>> between(String user, String provider) {
         Component<?, ?> serving = components.get(provider);
@@ -124,14 +126,14 @@ final class Wiring {
         return topic.name().substring(topic.name().indexOf('/') + 1);
     }
 
-    /** A wire between two topics, if they have one type. */
+    /** A wire between two topics; empty if their types differ. */
     static <T extends Record> Optional<Wire<?>> wire(Topic<T> from, Topic<?> to) {
         return from.type().equals(to.type())
                 ? Optional.of(new Wire<>(from, new Topic<>(to.name(), from.type())))
                 : Optional.empty();
     }
 
-    /** Lets values go over a wire until that is closed. */
+    /** Forwards values over a wire until the subscription is closed. */
     <T extends Record> BusPort.Subscription open(Wire<T> wire) {
         return port.subscribe(wire.from(), (value, publisher) -> {
             observer.accept(new ApplicationEvent.Carried(wire, value));
@@ -139,7 +141,7 @@ final class Wiring {
         });
     }
 
-    /** All of them. */
+    /** Forwards values over several wires. */
     List<BusPort.Subscription> open(List<Wire<?>> wires) {
         return wires.stream().<BusPort.Subscription>map(wire -> open(wire)).toList();
     }

@@ -6,13 +6,13 @@ import java.util.Map;
 import java.util.regex.Pattern;
 
 /**
- * The words of one line of a declaration, read one after the other.
+ * Tokens of one line of an application file, which are read one after the other.
  *
- * <p><b>Units and shapes.</b> Blanks part words, quotes hold one together, {@code #} before a word begins a comment,
- * <code>${name}</code> stands for a value that the program gives. Columns count from 1.
+ * <p><b>Units and shapes.</b> Blanks separate tokens, quotes keep blanks in a token, {@code #} at the start of a token
+ * begins a comment, and <code>${name}</code> is replaced by a value of the caller. Columns count from 1.
  */
 final class Words {
-    /** One of them, without its quotes. */
+    /** A token without its quotes. */
     record Word(String text, int column) {}
 
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
@@ -93,7 +93,11 @@ final class Words {
         return hasNext() && words.get(next).text().equals(word);
     }
 
-    /** The next word; without one, says what was expected. */
+    /**
+     * The next token.
+     *
+     * @param expected description of the token for the error at the end of the line
+     */
     Word next(String expected) {
         if (!hasNext()) {
             throw problem(endColumn, "the line ends here, expected " + expected);
@@ -101,7 +105,7 @@ final class Words {
         return words.get(next++);
     }
 
-    /** The next word, which has to be a name. */
+    /** The next token, which must be a name. */
     String name(String expected) {
         Word word = next(expected);
         if (!NAME.matcher(word.text()).matches()) {
@@ -111,7 +115,7 @@ final class Words {
         return word.text();
     }
 
-    /** The next word, which has to be that one. */
+    /** Skips the next token, which must be the given word. */
     void expect(String word) {
         Word found = next("\"" + word + "\"");
         if (!found.text().equals(word)) {

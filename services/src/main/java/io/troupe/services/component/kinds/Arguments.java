@@ -9,9 +9,10 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /**
- * What was said of a component, by the parameters of its kind.
+ * Values of the parameters of one component, as declared in an application; missing values are replaced by the defaults
+ * of its kind.
  *
- * <p><b>Errors.</b> {@link ArgumentException}, which names the parameter, its value, and what was expected.
+ * <p><b>Errors.</b> {@link ArgumentException}, which names the parameter, its value, and the expected values.
  */
 public final class Arguments {
     private final Kind kind;
@@ -19,8 +20,10 @@ public final class Arguments {
     private final Path directory;
 
     /**
-     * @param directory that relative paths are relative to
-     * @throws ArgumentException if one that has to be given is missing
+     * @param kind the kind of the component
+     * @param given declared values by parameter name
+     * @param directory base of relative paths
+     * @throws ArgumentException if the value of a required parameter is missing
      */
     public Arguments(Kind kind, Map<String, String> given, Path directory) {
         this.kind = kind;
@@ -36,7 +39,7 @@ public final class Arguments {
         }
     }
 
-    /** That relative paths are relative to. */
+    /** Base of relative paths. */
     public Path directory() {
         return directory;
     }
@@ -65,13 +68,13 @@ public final class Arguments {
                 return value;
             }
         } catch (NumberFormatException e) {
-            // said below
+            // rejected below
         }
         throw new ArgumentException(
                 name, name + " is \"" + text + "\", expected a whole number from " + least + " to " + most);
     }
 
-    /** Numbers with commas between them, each once. */
+    /** Integers separated by commas, without duplicates. */
     public List<Integer> integers(String name, int least, int most) {
         List<Integer> values = new ArrayList<>();
         for (String text : texts(name)) {
@@ -84,17 +87,27 @@ public final class Arguments {
         return values;
     }
 
-    /** Words with commas between them. */
+    /** Words separated by commas. */
     public List<String> texts(String name) {
         return Arrays.stream(text(name).split(",")).map(String::strip).toList();
     }
 
-    /** One of some words, in any case. */
+    /**
+     * The value whose name is given, ignoring case.
+     *
+     * @param values the permitted values
+     * @param words returns the name of a value
+     */
     public <T> T oneOf(String name, List<T> values, Function<? super T, String> words) {
         return oneOf(name, text(name), values, words);
     }
 
-    /** Some of some words, with commas between them. */
+    /**
+     * The values whose names are given, separated by commas, ignoring case.
+     *
+     * @param values the permitted values
+     * @param words returns the name of a value
+     */
     public <T> List<T> someOf(String name, List<T> values, Function<? super T, String> words) {
         return texts(name).stream()
                 .map(text -> oneOf(name, text, values, words))

@@ -14,7 +14,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** The CCU of a behaviour: a control law that is asked once for each ring of ranges. */
+/** The CCU of a behaviour: runs one step of the control law for each sonar reading, at most one per control cycle. */
 final class BehaviourCommunication implements ComponentCommunication<BehaviourInput, Velocity> {
     private static final RobotPose UNKNOWN = new RobotPose(0, 0, 0);
 
@@ -55,14 +55,14 @@ final class BehaviourCommunication implements ComponentCommunication<BehaviourIn
     private void step(BehaviourInput.Ranges ranges) {
         double nowSeconds = time.at(ranges.timeSeconds());
         if (behaviour == null || signals == null || !ReadingTime.isCycle(lastSeconds, nowSeconds)) {
-            return; // ranges that come more often than a cycle are passed over
+            return; // ranges that arrive before the cycle is over are skipped
         }
         lastSeconds = nowSeconds;
         Optional<Velocity> wanted;
         try {
             wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose, stalled, blobs, scan));
         } catch (RuntimeException | Error thrown) {
-            signals.data(Velocity.STOP); // nobody is left who would
+            signals.data(Velocity.STOP); // the failing behaviour cannot stop the robot any more
             throw thrown;
         }
         wanted.ifPresent(signals::data);

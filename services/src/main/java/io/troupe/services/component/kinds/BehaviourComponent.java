@@ -20,38 +20,42 @@ import java.util.Set;
 import java.util.function.Supplier;
 
 /**
- * Any behaviour as a component.
+ * Makes a component of any {@link Behaviour}.
  *
- * <p><b>Role.</b> Under the name {@code c} it hears {@code c/sonar} and {@code c/position}, and for each ring of
- * ranges, but not more often than every 100 ms, says {@code c/velocity} if it wants to move. Where no position comes it
- * knows only the pose (0, 0, 0), not stalled. One that asks for blobs or laser subscribes to {@code c/blobs} or
- * {@code c/laser} too; until the first of them comes there are no blobs, and the scan is empty. Its last command, when
- * it is terminated or its law throws, is to stand still.
+ * <p><b>Role.</b> A component named {@code c} subscribes to {@code c/sonar} and {@code c/position}. For each sonar
+ * reading, but at most every 100 ms, it runs a step of its control law and publishes the velocity on {@code c/velocity}
+ * if the step returns one. Until a position arrives, the pose is (0, 0, 0) and the robot is not stalled. A behaviour
+ * that needs blobs or laser scans also subscribes to {@code c/blobs} or {@code c/laser}; until the first of them
+ * arrives, there are no blobs and the scan is empty. When the component is terminated or its control law throws, its
+ * last output is a command to stop.
  *
  * <p><b>Source.</b> Paper, sections 3.1 and 3.2.
  */
 public final class BehaviourComponent {
-    /** What a behaviour senses only if it asks for it, since it costs messages. */
+    /** Optional inputs of a behaviour, which cost messages and are therefore subscribed to only on request. */
     public enum Sense {
-        /** What the camera sees, from {@code c/blobs}. */
+        /** Camera blobs, from {@code c/blobs}. */
         BLOBS,
-        /** The scans of the laser, from {@code c/laser}. */
+        /** Laser scans, from {@code c/laser}. */
         LASER
     }
 
     private BehaviourComponent() {}
 
-    /** A behaviour that asks for neither blobs nor laser. */
+    /** Makes a component without blobs and laser scans. */
     public static Component<?, ?> of(
             String name, String service, List<String> capabilities, Supplier<? extends Behaviour> law) {
         return of(name, service, capabilities, Set.of(), law);
     }
 
     /**
-     * @param name of the component on the bus, and of its topics
-     * @param service what it provides
-     * @param senses what it asks for besides sonar and position
-     * @param law made anew for each life of the component
+     * Makes a component.
+     *
+     * @param name name of the component on the bus, and prefix of its topics
+     * @param service name of the provided service
+     * @param capabilities further terms by which the broker finds the service
+     * @param senses optional inputs besides sonar and position
+     * @param law creates the behaviour, once for each run of the component
      */
     public static Component<?, ?> of(
             String name,

@@ -6,7 +6,7 @@ import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.SonarRing;
 import java.util.List;
 
-/** What a behaviour is told, in the form in which control laws use it. */
+/** Input of a behaviour, in the types that control laws use. */
 sealed interface BehaviourInput {
     record Position(RobotPose pose, boolean stalled) implements BehaviourInput {}
 

@@ -24,26 +24,26 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The CCU of a process of the operating system.
+ * The CCU of an operating system process.
  *
- * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what is sent to it, one
- * waits for its end, and one ends it. The actor space never waits for the process, and neither does the common pool:
- * {@link Process#onExit} would, and blocks it while a process that has outlived its parent holds the pipe.
+ * <p><b>Threads.</b> Five daemon threads for each process: two read its output and error streams, one writes its input,
+ * one waits for its exit, and one ends it. They never block the actor space or the common pool. {@link Process#onExit}
+ * is not used because it occupies a thread of the common pool while a child that outlives the process keeps the pipe
+ * open.
  */
 final class ExternalProcess implements ComponentCommunication<String, String> {
-    /** A longer line is cut here. */
+    /** Longer lines are cut here. */
     static final int LONGEST_LINE_CHARACTERS = 65_536;
 
-    /** Killed processes end at once, unless the system cannot end them. */
+    /** Time limit for the end of killed processes, which usually end at once. */
     private static final Duration KILL_LIMIT = Duration.ofSeconds(10);
 
     /**
-     * An application that ends with the virtual machine stops its components in its own order, and has this time for
-     * it.
+     * Time that an application has, during the shutdown of the virtual machine, to stop its components in its order.
      */
     private static final Duration SHUTDOWN_GRACE = Duration.ofSeconds(2);
 
-    /** Starts the program. */
+    /** Starts the program and returns its process tree. */
     interface Starter {
         ProcessTree start(ProcessComponent.Settings settings) throws IOException;
     }
@@ -56,10 +56,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     private final BlockingQueue<String> input = new LinkedBlockingQueue<>(1024);
     private final CompletableFuture<@Nullable Void> firstLine = new CompletableFuture<>();
 
-    /** Completed when the process has ended, and those that it had started as well. */
+    /** Completed when the process and all processes that it started have ended. */
     private final CompletableFuture<@Nullable Void> over = new CompletableFuture<>();
 
-    /** Completed when the program has been started, or could not be. */
+    /** Completed when the start of the program has succeeded or failed. */
     private final CompletableFuture<@Nullable Void> begun = new CompletableFuture<>();
 
     final Thread atShutdown;
@@ -83,7 +83,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     @Override
     public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
         try {
-            Runtime.getRuntime().addShutdownHook(atShutdown); // Ctrl-C in a terminal does not reach other sessions
+            // Ctrl-C in a terminal does not reach processes in other sessions
+            Runtime.getRuntime().addShutdownHook(atShutdown);
         } catch (IllegalStateException shuttingDown) {
             return Promise.failed(notStarted("the virtual machine is shutting down", shuttingDown));
         }
@@ -121,7 +122,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         return new ProviderException(words() + " cannot be started: " + why, cause);
     }
 
-    /** Fails when the process has been ended: what is started instead must not run beside it. */
+    /**
+     * Ends a process whose start has timed out. The future fails only after the process has ended, so that a
+     * replacement does not run beside it.
+     */
     private CompletableFuture<@Nullable Void> giveUp() {
         ending = true;
         return end().handle((ended, left) -> {
@@ -144,7 +148,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
         List<Throwable> troubles = new ArrayList<>();
         attempt(() -> tellOrphans(ofProgram, status, signals), troubles);
-        // what it left is reported by whoever terminates the component
+        // remaining processes are reported by the termination of the component
         attempt(() -> end().handle((ended, left) -> null).join(), troubles);
         for (Thread reader : readers) {
             attempt(() -> awaitLastLines(reader, signals), troubles);
@@ -160,7 +164,10 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
-    /** The end of the process is reported whatever fails on the way: a start and a health check wait for it. */
+    /**
+     * Runs a step and records its exception. A failed step must not prevent the report of the exit, on which starts and
+     * health checks wait.
+     */
     private static void attempt(Runnable step, List<Throwable> troubles) {
         try {
             step.run();
@@ -222,8 +229,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     /**
-     * As {@link java.io.BufferedReader#readLine} divides text, but a line that does not end takes no more memory than a
-     * long one.
+     * Splits text into lines like {@link java.io.BufferedReader#readLine}, but cuts long lines, so that an endless line
+     * takes bounded memory.
      */
     private static void readLines(Reader from, Consumer<String> lines, Runnable cut) throws IOException {
         var line = new StringBuilder();
@@ -270,7 +277,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                 }
             }
         } catch (IOException closed) {
-            if (to.isAlive() && !ending) { // else its exit says all
+            if (to.isAlive() && !ending) { // otherwise the exit is reported
                 signals.tell(words() + " reads its standard input no more: " + closed.getMessage());
             }
         } catch (InterruptedException gone) {
@@ -294,8 +301,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     /**
-     * Ends the process and those that it has started. Rejected with what is left if some are alive {@link #KILL_LIMIT}
-     * after they were killed; the next call tries again.
+     * Ends the process and all processes that it started. The promise is rejected with the remaining processes if some
+     * are alive {@link #KILL_LIMIT} after they were killed; the next call tries again.
      */
     @Override
     public Promise<@Nullable Void> terminate() {
@@ -304,8 +311,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     /**
-     * Waits for a start that has begun, and then for an application that stops its components; ends the process if it
-     * is alive after that.
+     * Shutdown hook: waits for a start in progress, then for the application to stop its components, and then ends the
+     * process if it is still alive.
      */
     void endAtShutdown() {
         awaitAtShutdown(begun, killLimit);
@@ -322,7 +329,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         try {
             awaited.get(TimeUnit.MILLISECONDS.convert(limit), TimeUnit.MILLISECONDS);
         } catch (TimeoutException | ExecutionException late) {
-            // the process is ended all the same
+            // the process is ended anyway
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -332,7 +339,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         try {
             Runtime.getRuntime().removeShutdownHook(atShutdown);
         } catch (IllegalStateException shuttingDown) {
-            // it runs already
+            // the hook is already running
         }
     }
 
@@ -373,7 +380,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         if (asked != null && asked.root().isAlive()) {
             return Promise.done();
         }
-        // not before the processes that it had started have ended: a broker starts another in its place
+        // waits for the end of the child processes: after the rejection, a broker starts another provider
         return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : over).thenApply(ended -> {
             throw new ProviderException(words() + " does not run" + said());
         }));

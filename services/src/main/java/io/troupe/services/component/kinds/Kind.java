@@ -5,25 +5,31 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * A kind of component that a declaration can name.
+ * A kind of component that an application file can name: its parameters and its factory.
  *
- * @param parameters what can be said of one
- * @param maker makes one
+ * @param name the name in application files
+ * @param description one line for lists of kinds
+ * @param parameters the parameters that can be set
+ * @param maker creates a component
  */
 public record Kind(String name, String description, List<Parameter> parameters, Maker maker) {
     /**
-     * Something that can be said of a component.
+     * A parameter of a kind of component.
      *
-     * @param usual the value if nothing is said; empty if something has to be
+     * @param meaning description of the value
+     * @param usual the default value; empty if the parameter is required
      */
     public record Parameter(String name, String meaning, String usual) {}
 
-    /** Makes a component. */
+    /** Creates components of this kind. */
     @FunctionalInterface
     public interface Maker {
         /**
-         * @param name of the component, and of its topics
-         * @throws ArgumentException if one of the arguments does not make sense
+         * Creates a component.
+         *
+         * @param name name of the component on the bus, and prefix of its topics
+         * @param arguments values of the parameters
+         * @throws ArgumentException if an argument is invalid
          */
         Component<?, ?> make(String name, Arguments arguments);
     }
@@ -32,7 +38,7 @@ public record Kind(String name, String description, List<Parameter> parameters, 
         parameters = List.copyOf(parameters);
     }
 
-    /** As it stands in a list of kinds. */
+    /** Description of the kind and its parameters, for a list of kinds. */
     public String describe() {
         var text = new StringBuilder(String.format(Locale.ROOT, "%-14s %s%n", name, description));
         for (var parameter : parameters) {

@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
-/** The kinds of components that declarations can name; those of Troupe, and any others. */
+/** Immutable catalogue of the kinds of components that application files can name. */
 public final class Kinds {
     private static final int LAST_PORT = 65_535;
     private static final int MOST_ROBOTS = 10_000;
@@ -23,15 +23,15 @@ public final class Kinds {
         this.kinds = List.copyOf(kinds);
     }
 
-    /** Those that come with Troupe. */
+    /** The kinds that Troupe provides. */
     public static Kinds standard() {
         return new Kinds(List.of(player(), wallFollower(), spaceWanderer(), colourFinder(), process()));
     }
 
     /**
-     * These and one more.
+     * A copy with one more kind.
      *
-     * @throws IllegalArgumentException if there is one of that name
+     * @throws IllegalArgumentException if there already is a kind of that name
      */
     public Kinds with(Kind kind) {
         if (find(kind.name()).isPresent()) {

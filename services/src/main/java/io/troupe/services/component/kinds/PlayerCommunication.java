@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** The CCU of a Player server: a Player client on the space of the interface, which belongs to that space. */
+/** The CCU of a Player server: a Player client, which belongs to the actor space of the interface. */
 final class PlayerCommunication implements ComponentCommunication<SetSpeed, Reading> {
     private final PlayerComponent.Settings settings;
     private final Map<Integer, PlayerRobot> robots = new TreeMap<>();
@@ -43,7 +43,7 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
     private void awaitData(PlayerClient from, Signals<? super Reading> signals) {
         from.nextData().handle((ready, error) -> {
             if (client == null) {
-                return null; // terminated, so the client was closed
+                return null; // terminated: the client was closed
             }
             if (error != null) {
                 lost = new PlayerException(settings.where() + ": " + error.getMessage(), error);
@@ -72,7 +72,8 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
             return Promise.done();
         }
         try {
-            robots.values().forEach(PlayerRobot::stop); // a server that was silent may still listen
+            // the server may still execute commands even if it sends no data
+            robots.values().forEach(PlayerRobot::stop);
         } catch (PlayerException unreachable) {
             if (lost == null) {
                 throw unreachable;

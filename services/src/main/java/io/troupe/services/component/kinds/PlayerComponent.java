@@ -9,25 +9,27 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A Player server, ours or a real one, as a component: its robots say what they sense, and hear how to move.
+ * Makes a component of a Player server, Troupe's or another: it publishes the sensor readings of its robots, and
+ * subscribes to their velocity commands.
  *
- * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and {@code robotn/blobs} and
- * {@code robotn/laser} if the settings say that it has these; it drives as {@code robotn/velocity} says. When no
- * velocity has come for {@value PlayerRobot#PATIENCE_READINGS} readings, the robot is stopped, and this is told.
+ * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and also {@code robotn/blobs} and
+ * {@code robotn/laser} if the settings enable them. It moves at the velocities published on {@code robotn/velocity}. A
+ * moving robot that has received no velocity for {@value PlayerRobot#PATIENCE_READINGS} sonar readings is stopped, and
+ * this is reported to the observer.
  *
- * <p><b>Threads.</b> A server in this JVM is found by its port; its world waits, in lock step, until the space of the
- * interface has nothing left to do. Connecting to a server behind a socket holds the space meanwhile.
+ * <p><b>Threads.</b> A server in the same JVM is found by its port; in lock step, its world waits until the space of
+ * the interface is idle. Connecting to a server over a socket blocks the space.
  *
- * <p><b>Errors.</b> It cannot be started where there is no server, or no such robot; it fails when the server goes
- * away.
+ * <p><b>Errors.</b> The start fails if there is no server, or no such robot. The component fails when the connection to
+ * the server is lost.
  */
 public final class PlayerComponent {
     /**
-     * Where the server is, and what of it is used.
+     * Address of the server, and the devices that are used.
      *
-     * @param robots by number from 1, which is the Player index plus one
-     * @param camera whether they have blobfinders, which are subscribed to then
-     * @param laser whether they have lasers, which are subscribed to then
+     * @param robots robot numbers from 1, which are Player indices plus one
+     * @param camera whether to subscribe to the blobfinders of the robots
+     * @param laser whether to subscribe to the lasers of the robots
      */
     public record Settings(String host, int port, List<Integer> robots, boolean camera, boolean laser) {
         public Settings {
@@ -37,7 +39,7 @@ public final class PlayerComponent {
             }
         }
 
-        /** Without lasers. */
+        /** Settings without lasers. */
         public Settings(String host, int port, List<Integer> robots, boolean camera) {
             this(host, port, robots, camera, false);
         }
@@ -73,7 +75,7 @@ public final class PlayerComponent {
                 publishes,
                 () -> new PlayerCommunication(settings),
                 new PlayerConversion(names),
-                Buffering.LATEST, // an old command is worse than none
+                Buffering.LATEST, // only the latest command is useful
                 Buffering.STREAM);
     }
 }

@@ -19,11 +19,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** Between the structures of the Player client, by index, and what is said on the bus of a robot, by name. */
+/**
+ * Converts between the structures of the Player client, which identify a robot by its index, and the topics and records
+ * on the bus, which identify it by its name.
+ */
 final class PlayerConversion implements Conversion<SetSpeed, Reading> {
     private final Map<Integer, String> names;
 
-    /** @param names of the robots, by Player index */
+    /** @param names names of the robots by Player index */
     PlayerConversion(Map<Integer, String> names) {
         this.names = Map.copyOf(names);
     }

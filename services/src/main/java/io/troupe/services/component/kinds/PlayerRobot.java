@@ -11,15 +11,17 @@ import io.troupe.services.subsumption.DriverLimits;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One robot of a Player server, and how long it has gone without a command.
+ * The devices of one robot of a Player server.
  *
- * <p><b>Role.</b> Player keeps the last command for ever. A robot that nobody commands any more is stopped here, since
- * whoever drove it may be gone; a server that knows {@link DriverLimits} does the same even if this program hangs.
+ * <p><b>Role.</b> A Player server keeps the last command for ever. A robot without further commands is therefore
+ * stopped here, since its driver may have failed. A server that supports {@link DriverLimits} does the same even if
+ * this program hangs.
  */
 final class PlayerRobot {
     /**
-     * Readings without a command at which a robot that was driven is stopped: half a second in the worlds of the paper.
-     * This is for foreign servers: ours stops it before that, at {@link DriverLimits#COMMAND_LIMIT}.
+     * Number of sonar readings without a command after which a moving robot is stopped: half a second in the worlds of
+     * the paper. Needed for other servers; Troupe's server stops the robot earlier, at
+     * {@link DriverLimits#COMMAND_LIMIT}.
      */
     static final int PATIENCE_READINGS = 5;
 
@@ -46,8 +48,9 @@ final class PlayerRobot {
     }
 
     /**
-     * Publishes what is new, by another time stamp than before, older ones too: a clock may be set back. Pose, picture
-     * and scan come before the ranges, so that a subscriber that reacts to these knows the rest.
+     * Publishes the readings whose time stamp has changed. An older time stamp counts as a change, since a clock may be
+     * set back. Position, blobs and scan are published before the sonar ranges, so that a subscriber that reacts to the
+     * ranges already has the others.
      */
     void report(Signals<? super PlayerSignal.Reading> signals) {
         var pose = position.getData();

@@ -5,14 +5,17 @@ import io.troupe.player.structures.laser.PlayerLaserData;
 import io.troupe.player.structures.position2d.PlayerPosition2dData;
 import io.troupe.player.structures.sonar.PlayerSonarData;
 
-/** The data of the Player client, in its own form; robots by Player index, from 0. */
+/**
+ * Data signals between the component interface and the Player client. Robots are identified by their Player index, from
+ * 0.
+ */
 sealed interface PlayerSignal {
     int index();
 
-    /** To the server: {@code setSpeed}. */
+    /** Command to the server: {@code setSpeed}. */
     record SetSpeed(int index, double speed, double turnRate) implements PlayerSignal {}
 
-    /** From the server. */
+    /** Sensor reading from the server. */
     sealed interface Reading extends PlayerSignal {
         double timestamp();
     }

@@ -3,7 +3,7 @@ package io.troupe.services.component.kinds;
 import java.util.ArrayDeque;
 import java.util.Deque;
 
-/** The last lines of what somebody wrote. Any thread. */
+/** The last lines of a process's error output. Any thread. */
 final class Tail {
     private static final int LINES = 5;
     private static final int LINE_CHARACTERS = 200;
@@ -17,7 +17,7 @@ final class Tail {
         lines.add(line.length() > LINE_CHARACTERS ? line.substring(0, LINE_CHARACTERS) + ".." : line);
     }
 
-    /** In one line; empty if there is nothing. */
+    /** The lines joined to one; empty if there are none. */
     synchronized String text() {
         return String.join(" | ", lines).strip();
     }

@@ -77,7 +77,7 @@ class ApplicationTest {
                     bus,
                     ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
                     ApplicationSettings.DEFAULT.withObservers(notes, this::note));
-            application.started().handle((runs, error) -> error); // the test asks for it later
+            application.started().handle((runs, error) -> error); // handled here; the test reads the result later
         });
     }
 
@@ -241,7 +241,7 @@ class ApplicationTest {
             dizzy.set(true);
             robots.tick(100);
             assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
-            test.advance(Duration.ofMillis(900)); // the second time 3.4 s after the first loss
+            test.advance(Duration.ofMillis(900)); // the second time: 3.4 s after the first loss
             assertThat(application.ended().isDone())
                     .as("ended by loss %d", loss)
                     .isFalse();
@@ -297,7 +297,7 @@ class ApplicationTest {
         robots.tick(100);
         assertThat(robots.commands(0)).contains(STOP);
         assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
-        test.advance(Duration.ofSeconds(2)); // the broker pauses before it tries again
+        test.advance(Duration.ofSeconds(2)); // the broker pauses before it restarts the provider
         assertThat(events.getLast()).startsWith("robot1 uses mortal");
         assertThat(application.ended().isDone()).isFalse();
     }
@@ -334,7 +334,7 @@ class ApplicationTest {
         assertThat(application.ended().isDone()).isFalse();
     }
 
-    /** Whatever is said under a topic from now on. */
+    /** Subscribes to a topic and collects its values. */
     private <T extends Record> List<T> listenTo(Topic<T> topic) {
         List<T> heard = new ArrayList<>();
         test.run(() -> bus.attach("listener").subscribe(topic, (value, from) -> heard.add(value)));
@@ -347,7 +347,7 @@ class ApplicationTest {
         test.get(application.started().thenApply(runs -> true));
         assertThat(events.getLast()).isEqualTo("robot2 uses finder [robot2/blobs -> finder/blobs]");
         var seen = listenTo(RobotTopics.colours("finder"));
-        robots.show(0, Colours.GREEN); // the other robot's camera is not its business
+        robots.show(0, Colours.GREEN); // the camera of the other robot has no effect
         robots.tick(100);
         assertThat(seen).as("walls alone").isEmpty();
         robots.show(1, Colours.RED);
@@ -383,10 +383,7 @@ class ApplicationTest {
         assertThat(robots.commands(0)).as("it drives nobody").containsExactly(FOLLOWER_AHEAD);
     }
 
-    /**
-     * Fails at its first reading, as often as there are deaths; while more than one is left it does not even start
-     * again.
-     */
+    /** A driver whose first run fails at its first reading. While more than one death is left, restarts fail, too. */
     private static Component<?, ?> mortal(List<Integer> deaths) {
         var lives = new ArrayList<Integer>();
         return BehaviourComponent.of("mortal", "dying", List.of(), () -> {

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Real processes, so real threads and real time; every wait has an end that the process brings about. */
+/** Uses real processes, and so real threads and real time. Every wait is ended by an event of the process. */
 @Timeout(120)
 class ExternalProcessTest {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -62,8 +62,8 @@ class ExternalProcessTest {
     }
 
     /**
-     * The processes of this test, which have its directory among their arguments. One that has ended has none,
-     * collected or not.
+     * The processes of this test, found by its directory in their arguments. A process that has ended has no arguments,
+     * whether reaped or not.
      */
     private List<ProcessHandle> alive() {
         return ProcessHandle.allProcesses()
@@ -75,7 +75,7 @@ class ExternalProcessTest {
         return alive().stream().anyMatch(each -> String.valueOf(each.pid()).equals(pid));
     }
 
-    /** A process has no command line for a moment when it becomes another program. */
+    /** A process has no command line for a moment while it executes another program. */
     private void awaitAlive(String pid) throws InterruptedException {
         while (!isAlive(pid)) {
             Thread.sleep(1);
@@ -105,7 +105,7 @@ class ExternalProcessTest {
                 directory.toString());
     }
 
-    /** A script that ends when it is asked to. */
+    /** A script that ends on request. */
     private ComponentInterface<?, ?> shell(String script) throws Exception {
         return shell(PATIENCE, PATIENCE, script);
     }
@@ -176,7 +176,10 @@ class ExternalProcessTest {
         done(face.stop());
     }
 
-    /** A shell may start a program just before it is terminated: that one was not there when all were asked to end. */
+    /**
+     * A shell may start a program just before it ends. That program is not in the tree when the first requests to end
+     * are sent.
+     */
     @Test
     void programThatIsStartedAmidTheTermination_isTerminatedToo() throws Exception {
         assumeSessions();
@@ -246,7 +249,7 @@ class ExternalProcessTest {
         assertThat(isAlive(child)).isFalse();
     }
 
-    /** Else a process whose parent has ended is not found. */
+    /** Without a session, a process whose parent has ended is not found. */
     private static void assumeSessions() {
         boolean found =
                 Stream.of("/usr/bin/setsid", "/bin/setsid").map(Path::of).anyMatch(Files::isExecutable);
@@ -321,7 +324,7 @@ class ExternalProcessTest {
         }
     }
 
-    /** What was published before has come to the process. */
+    /** Waits until earlier published lines have reached the process. */
     private void awaitQuiet() throws Exception {
         for (int turn = 0; turn < 3; turn++) {
             var over = new CompletableFuture<Boolean>();
