@@ -5,9 +5,9 @@ package io.troupe.services.component;
  *
  * @param capacity maximum number of buffered values, at least 1
  */
-public record Buffering(int capacity, WhenFull whenFull) {
+public record Buffering(int capacity, OverflowPolicy overflow) {
     /** Which value is discarded. */
-    public enum WhenFull {
+    public enum OverflowPolicy {
         /**
          * A full buffer drops the oldest value of all topics. The value is counted and reported to the observer. For
          * streams in which every value counts.
@@ -22,10 +22,10 @@ public record Buffering(int capacity, WhenFull whenFull) {
     }
 
     /** 64 values; a full buffer drops the oldest. */
-    public static final Buffering STREAM = new Buffering(64, WhenFull.DROP_OLDEST);
+    public static final Buffering STREAM = new Buffering(64, OverflowPolicy.DROP_OLDEST);
 
     /** The latest value of each of up to 64 topics. */
-    public static final Buffering LATEST = new Buffering(64, WhenFull.LATEST_OF_EACH_TOPIC);
+    public static final Buffering LATEST = new Buffering(64, OverflowPolicy.LATEST_OF_EACH_TOPIC);
 
     public Buffering {
         if (capacity < 1) {

@@ -22,7 +22,7 @@ import java.util.function.Function;
  */
 public final class BusCommunication implements AutoCloseable {
     private final BusPort port;
-    private final List<BusPort.Subscription> heard = new ArrayList<>();
+    private final List<BusPort.Subscription> subscriptions = new ArrayList<>();
 
     private BusCommunication(BusPort port) {
         this.port = port;
@@ -45,17 +45,18 @@ public final class BusCommunication implements AutoCloseable {
         port.publish(data.topic(), data.value());
     }
 
-    void hear(List<Topic<?>> topics, Consumer<ApplicationData<?>> listener) {
-        topics.forEach(topic -> hear(topic, listener));
+    void subscribe(List<Topic<?>> topics, Consumer<ApplicationData<?>> listener) {
+        topics.forEach(topic -> subscribe(topic, listener));
     }
 
-    private <T extends Record> void hear(Topic<T> topic, Consumer<ApplicationData<?>> listener) {
-        heard.add(port.subscribe(topic, (value, publisher) -> listener.accept(new ApplicationData<>(topic, value))));
+    private <T extends Record> void subscribe(Topic<T> topic, Consumer<ApplicationData<?>> listener) {
+        subscriptions.add(
+                port.subscribe(topic, (value, publisher) -> listener.accept(new ApplicationData<>(topic, value))));
     }
 
-    void hearNothing() {
-        heard.forEach(BusPort.Subscription::close);
-        heard.clear();
+    void unsubscribeAll() {
+        subscriptions.forEach(BusPort.Subscription::close);
+        subscriptions.clear();
     }
 
     <Q extends Record, A extends Record> void answer(

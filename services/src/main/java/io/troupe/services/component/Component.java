@@ -10,7 +10,7 @@ import java.util.function.Supplier;
  *
  * @param service the name of the service
  * @param capabilities further terms by which the broker finds the service
- * @param hears the input topics, to which the component subscribes
+ * @param subscribes the input topics, to which the component subscribes
  * @param publishes the output topics
  * @param communication creates the CCU, once for each run
  * @param conversion the rules of the DCU
@@ -22,7 +22,7 @@ import java.util.function.Supplier;
 public record Component<I, O>(
         String service,
         List<String> capabilities,
-        List<Topic<?>> hears,
+        List<Topic<?>> subscribes,
         List<Topic<?>> publishes,
         Supplier<? extends ComponentCommunication<I, O>> communication,
         Conversion<I, O> conversion,
@@ -30,17 +30,19 @@ public record Component<I, O>(
         Buffering output) {
     public Component {
         capabilities = List.copyOf(capabilities);
-        hears = List.copyOf(hears);
+        subscribes = List.copyOf(subscribes);
         publishes = List.copyOf(publishes);
     }
 
     /** A copy with another service name and other capabilities. */
     public Component<I, O> offering(String newService, List<String> newCapabilities) {
-        return new Component<>(newService, newCapabilities, hears, publishes, communication, conversion, input, output);
+        return new Component<>(
+                newService, newCapabilities, subscribes, publishes, communication, conversion, input, output);
     }
 
     /** A copy with other buffers. */
     public Component<I, O> buffered(Buffering newInput, Buffering newOutput) {
-        return new Component<>(service, capabilities, hears, publishes, communication, conversion, newInput, newOutput);
+        return new Component<>(
+                service, capabilities, subscribes, publishes, communication, conversion, newInput, newOutput);
     }
 }

@@ -47,6 +47,6 @@ public interface ComponentCommunication<I, O> {
         void failed(Throwable why);
 
         /** An event that is not a failure, as a message for people. */
-        void tell(String what);
+        void info(String what);
     }
 }

@@ -38,9 +38,9 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     private final ComponentObserver observer;
     private final BusCommunication bus;
     private final DataConversion<I, O> conversion;
-    private final Lives<I, O> lives;
-    private final AtomicBoolean outputWaits = new AtomicBoolean();
-    private final AtomicBoolean inputWaits = new AtomicBoolean();
+    private final ComponentLifecycle<I, O> lifecycle;
+    private final AtomicBoolean outputScheduled = new AtomicBoolean();
+    private final AtomicBoolean inputScheduled = new AtomicBoolean();
 
     private ComponentInterface(
             ActorSpace space, BusCommunication bus, Component<I, O> component, ComponentObserver observer) {
@@ -49,7 +49,8 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         this.component = component;
         this.observer = new SafeObserver(observer);
         this.conversion = new DataConversion<>(bus.address(), component, this.observer);
-        this.lives = new Lives<>(space, bus.address(), component.communication(), this.observer, new DataPath());
+        this.lifecycle = new ComponentLifecycle<>(
+                space, bus.address(), component.communication(), this.observer, new DataPath());
     }
 
     /**
@@ -71,18 +72,18 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     private void answerControl() {
-        bus.answer(Control.INVOKE, invoke -> lives.invoke().thenApply(runs -> done()));
-        bus.answer(Control.TERMINATE, terminate -> lives.terminate().thenApply(ended -> done()));
-        bus.answer(Control.HEALTH, ask -> lives.health().handle((well, wrong) -> report(wrong)));
+        bus.answer(Control.INVOKE, invoke -> lifecycle.invoke().thenApply(running -> done()));
+        bus.answer(Control.TERMINATE, terminate -> lifecycle.terminate().thenApply(ended -> done()));
+        bus.answer(Control.HEALTH, ask -> lifecycle.health().handle((well, wrong) -> report(wrong)));
     }
 
     private Control.Done done() {
-        return new Control.Done(address().name(), lives.state().name());
+        return new Control.Done(address().name(), lifecycle.state().name());
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
-        String problem = wrong == null ? "" : Lives.words(wrong);
-        return new Control.HealthReport(address().name(), lives.state().name(), problem);
+        String problem = wrong == null ? "" : ComponentLifecycle.messageOf(wrong);
+        return new Control.HealthReport(address().name(), lifecycle.state().name(), problem);
     }
 
     /** The address of the component on the bus. */
@@ -101,8 +102,8 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     /** The current state of the component. Call on the space of the interface. */
-    public Lifecycle state() {
-        return lives.state();
+    public ComponentState state() {
+        return lifecycle.state();
     }
 
     /**
@@ -113,29 +114,29 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         bus.answer(
                 operation,
-                question -> lives.state() == Lifecycle.RUNNING
+                question -> lifecycle.state() == ComponentState.RUNNING
                         ? answerer.apply(question)
-                        : Promise.failed(lives.notRunning()));
+                        : Promise.failed(lifecycle.notRunning()));
     }
 
     @Override
     public Promise<@Nullable Void> start() {
-        return onSpace(lives::invoke);
+        return onSpace(lifecycle::invoke);
     }
 
     @Override
     public Promise<@Nullable Void> stop() {
-        return onSpace(lives::terminate);
+        return onSpace(lifecycle::terminate);
     }
 
     @Override
     public Promise<@Nullable Void> check() {
-        return onSpace(lives::health);
+        return onSpace(lifecycle::health);
     }
 
     @Override
     public Promise<@Nullable Void> whenEnded() {
-        return onSpace(lives::whenEnded);
+        return onSpace(lifecycle::whenEnded);
     }
 
     private Promise<@Nullable Void> onSpace(Supplier<Promise<@Nullable Void>> action) {
@@ -154,7 +155,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
      */
     @Override
     public void close() {
-        Promise<@Nullable Void> ended = lives.close();
+        Promise<@Nullable Void> ended = lifecycle.close();
         bus.close(); // does not wait for the termination, which may hang
         ended.exceptionally(error -> {
             observer.problem(address(), "could not be terminated", error);
@@ -167,7 +168,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         private static final System.Logger LOG = System.getLogger(ComponentObserver.class.getName());
 
         @Override
-        public void changed(Address component, Lifecycle state) {
+        public void changed(Address component, ComponentState state) {
             call(() -> observer.changed(component, state));
         }
 
@@ -182,8 +183,8 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         }
 
         @Override
-        public void told(Address component, String what) {
-            call(() -> observer.told(component, what));
+        public void info(Address component, String what) {
+            call(() -> observer.info(component, what));
         }
 
         private static void call(Runnable callback) {
@@ -196,52 +197,52 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     /** The path of the data: from the bus through DCU and CCU to the component, and back. */
-    private final class DataPath implements Lives.Turns<O> {
+    private final class DataPath implements ComponentLifecycle.Listener<O> {
         @Override
-        public void begins() {
-            int forgotten = conversion.forgetInput();
-            if (forgotten > 0) {
-                observer.told(address(), forgotten + " values for its last life were forgotten");
+        public void invoking() {
+            int discarded = conversion.discardInput();
+            if (discarded > 0) {
+                observer.info(address(), discarded + " values for its last life were forgotten");
             }
-            bus.hear(component.hears(), this::heard);
+            bus.subscribe(component.subscribes(), this::received);
         }
 
         @Override
-        public void runs() {
-            handInput();
+        public void running() {
+            drainInput();
         }
 
         @Override
-        public void ends() {
-            bus.hearNothing();
+        public void ended() {
+            bus.unsubscribeAll();
             publishOutput(); // output before and during the termination
         }
 
         @Override
         public void output(O output) {
             conversion.fromComponent(output);
-            if (outputWaits.compareAndSet(false, true)) {
+            if (outputScheduled.compareAndSet(false, true)) {
                 space.execute(this::publishOutput);
             }
         }
 
         private void publishOutput() {
             // cleared before draining: output that arrives during the drain schedules another one
-            outputWaits.set(false);
+            outputScheduled.set(false);
             conversion.drainToApplication(bus::publish);
         }
 
-        private void heard(ApplicationData<?> data) {
+        private void received(ApplicationData<?> data) {
             conversion.fromBus(data);
-            if (lives.state() == Lifecycle.RUNNING && inputWaits.compareAndSet(false, true)) {
-                space.execute(this::handInput);
+            if (lifecycle.state() == ComponentState.RUNNING && inputScheduled.compareAndSet(false, true)) {
+                space.execute(this::drainInput);
             }
         }
 
-        private void handInput() {
-            inputWaits.set(false);
-            if (lives.state() == Lifecycle.RUNNING) {
-                conversion.drainToComponent(lives::data);
+        private void drainInput() {
+            inputScheduled.set(false);
+            if (lifecycle.state() == ComponentState.RUNNING) {
+                conversion.drainToComponent(lifecycle::data);
             }
         }
     }

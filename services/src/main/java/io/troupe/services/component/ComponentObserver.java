@@ -6,7 +6,7 @@ import java.lang.System.Logger.Level;
 /**
  * Listener for state changes, losses and problems of components; used for logs, reports and tests.
  *
- * <p><b>Threads.</b> Usually the space of the interface. {@link #dropped}, {@link #problem} and {@link #told} may be
+ * <p><b>Threads.</b> Usually the space of the interface. {@link #dropped}, {@link #problem} and {@link #info} may be
  * called on a thread of the component.
  */
 public interface ComponentObserver {
@@ -23,7 +23,7 @@ public interface ComponentObserver {
         }
 
         @Override
-        public void told(Address component, String what) {
+        public void info(Address component, String what) {
             log().log(Level.INFO, "{0}: {1}", component, what);
         }
 
@@ -33,7 +33,7 @@ public interface ComponentObserver {
     };
 
     /** The state of the component has changed. */
-    default void changed(Address component, Lifecycle state) {}
+    default void changed(Address component, ComponentState state) {}
 
     /**
      * A full buffer has dropped a value.
@@ -46,5 +46,5 @@ public interface ComponentObserver {
     void problem(Address component, String what, Throwable why);
 
     /** A message from the component or its interface that is not a failure. */
-    void told(Address component, String what);
+    void info(Address component, String what);
 }

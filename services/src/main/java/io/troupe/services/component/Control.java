@@ -31,18 +31,18 @@ public final class Control {
     /**
      * Confirms a start or a termination.
      *
-     * @param state the name of a {@link Lifecycle}
+     * @param state the name of a {@link ComponentState}
      */
     public record Done(String component, String state) {}
 
     /**
      * The result of a health check.
      *
-     * @param state the name of a {@link Lifecycle}
+     * @param state the name of a {@link ComponentState}
      * @param problem the problem; empty if the component is healthy
      */
     public record HealthReport(String component, String state, String problem) {
-        public boolean isWell() {
+        public boolean isHealthy() {
             return problem.isEmpty();
         }
     }

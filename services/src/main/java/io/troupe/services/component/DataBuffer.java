@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-import io.troupe.services.component.Buffering.WhenFull;
+import io.troupe.services.component.Buffering.OverflowPolicy;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class DataBuffer {
     private final Buffering buffering;
-    private final Deque<ApplicationData<?>> waiting = new ArrayDeque<>(); // guarded by this, as are the counters
+    private final Deque<ApplicationData<?>> values = new ArrayDeque<>(); // guarded by this, as are the counters
     private long dropped;
     private long superseded;
 
@@ -27,24 +27,24 @@ final class DataBuffer {
      *
      * @return the value that was dropped to make room, or null
      */
-    synchronized @Nullable ApplicationData<?> put(ApplicationData<?> data) {
-        if (buffering.whenFull() == WhenFull.LATEST_OF_EACH_TOPIC
-                && waiting.removeIf(each -> each.topic().equals(data.topic()))) {
+    synchronized @Nullable ApplicationData<?> add(ApplicationData<?> data) {
+        if (buffering.overflow() == OverflowPolicy.LATEST_OF_EACH_TOPIC
+                && values.removeIf(each -> each.topic().equals(data.topic()))) {
             superseded++;
         }
-        ApplicationData<?> oldest = waiting.size() == buffering.capacity() ? waiting.poll() : null;
+        ApplicationData<?> oldest = values.size() == buffering.capacity() ? values.poll() : null;
         if (oldest != null) {
             dropped++;
         }
-        waiting.add(data);
+        values.add(data);
         return oldest;
     }
 
     /** Removes and returns all values, the oldest first. */
-    synchronized List<ApplicationData<?>> take() {
-        List<ApplicationData<?>> taken = new ArrayList<>(waiting);
-        waiting.clear();
-        return taken;
+    synchronized List<ApplicationData<?>> drain() {
+        List<ApplicationData<?>> drained = new ArrayList<>(values);
+        values.clear();
+        return drained;
     }
 
     synchronized long dropped() {

@@ -68,7 +68,7 @@ public final class DataConversion<I, O> {
      * published.
      */
     void drainToApplication(Consumer<ApplicationData<?>> publisher) {
-        for (var data : toApplication.take()) {
+        for (var data : toApplication.drain()) {
             try {
                 publisher.accept(data);
             } catch (RuntimeException | Error refusal) {
@@ -82,7 +82,7 @@ public final class DataConversion<I, O> {
      * conversion. An exception of the component is not caught here.
      */
     void drainToComponent(Consumer<? super I> component) {
-        for (var data : toComponent.take()) {
+        for (var data : toComponent.drain()) {
             I input;
             try {
                 input = conversion.toComponent(data);
@@ -99,8 +99,8 @@ public final class DataConversion<I, O> {
      *
      * @return the number of discarded values
      */
-    int forgetInput() {
-        return toComponent.take().size();
+    int discardInput() {
+        return toComponent.drain().size();
     }
 
     /** Number of values lost so far. */
@@ -112,7 +112,7 @@ public final class DataConversion<I, O> {
     }
 
     private void put(DataBuffer buffer, ApplicationData<?> data) {
-        var lost = buffer.put(data);
+        var lost = buffer.add(data);
         if (lost != null) {
             observer.dropped(owner, lost, buffer.dropped());
         }

@@ -54,7 +54,7 @@ public final class RemoteProvider implements Provider {
     public Promise<@Nullable Void> check() {
         return ask(Control.HEALTH, new Control.AskHealth(port.address().toString()))
                 .thenAccept(report -> {
-                    if (!report.isWell()) {
+                    if (!report.isHealthy()) {
                         throw new ProviderException(report.problem());
                     }
                 });

@@ -33,11 +33,11 @@ import org.jspecify.annotations.Nullable;
  * the moment when all needs are met. When one provider replaces another, their wires are exchanged in one turn of the
  * space.
  *
- * <p><b>Errors.</b> A need that no provider can meet, or that stays unmet for longer than the patience, ends the
- * application: everything that was started is stopped, and then {@link #started} or {@link #ended} is rejected with the
- * broker's {@link MissingServiceException}. Two needs that would feed one topic end it in the same way, with an
- * {@link ApplicationException}. {@link #replace} and {@link #add} are rejected with an {@link ApplicationException}
- * once the application is being stopped.
+ * <p><b>Errors.</b> A need that no provider can meet, or that stays unmet for longer than
+ * {@link ApplicationSettings#reconnectLimit}, ends the application: everything that was started is stopped, and then
+ * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}. Two needs that
+ * would feed one topic end it in the same way, with an {@link ApplicationException}. {@link #replace} and {@link #add}
+ * are rejected with an {@link ApplicationException} once the application is being stopped.
  *
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
@@ -48,7 +48,7 @@ public final class Application {
     private final Broker broker;
     private final ApplicationSettings settings;
     private final BusPort port;
-    private final Wiring wiring;
+    private final TopicWiring wiring;
     private final Map<String, ComponentInterface<?, ?>> interfaces = new LinkedHashMap<>();
     private final List<Usage> usages = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
@@ -63,7 +63,7 @@ public final class Application {
         this.broker = broker;
         this.settings = settings;
         this.port = bus.attach(plan.name() + ":application");
-        this.wiring = new Wiring(port, plan.components(), settings.events());
+        this.wiring = new TopicWiring(port, plan.components(), settings.events());
     }
 
     /**
@@ -97,17 +97,17 @@ public final class Application {
         Promise<?> registered = Promise.done();
         try {
             for (var each : plan.components().entrySet()) {
-                var face = ComponentInterface.open(bus, each.getKey(), each.getValue(), settings.components());
-                interfaces.put(each.getKey(), face);
+                var opened = ComponentInterface.open(bus, each.getKey(), each.getValue(), settings.components());
+                interfaces.put(each.getKey(), opened);
             }
             wiring.claim(null, plan.wires());
             wiring.open(plan.wires());
-            for (var face : interfaces.values()) {
-                if (plan.isOffered(face.address().name())) {
-                    var component = face.component();
-                    registered = both(
+            for (var opened : interfaces.values()) {
+                if (plan.isRegisteredAtStart(opened.address().name())) {
+                    var component = opened.component();
+                    registered = combine(
                             registered,
-                            broker.register(component.service(), component.capabilities(), face.address(), face));
+                            broker.register(component.service(), component.capabilities(), opened.address(), opened));
                 }
             }
         } catch (RuntimeException refused) {
@@ -115,7 +115,7 @@ public final class Application {
             return;
         }
         registered
-                .thenCompose(all -> meet(plan.needs().iterator()))
+                .thenCompose(all -> meetNeeds(plan.needs().iterator()))
                 .thenAccept(met -> run())
                 .exceptionally(error -> {
                     end(error);
@@ -123,17 +123,17 @@ public final class Application {
                 });
     }
 
-    private static Promise<?> both(Promise<?> first, Promise<?> second) {
+    private static Promise<?> combine(Promise<?> first, Promise<?> second) {
         return first.thenCombine(second, (one, other) -> one);
     }
 
-    private Promise<?> meet(Iterator<Need> needs) {
+    private Promise<?> meetNeeds(Iterator<Need> needs) {
         if (ending || !needs.hasNext()) {
             return Promise.done();
         }
         var usage = new Usage(needs.next(), wiring, settings.events(), losses);
         usages.add(usage);
-        return broker.connect(usage.need(), usage).thenCompose(provider -> meet(needs));
+        return broker.connect(usage.need(), usage).thenCompose(provider -> meetNeeds(needs));
     }
 
     private void run() {
@@ -142,7 +142,7 @@ public final class Application {
         }
         started.resolve(null);
         for (var replacement : plan.replacements()) {
-            space.delay(replacement.after()).handle((over, closed) -> {
+            space.delay(replacement.after()).handle((elapsed, closed) -> {
                 if (closed == null && !ending) {
                     replace(replacement);
                 }
@@ -171,10 +171,10 @@ public final class Application {
      */
     public Promise<@Nullable Void> replace(String old, String by) {
         if (ending) {
-            return Promise.failed(over("replaces nothing"));
+            return Promise.failed(stoppedError("replaces nothing"));
         }
-        var before = face(old);
-        var next = face(by);
+        var before = componentInterface(old);
+        var next = componentInterface(by);
         return broker.registered()
                 .thenCompose(all -> {
                     var offer = offerOf(before, all);
@@ -191,11 +191,11 @@ public final class Application {
      * The service for which a component is registered, which is not its original one if it has replaced another
      * component.
      */
-    private ServiceRecord offerOf(ComponentInterface<?, ?> face, List<ServiceRecord> all) {
+    private ServiceRecord offerOf(ComponentInterface<?, ?> component, List<ServiceRecord> all) {
         return all.stream()
-                .filter(each -> each.provider().equals(face.address()))
+                .filter(each -> each.provider().equals(component.address()))
                 .findFirst()
-                .orElseThrow(() -> new ApplicationException(face.address().name()
+                .orElseThrow(() -> new ApplicationException(component.address().name()
                         + " offers nothing now, expected a component in whose place another can be put"));
     }
 
@@ -207,15 +207,15 @@ public final class Application {
      */
     public Promise<ServiceRecord> add(String name, Component<?, ?> component) {
         if (ending) {
-            return Promise.failed(over("takes no component " + name));
+            return Promise.failed(stoppedError("takes no component " + name));
         }
-        var face = ComponentInterface.open(bus, name, component, settings.components());
-        interfaces.put(name, face);
-        wiring.know(name, component);
-        return broker.register(component.service(), component.capabilities(), face.address(), face);
+        var opened = ComponentInterface.open(bus, name, component, settings.components());
+        interfaces.put(name, opened);
+        wiring.addComponent(name, component);
+        return broker.register(component.service(), component.capabilities(), opened.address(), opened);
     }
 
-    private ApplicationException over(String what) {
+    private ApplicationException stoppedError(String what) {
         return new ApplicationException(plan.name() + " has been stopped, and " + what);
     }
 
@@ -224,13 +224,13 @@ public final class Application {
      *
      * @throws IllegalArgumentException if there is no such component
      */
-    public ComponentInterface<?, ?> face(String component) {
-        var face = interfaces.get(component);
-        if (face == null) {
+    public ComponentInterface<?, ?> componentInterface(String component) {
+        var found = interfaces.get(component);
+        if (found == null) {
             throw new IllegalArgumentException(
                     plan.name() + " has no component " + component + ", it has " + interfaces.keySet());
         }
-        return face;
+        return found;
     }
 
     private final class Losses implements Usage.Losses {
@@ -250,7 +250,7 @@ public final class Application {
     private void awaitAnother(Usage usage, MissingServiceException why) {
         settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
         int met = usage.timesMet();
-        space.delay(settings.patience()).handle((over, closed) -> {
+        space.delay(settings.reconnectLimit()).handle((elapsed, closed) -> {
             // a need that has been met since then has its own limit after the next loss
             if (closed == null && usage.timesMet() == met) {
                 end(why);

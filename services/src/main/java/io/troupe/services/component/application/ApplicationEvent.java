@@ -16,11 +16,14 @@ public sealed interface ApplicationEvent {
      */
     record Connected(Need need, ServiceRecord provider, List<Wire<?>> wires) implements ApplicationEvent {}
 
-    /** A user has lost its provider. The application ends if there is no other within its patience. */
+    /**
+     * A user has lost its provider. The application ends if there is no other within
+     * {@link ApplicationSettings#reconnectLimit}.
+     */
     record Lost(Need need, MissingServiceException why) implements ApplicationEvent {}
 
     /** A value was forwarded over a wire. */
-    record Carried(Wire<?> wire, Record value) implements ApplicationEvent {}
+    record Forwarded(Wire<?> wire, Record value) implements ApplicationEvent {}
 
     record Replaced(Replacement what) implements ApplicationEvent {}
 

@@ -100,7 +100,7 @@ public record ApplicationPlan(
                     "\"" + need.by() + "\" is neither the application nor a component nor a robot of one; "
                             + Hints.of(need.by(), users));
         }
-        return new ApplicationPlan(name, components, plus(needs, need), wires, replacements);
+        return new ApplicationPlan(name, components, append(needs, need), wires, replacements);
     }
 
     /** Permitted users of a need: the application, its components, and the owners of topics. */
@@ -115,7 +115,7 @@ public record ApplicationPlan(
     /** All topics of all components. */
     List<Topic<?>> topics() {
         return components.values().stream()
-                .flatMap(each -> Stream.concat(each.hears().stream(), each.publishes().stream()))
+                .flatMap(each -> Stream.concat(each.subscribes().stream(), each.publishes().stream()))
                 .<Topic<?>>map(topic -> topic)
                 .distinct()
                 .toList();
@@ -136,8 +136,8 @@ public record ApplicationPlan(
         if (wires.contains(wire)) {
             throw new IllegalArgumentException(wire + " is there already, expected it once");
         }
-        checkEnds(wire, wires);
-        return new ApplicationPlan(name, components, needs, plus(wires, wire), replacements);
+        checkAcyclic(wire, wires);
+        return new ApplicationPlan(name, components, needs, append(wires, wire), replacements);
     }
 
     /**
@@ -145,7 +145,7 @@ public record ApplicationPlan(
      *
      * @throws IllegalArgumentException if a value sent over this wire would return to it over the others
      */
-    static void checkEnds(Wire<?> wire, Collection<? extends Wire<?>> others) {
+    static void checkAcyclic(Wire<?> wire, Collection<? extends Wire<?>> others) {
         Set<Topic<?>> reached = new LinkedHashSet<>(Set.of(wire.to()));
         Deque<Topic<?>> open = new ArrayDeque<>(reached);
         while (!open.isEmpty()) {
@@ -175,14 +175,15 @@ public record ApplicationPlan(
         if (replacements.stream().anyMatch(each -> each.by().equals(by)) || old.equals(by)) {
             throw new IllegalArgumentException("\"" + by + "\" cannot take a place twice, or its own");
         }
-        return new ApplicationPlan(name, components, needs, wires, plus(replacements, new Replacement(after, old, by)));
+        return new ApplicationPlan(
+                name, components, needs, wires, append(replacements, new Replacement(after, old, by)));
     }
 
     /**
      * True if a component is registered at the start. A component whose first replacement puts it in another's place is
      * registered only then.
      */
-    boolean isOffered(String component) {
+    boolean isRegisteredAtStart(String component) {
         return replacements.stream()
                 .filter(each -> each.old().equals(component) || each.by().equals(component))
                 .min(Comparator.comparing(Replacement::after))
@@ -190,7 +191,7 @@ public record ApplicationPlan(
                 .orElse(true);
     }
 
-    private static <T> List<T> plus(List<T> list, T more) {
+    private static <T> List<T> append(List<T> list, T more) {
         List<T> longer = new ArrayList<>(list);
         longer.add(more);
         return longer;

@@ -1,11 +1,11 @@
 package io.troupe.services.component.application;
 
 import io.troupe.services.component.Component;
-import io.troupe.services.component.application.Words.Word;
+import io.troupe.services.component.application.LineTokens.Token;
 import io.troupe.services.component.kinds.ArgumentException;
 import io.troupe.services.component.kinds.Arguments;
-import io.troupe.services.component.kinds.Kind;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKind;
+import io.troupe.services.component.kinds.ComponentKinds;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
@@ -16,44 +16,46 @@ import java.util.stream.Stream;
 /**
  * The statement {@code component NAME is KIND [PARAMETER=VALUE ..]}.
  *
- * @param kind the word that names the kind
+ * @param kind the token that names the kind
  */
-record ComponentStatement(String name, Word kind, Component<?, ?> component) {
+record ComponentStatement(String name, Token kind, Component<?, ?> component) {
     private static final String SERVICE = "service";
     private static final String CAPABILITIES = "capabilities";
 
     /** Parses the rest of the line after the word {@code component}. */
-    static ComponentStatement read(Words words, Kinds kinds, Path directory) {
-        String name = words.name("the component's name");
-        words.expect("is");
-        Word kindWord = words.next("a kind of component");
-        Kind kind = kinds.find(kindWord.text())
-                .orElseThrow(() -> words.problem(
-                        kindWord,
-                        "there is no kind of component \"" + kindWord.text() + "\"; "
+    static ComponentStatement read(LineTokens tokens, ComponentKinds kinds, Path directory) {
+        String name = tokens.name("the component's name");
+        tokens.expect("is");
+        Token kindToken = tokens.next("a kind of component");
+        ComponentKind kind = kinds.find(kindToken.text())
+                .orElseThrow(() -> tokens.error(
+                        kindToken,
+                        "there is no kind of component \"" + kindToken.text() + "\"; "
                                 + Hints.of(
-                                        kindWord.text(),
-                                        kinds.all().stream().map(Kind::name).toList())));
-        Map<String, Word> arguments = arguments(kind, words);
+                                        kindToken.text(),
+                                        kinds.all().stream()
+                                                .map(ComponentKind::name)
+                                                .toList())));
+        Map<String, Token> arguments = arguments(kind, tokens);
         Map<String, String> given = new LinkedHashMap<>();
-        arguments.forEach((key, word) -> given.put(key, word.text()));
-        List<String> service = names(SERVICE, arguments, words);
-        List<String> capabilities = names(CAPABILITIES, arguments, words);
+        arguments.forEach((key, token) -> given.put(key, token.text()));
+        List<String> service = names(SERVICE, arguments, tokens);
+        List<String> capabilities = names(CAPABILITIES, arguments, tokens);
         given.keySet().removeAll(List.of(SERVICE, CAPABILITIES));
         try {
-            var made = kind.maker().make(name, new Arguments(kind, given, directory));
+            var made = kind.factory().create(name, new Arguments(kind, given, directory));
             var offered = made.offering(
                     service.isEmpty() ? made.service() : service.getFirst(),
                     capabilities.isEmpty() ? made.capabilities() : capabilities);
-            return new ComponentStatement(name, kindWord, offered);
+            return new ComponentStatement(name, kindToken, offered);
         } catch (ArgumentException wrong) {
-            throw words.problem(arguments.getOrDefault(wrong.parameter(), kindWord), wrong.getMessage());
+            throw tokens.error(arguments.getOrDefault(wrong.parameter(), kindToken), wrong.getMessage());
         }
     }
 
     /** The comma-separated names given for a key; empty if the key is missing. */
-    private static List<String> names(String key, Map<String, Word> arguments, Words words) {
-        Word given = arguments.get(key);
+    private static List<String> names(String key, Map<String, Token> arguments, LineTokens tokens) {
+        Token given = arguments.get(key);
         if (given == null) {
             return List.of();
         }
@@ -61,7 +63,7 @@ record ComponentStatement(String name, Word kind, Component<?, ?> component) {
                 ? List.of(given.text())
                 : Arrays.stream(given.text().split(",", -1)).map(String::strip).toList();
         if (names.stream().anyMatch(String::isBlank)) {
-            throw words.problem(
+            throw tokens.error(
                     given,
                     key + " is \"" + given.text() + "\", expected "
                             + (key.equals(SERVICE) ? "a name" : "names with commas between them"));
@@ -69,23 +71,23 @@ record ComponentStatement(String name, Word kind, Component<?, ?> component) {
         return names;
     }
 
-    private static Map<String, Word> arguments(Kind kind, Words words) {
+    private static Map<String, Token> arguments(ComponentKind kind, LineTokens tokens) {
         List<String> known = Stream.concat(
-                        kind.parameters().stream().map(Kind.Parameter::name), Stream.of(SERVICE, CAPABILITIES))
+                        kind.parameters().stream().map(ComponentKind.Parameter::name), Stream.of(SERVICE, CAPABILITIES))
                 .toList();
-        Map<String, Word> arguments = new LinkedHashMap<>();
-        while (words.hasNext()) {
-            Word word = words.next("PARAMETER=VALUE");
-            int equals = word.text().indexOf('=');
+        Map<String, Token> arguments = new LinkedHashMap<>();
+        while (tokens.hasNext()) {
+            Token token = tokens.next("PARAMETER=VALUE");
+            int equals = token.text().indexOf('=');
             if (equals < 1) {
-                throw words.problem(word, "found \"" + word.text() + "\", expected PARAMETER=VALUE");
+                throw tokens.error(token, "found \"" + token.text() + "\", expected PARAMETER=VALUE");
             }
-            String key = word.text().substring(0, equals);
+            String key = token.text().substring(0, equals);
             if (!known.contains(key)) {
-                throw words.problem(word, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
+                throw tokens.error(token, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
             }
-            if (arguments.put(key, new Word(word.text().substring(equals + 1), word.column())) != null) {
-                throw words.problem(word, "\"" + key + "\" is given twice, expected it once");
+            if (arguments.put(key, new Token(token.text().substring(equals + 1), token.column())) != null) {
+                throw tokens.error(token, "\"" + key + "\" is given twice, expected it once");
             }
         }
         return arguments;

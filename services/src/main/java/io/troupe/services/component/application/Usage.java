@@ -22,13 +22,13 @@ final class Usage implements Broker.Connection {
     }
 
     private final Need need;
-    private final Wiring wiring;
+    private final TopicWiring wiring;
     private final Consumer<ApplicationEvent> observer;
     private final Losses losses;
     private List<BusPort.Subscription> open = List.of();
     private int timesMet;
 
-    Usage(Need need, Wiring wiring, Consumer<ApplicationEvent> observer, Losses losses) {
+    Usage(Need need, TopicWiring wiring, Consumer<ApplicationEvent> observer, Losses losses) {
         this.need = need;
         this.wiring = wiring;
         this.observer = observer;
@@ -49,7 +49,7 @@ final class Usage implements Broker.Connection {
 
     @Override
     public void use(ServiceRecord provider) {
-        var wires = wiring.between(need.by(), provider.provider().name());
+        var wires = wiring.wiresBetween(need.by(), provider.provider().name());
         try {
             wiring.release(need);
             wiring.claim(need, wires);

@@ -63,17 +63,17 @@ public final class BehaviourComponent {
             List<String> capabilities,
             Set<Sense> senses,
             Supplier<? extends Behaviour> law) {
-        List<Topic<?>> hears = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
+        List<Topic<?>> subscribes = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
         if (senses.contains(Sense.BLOBS)) {
-            hears.add(RobotTopics.blobs(name));
+            subscribes.add(RobotTopics.blobs(name));
         }
         if (senses.contains(Sense.LASER)) {
-            hears.add(RobotTopics.laser(name));
+            subscribes.add(RobotTopics.laser(name));
         }
         return new Component<>(
                 service,
                 capabilities,
-                hears,
+                subscribes,
                 List.of(RobotTopics.velocity(name)),
                 () -> new BehaviourCommunication(law),
                 new SensesConversion(name),

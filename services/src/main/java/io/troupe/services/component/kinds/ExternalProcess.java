@@ -57,14 +57,14 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     private final CompletableFuture<@Nullable Void> firstLine = new CompletableFuture<>();
 
     /** Completed when the process and all processes that it started have ended. */
-    private final CompletableFuture<@Nullable Void> over = new CompletableFuture<>();
+    private final CompletableFuture<@Nullable Void> treeEnded = new CompletableFuture<>();
 
     /** Completed when the start of the program has succeeded or failed. */
-    private final CompletableFuture<@Nullable Void> begun = new CompletableFuture<>();
+    private final CompletableFuture<@Nullable Void> startAttempted = new CompletableFuture<>();
 
-    final Thread atShutdown;
+    final Thread shutdownHook;
     private volatile @Nullable ProcessTree tree;
-    private volatile boolean ending;
+    private volatile boolean terminating;
     private @Nullable CompletableFuture<@Nullable Void> end; // guarded by this
 
     ExternalProcess(ProcessComponent.Settings settings) {
@@ -76,7 +76,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         this.starter = starter;
         this.killLimit = killLimit;
         this.shutdownGrace = shutdownGrace;
-        this.atShutdown =
+        this.shutdownHook =
                 new Thread(this::endAtShutdown, "end of " + settings.command().getFirst());
     }
 
@@ -84,7 +84,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
         try {
             // Ctrl-C in a terminal does not reach processes in other sessions
-            Runtime.getRuntime().addShutdownHook(atShutdown);
+            Runtime.getRuntime().addShutdownHook(shutdownHook);
         } catch (IllegalStateException shuttingDown) {
             return Promise.failed(notStarted("the virtual machine is shutting down", shuttingDown));
         }
@@ -93,16 +93,16 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             started = starter.start(settings);
             tree = started;
         } catch (IOException | RuntimeException | Error e) {
-            forgetShutdown();
+            removeShutdownHook();
             return Promise.failed(notStarted(String.valueOf(e.getMessage()).strip(), e));
         } finally {
-            begun.complete(null);
+            startAttempted.complete(null);
         }
-        if (ending) {
+        if (terminating) {
             end();
         }
         Process process = started.root();
-        signals.tell("process " + process.pid() + ": " + words());
+        signals.info("process " + process.pid() + ": " + commandLine());
         Thread readErrors = thread("stderr", () -> read(process.getErrorStream(), "error", signals, errors::add));
         Thread readOutput = thread(
                 "stdout",
@@ -114,23 +114,23 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         thread("exit", () -> awaitExit(started, signals, readErrors, readOutput));
         return Promise.from(firstLine
                 .orTimeout(TimeUnit.MILLISECONDS.convert(settings.startLimit()), TimeUnit.MILLISECONDS)
-                .exceptionallyCompose(
-                        error -> error instanceof TimeoutException ? giveUp() : CompletableFuture.failedFuture(error)));
+                .exceptionallyCompose(error ->
+                        error instanceof TimeoutException ? abortStart() : CompletableFuture.failedFuture(error)));
     }
 
     private ProviderException notStarted(String why, Throwable cause) {
-        return new ProviderException(words() + " cannot be started: " + why, cause);
+        return new ProviderException(commandLine() + " cannot be started: " + why, cause);
     }
 
     /**
      * Ends a process whose start has timed out. The future fails only after the process has ended, so that a
      * replacement does not run beside it.
      */
-    private CompletableFuture<@Nullable Void> giveUp() {
-        ending = true;
+    private CompletableFuture<@Nullable Void> abortStart() {
+        terminating = true;
         return end().handle((ended, left) -> {
-            var why = new ProviderException(words() + " has written no line in " + settings.startLimit()
-                    + ", expected one when it is ready" + said());
+            var why = new ProviderException(commandLine() + " has written no line in " + settings.startLimit()
+                    + ", expected one when it is ready" + lastErrors());
             if (left != null) {
                 why.addSuppressed(left);
             }
@@ -146,20 +146,20 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             Thread.currentThread().interrupt();
             return;
         }
-        List<Throwable> troubles = new ArrayList<>();
-        attempt(() -> tellOrphans(ofProgram, status, signals), troubles);
+        List<Throwable> errorsOnExit = new ArrayList<>();
+        attempt(() -> reportOrphans(ofProgram, status, signals), errorsOnExit);
         // remaining processes are reported by the termination of the component
-        attempt(() -> end().handle((ended, left) -> null).join(), troubles);
+        attempt(() -> end().handle((ended, left) -> null).join(), errorsOnExit);
         for (Thread reader : readers) {
-            attempt(() -> awaitLastLines(reader, signals), troubles);
+            attempt(() -> awaitLastLines(reader, signals), errorsOnExit);
         }
-        attempt(() -> tellUnwritten(signals), troubles);
-        forgetShutdown();
-        var why = new ProviderException(words() + " ended with status " + status + said());
-        troubles.forEach(why::addSuppressed);
+        attempt(() -> reportUnwritten(signals), errorsOnExit);
+        removeShutdownHook();
+        var why = new ProviderException(commandLine() + " ended with status " + status + lastErrors());
+        errorsOnExit.forEach(why::addSuppressed);
         firstLine.completeExceptionally(why);
-        over.complete(null);
-        if (!ending) {
+        treeEnded.complete(null);
+        if (!terminating) {
             signals.failed(why);
         }
     }
@@ -168,27 +168,27 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
      * Runs a step and records its exception. A failed step must not prevent the report of the exit, on which starts and
      * health checks wait.
      */
-    private static void attempt(Runnable step, List<Throwable> troubles) {
+    private static void attempt(Runnable step, List<Throwable> errorsOnExit) {
         try {
             step.run();
-        } catch (RuntimeException | Error trouble) {
-            troubles.add(trouble);
+        } catch (RuntimeException | Error error) {
+            errorsOnExit.add(error);
         }
     }
 
-    private void tellOrphans(ProcessTree ofProgram, int status, Signals<?> signals) {
+    private void reportOrphans(ProcessTree ofProgram, int status, Signals<?> signals) {
         var orphans = ofProgram.alive();
-        if (!orphans.isEmpty() && !ending) {
-            signals.tell(words() + " has ended with status " + status
-                    + ", before processes that it had started; these are ended too: " + named(orphans));
+        if (!orphans.isEmpty() && !terminating) {
+            signals.info(commandLine() + " has ended with status " + status
+                    + ", before processes that it had started; these are ended too: " + describe(orphans));
         }
     }
 
     private void awaitLastLines(Thread reader, Signals<?> signals) {
         join(reader);
         if (reader.isAlive()) {
-            signals.tell(
-                    words() + " has ended, but a process outside its session keeps its " + reader.getName() + " open");
+            signals.info(commandLine() + " has ended, but a process outside its session keeps its " + reader.getName()
+                    + " open");
         }
     }
 
@@ -200,12 +200,12 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
-    private String said() {
+    private String lastErrors() {
         String last = errors.text();
         return last.isEmpty() ? "" : "; it said: " + last;
     }
 
-    private String words() {
+    private String commandLine() {
         return "\"" + String.join(" ", settings.command()) + "\"";
     }
 
@@ -221,7 +221,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             readLines(
                     reader,
                     lines,
-                    () -> signals.tell(words() + " wrote a line of more than " + LONGEST_LINE_CHARACTERS
+                    () -> signals.info(commandLine() + " wrote a line of more than " + LONGEST_LINE_CHARACTERS
                             + " characters to its standard " + what + "; the rest of the line is lost"));
         } catch (IOException broken) {
             errors.add("(" + broken.getMessage() + ")");
@@ -277,26 +277,27 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                 }
             }
         } catch (IOException closed) {
-            if (to.isAlive() && !ending) { // otherwise the exit is reported
-                signals.tell(words() + " reads its standard input no more: " + closed.getMessage());
+            if (to.isAlive() && !terminating) { // otherwise the exit is reported
+                signals.info(commandLine() + " reads its standard input no more: " + closed.getMessage());
             }
         } catch (InterruptedException gone) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private void tellUnwritten(Signals<?> signals) {
+    private void reportUnwritten(Signals<?> signals) {
         List<String> rest = new ArrayList<>();
         input.drainTo(rest);
         if (!rest.isEmpty()) {
-            signals.tell(rest.size() + " lines for " + words() + " were not written to it");
+            signals.info(rest.size() + " lines for " + commandLine() + " were not written to it");
         }
     }
 
     @Override
     public void data(String line) {
         if (!input.offer(line)) {
-            throw new ProviderException(words() + " does not read its standard input: " + input.size() + " lines wait");
+            throw new ProviderException(
+                    commandLine() + " does not read its standard input: " + input.size() + " lines wait");
         }
     }
 
@@ -306,7 +307,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
      */
     @Override
     public Promise<@Nullable Void> terminate() {
-        ending = true;
+        terminating = true;
         return tree == null ? Promise.done() : Promise.from(end());
     }
 
@@ -315,13 +316,13 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
      * process if it is still alive.
      */
     void endAtShutdown() {
-        awaitAtShutdown(begun, killLimit);
+        awaitAtShutdown(startAttempted, killLimit);
         if (tree == null) {
-            ending = true;
+            terminating = true;
             return;
         }
-        awaitAtShutdown(over, shutdownGrace);
-        ending = true;
+        awaitAtShutdown(treeEnded, shutdownGrace);
+        terminating = true;
         end().handle((ended, left) -> null).join();
     }
 
@@ -335,9 +336,9 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
-    private void forgetShutdown() {
+    private void removeShutdownHook() {
         try {
-            Runtime.getRuntime().removeShutdownHook(atShutdown);
+            Runtime.getRuntime().removeShutdownHook(shutdownHook);
         } catch (IllegalStateException shuttingDown) {
             // the hook is already running
         }
@@ -359,15 +360,15 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             if (left.isEmpty()) {
                 ended.complete(null);
             } else {
-                ended.completeExceptionally(new ProviderException(words() + " was killed, and " + killLimit
-                        + " later some of its processes are still alive: " + named(left)));
+                ended.completeExceptionally(new ProviderException(commandLine() + " was killed, and " + killLimit
+                        + " later some of its processes are still alive: " + describe(left)));
             }
         } catch (RuntimeException | Error failure) {
             ended.completeExceptionally(failure);
         }
     }
 
-    private static String named(List<ProcessHandle> processes) {
+    private static String describe(List<ProcessHandle> processes) {
         return processes.stream()
                 .map(each -> each.pid()
                         + each.info().command().map(name -> " (" + name + ")").orElse(""))
@@ -381,8 +382,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             return Promise.done();
         }
         // waits for the end of the child processes: after the rejection, a broker starts another provider
-        return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : over).thenApply(ended -> {
-            throw new ProviderException(words() + " does not run" + said());
+        return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : treeEnded).thenApply(ended -> {
+            throw new ProviderException(commandLine() + " does not run" + lastErrors());
         }));
     }
 }

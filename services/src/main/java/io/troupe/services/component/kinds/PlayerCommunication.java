@@ -51,7 +51,7 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
                 return null;
             }
             awaitData(from, signals);
-            robots.values().forEach(robot -> robot.report(signals));
+            robots.values().forEach(robot -> robot.publishReadings(signals));
             return null;
         });
     }

@@ -14,8 +14,8 @@ import java.util.Map;
  *
  * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and also {@code robotn/blobs} and
  * {@code robotn/laser} if the settings enable them. It moves at the velocities published on {@code robotn/velocity}. A
- * moving robot that has received no velocity for {@value PlayerRobot#PATIENCE_READINGS} sonar readings is stopped, and
- * this is reported to the observer.
+ * moving robot that has received no velocity for {@value PlayerRobot#MAX_READINGS_WITHOUT_COMMAND} sonar readings is
+ * stopped, and this is reported to the observer.
  *
  * <p><b>Threads.</b> A server in the same JVM is found by its port; in lock step, its world waits until the space of
  * the interface is idle. Connecting to a server over a socket blocks the space.
@@ -53,12 +53,12 @@ public final class PlayerComponent {
 
     public static Component<?, ?> of(Settings settings) {
         Map<Integer, String> names = new LinkedHashMap<>();
-        List<Topic<?>> hears = new ArrayList<>();
+        List<Topic<?>> subscribes = new ArrayList<>();
         List<Topic<?>> publishes = new ArrayList<>();
         for (int number : settings.robots()) {
             String robot = "robot" + number;
             names.put(number - 1, robot);
-            hears.add(RobotTopics.velocity(robot));
+            subscribes.add(RobotTopics.velocity(robot));
             publishes.add(RobotTopics.position(robot));
             publishes.add(RobotTopics.sonar(robot));
             if (settings.camera()) {
@@ -71,7 +71,7 @@ public final class PlayerComponent {
         return new Component<>(
                 "player",
                 List.of("senses", "moves"),
-                hears,
+                subscribes,
                 publishes,
                 () -> new PlayerCommunication(settings),
                 new PlayerConversion(names),

@@ -23,7 +23,7 @@ final class PlayerRobot {
      * the paper. Needed for other servers; Troupe's server stops the robot earlier, at
      * {@link DriverLimits#COMMAND_LIMIT}.
      */
-    static final int PATIENCE_READINGS = 5;
+    static final int MAX_READINGS_WITHOUT_COMMAND = 5;
 
     private final int index;
     private final Position2DInterface position;
@@ -34,7 +34,7 @@ final class PlayerRobot {
     private double positionSeconds = Double.NEGATIVE_INFINITY;
     private double blobsSeconds = Double.NEGATIVE_INFINITY;
     private double laserSeconds = Double.NEGATIVE_INFINITY;
-    private boolean moves;
+    private boolean moving;
     private int readingsSinceCommand;
 
     PlayerRobot(PlayerClient client, int index, PlayerComponent.Settings settings) {
@@ -52,7 +52,7 @@ final class PlayerRobot {
      * set back. Position, blobs and scan are published before the sonar ranges, so that a subscriber that reacts to the
      * ranges already has the others.
      */
-    void report(Signals<? super PlayerSignal.Reading> signals) {
+    void publishReadings(Signals<? super PlayerSignal.Reading> signals) {
         var pose = position.getData();
         if (pose != null && position.getTimestamp() != positionSeconds) {
             positionSeconds = position.getTimestamp();
@@ -72,26 +72,26 @@ final class PlayerRobot {
         if (ranges != null && sonar.getTimestamp() != sonarSeconds) {
             sonarSeconds = sonar.getTimestamp();
             signals.data(new PlayerSignal.Sonar(index, sonarSeconds, ranges));
-            countSilence(signals);
+            checkCommandLimit(signals);
         }
     }
 
-    private void countSilence(Signals<?> signals) {
-        if (moves && ++readingsSinceCommand >= PATIENCE_READINGS) {
+    private void checkCommandLimit(Signals<?> signals) {
+        if (moving && ++readingsSinceCommand >= MAX_READINGS_WITHOUT_COMMAND) {
             stop();
-            signals.tell("robot " + (index + 1) + " has heard no command for " + PATIENCE_READINGS
+            signals.info("robot " + (index + 1) + " has heard no command for " + MAX_READINGS_WITHOUT_COMMAND
                     + " readings, and is stopped");
         }
     }
 
     void drive(double speed, double turnRate) {
         readingsSinceCommand = 0;
-        moves = speed != 0 || turnRate != 0;
+        moving = speed != 0 || turnRate != 0;
         position.setSpeed(speed, turnRate);
     }
 
     void stop() {
-        moves = false;
+        moving = false;
         position.setSpeed(0, 0);
     }
 }

@@ -105,17 +105,17 @@ final class ProcessTree {
 
     /** The processes of the tree that have not ended. */
     synchronized List<ProcessHandle> alive() {
-        boolean sawSome;
+        boolean foundAlive;
         // scan again if the last process may have started another one, unseen, before it ended
         do {
-            sawSome = look();
+            foundAlive = scan();
             known.removeIf(this::hasEnded);
-        } while (sawSome && known.isEmpty());
+        } while (foundAlive && known.isEmpty());
         return List.copyOf(known);
     }
 
     /** Scans for processes of the tree; true if any was alive during the scan. */
-    private boolean look() {
+    private boolean scan() {
         known.removeIf(this::hasEnded);
         if (root.isAlive()) {
             known.add(root.toHandle());
@@ -222,8 +222,8 @@ final class ProcessTree {
             }
         };
         alive().forEach(ask);
-        var deaf = awaitEnd(limit, ask);
-        return deaf.isEmpty() ? deaf : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
+        var unresponsive = awaitEnd(limit, ask);
+        return unresponsive.isEmpty() ? unresponsive : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
     }
 
     /**

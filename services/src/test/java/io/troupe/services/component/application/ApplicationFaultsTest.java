@@ -9,8 +9,8 @@ import io.troupe.services.broker.BrokerSettings;
 import io.troupe.services.broker.ServiceBroker;
 import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
-import io.troupe.services.component.Lifecycle;
-import io.troupe.services.component.Notes;
+import io.troupe.services.component.ComponentState;
+import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.FakeRobots;
 import java.time.Duration;
@@ -57,7 +57,7 @@ class ApplicationFaultsTest {
                     plan,
                     InProcessBus.open("here", BusSettings.on(test.space())),
                     ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
-                    ApplicationSettings.DEFAULT.withObservers(new Notes(), this::note));
+                    ApplicationSettings.DEFAULT.withObservers(new RecordingObserver(), this::note));
             application.started().handle((runs, error) -> error);
         });
     }
@@ -113,7 +113,7 @@ class ApplicationFaultsTest {
         assertThat(connected).containsExactly("next");
         test.run(() -> late.resolve(null));
         assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
-        assertThat(application.face("first").state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(application.componentInterface("first").state()).isEqualTo(ComponentState.TERMINATED);
         for (int tick = 1; tick <= 5; tick++) {
             test.run(first::drive);
             assertThat(commandsOfOneTick()).as("commands of tick %d", tick).containsExactly(FAST);

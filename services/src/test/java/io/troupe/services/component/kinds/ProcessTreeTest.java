@@ -43,7 +43,7 @@ class ProcessTreeTest {
             var process = new ExternalProcess(shell(Path.of("."), PATIENCE, "echo ready; exec sleep 1000"));
             var started = process.invoke(new Silent() {
                 @Override
-                public void tell(String what) {
+                public void info(String what) {
                     System.out.println(what.split("[ :]+")[1]);
                 }
             });
@@ -60,7 +60,7 @@ class ProcessTreeTest {
         public void failed(Throwable why) {}
 
         @Override
-        public void tell(String what) {}
+        public void info(String what) {}
     }
 
     @BeforeEach
@@ -245,7 +245,8 @@ class ProcessTreeTest {
         assertThatThrownBy(() -> process.invoke(new Silent()).get(PATIENCE))
                 .isInstanceOf(ProviderException.class)
                 .hasMessageEndingWith("cannot be started: a null character in the command");
-        assertThat(Runtime.getRuntime().removeShutdownHook(process.atShutdown)).isFalse();
+        assertThat(Runtime.getRuntime().removeShutdownHook(process.shutdownHook))
+                .isFalse();
     }
 
     @Test
@@ -254,7 +255,7 @@ class ProcessTreeTest {
         var process = new ExternalProcess(shell(directory, PATIENCE, "sleep 1000 & exit 7"));
         var started = process.invoke(new Silent() {
             @Override
-            public void tell(String what) {
+            public void info(String what) {
                 if (what.contains("has ended with status")) {
                     throw new IllegalStateException("no room for a message");
                 }

@@ -5,11 +5,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A component observer that records its notifications. */
-public class Notes implements ComponentObserver {
+public class RecordingObserver implements ComponentObserver {
     private final List<String> notes = new ArrayList<>(); // guarded by this: processes have threads
 
     @Override
-    public synchronized void changed(Address component, Lifecycle state) {
+    public synchronized void changed(Address component, ComponentState state) {
         notes.add(component.name() + " " + state);
     }
 
@@ -24,7 +24,7 @@ public class Notes implements ComponentObserver {
     }
 
     @Override
-    public synchronized void told(Address component, String what) {
+    public synchronized void info(Address component, String what) {
         notes.add(component.name() + " " + what);
     }
 

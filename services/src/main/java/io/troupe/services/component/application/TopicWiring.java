@@ -24,10 +24,10 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> The application's space.
  */
-final class Wiring {
+final class TopicWiring {
     /** A wire that feeds its target topic, with the need that has claimed it, or null if the wire is declared. */
     private record Feed(Wire<?> wire, @Nullable Need need) {
-        String why() {
+        String reason() {
             return need == null
                     ? wire + " is declared"
                     : need.by() + " needs "
@@ -40,13 +40,13 @@ final class Wiring {
     private final Consumer<ApplicationEvent> observer;
     private final List<Feed> feeds = new ArrayList<>();
 
-    Wiring(BusPort port, Map<String, Component<?, ?>> components, Consumer<ApplicationEvent> observer) {
+    TopicWiring(BusPort port, Map<String, Component<?, ?>> components, Consumer<ApplicationEvent> observer) {
         this.port = port;
         this.components = new LinkedHashMap<>(components);
         this.observer = observer;
     }
 
-    void know(String name, Component<?, ?> component) {
+    void addComponent(String name, Component<?, ?> component) {
         components.put(name, component);
     }
 
@@ -62,8 +62,8 @@ final class Wiring {
         for (var wire : wires) {
             for (var other : feeds) {
                 if (other.wire().to().equals(wire.to()) && (need != null || other.need() != null)) {
-                    throw new ApplicationException(wire.to().name() + " would be fed twice, because " + other.why()
-                            + " and because " + new Feed(wire, need).why() + ", expected once");
+                    throw new ApplicationException(wire.to().name() + " would be fed twice, because " + other.reason()
+                            + " and because " + new Feed(wire, need).reason() + ", expected once");
                 }
             }
         }
@@ -71,7 +71,7 @@ final class Wiring {
         feeds.forEach(feed -> all.add(feed.wire()));
         for (var wire : wires) {
             try {
-                ApplicationPlan.checkEnds(wire, all);
+                ApplicationPlan.checkAcyclic(wire, all);
             } catch (IllegalArgumentException circle) {
                 throw new ApplicationException(circle.getMessage());
             }
@@ -87,18 +87,18 @@ final class Wiring {
      * The wires between a user and a provider. A provider that is not a component of this application has no known
      * topics, and so no wires.
      */
-    List<Wire<?>> between(String user, String provider) {
+    List<Wire<?>> wiresBetween(String user, String provider) {
         Component<?, ?> serving = components.get(provider);
         if (serving == null || user.equals(provider)) {
             return List.of();
         }
         List<Wire<?>> wires = new ArrayList<>();
-        connect(wires, topicsOf(user, all(Component::publishes)), topicsOf(provider, serving.hears()));
-        connect(wires, topicsOf(provider, serving.publishes()), topicsOf(user, all(Component::hears)));
+        connect(wires, topicsOf(user, allTopics(Component::publishes)), topicsOf(provider, serving.subscribes()));
+        connect(wires, topicsOf(provider, serving.publishes()), topicsOf(user, allTopics(Component::subscribes)));
         return wires;
     }
 
-    private List<Topic<?>> all(Function<Component<?, ?>, List<Topic<?>>> topics) {
+    private List<Topic<?>> allTopics(Function<Component<?, ?>, List<Topic<?>>> topics) {
         return components.values().stream()
                 .flatMap(component -> topics.apply(component).stream())
                 .<Topic<?>>map(topic -> topic)
@@ -136,7 +136,7 @@ final class Wiring {
     /** Forwards values over a wire until the subscription is closed. */
     <T extends Record> BusPort.Subscription open(Wire<T> wire) {
         return port.subscribe(wire.from(), (value, publisher) -> {
-            observer.accept(new ApplicationEvent.Carried(wire, value));
+            observer.accept(new ApplicationEvent.Forwarded(wire, value));
             port.publish(wire.to(), value);
         });
     }

@@ -11,27 +11,27 @@ import java.util.regex.Pattern;
  * <p><b>Units and shapes.</b> Blanks separate tokens, quotes keep blanks in a token, {@code #} at the start of a token
  * begins a comment, and <code>${name}</code> is replaced by a value of the caller. Columns count from 1.
  */
-final class Words {
+final class LineTokens {
     /** A token without its quotes. */
-    record Word(String text, int column) {}
+    record Token(String text, int column) {}
 
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
 
     private final String file;
     private final int line;
-    private final List<Word> words;
+    private final List<Token> tokens;
     private final int endColumn;
     private int next;
 
-    private Words(String file, int line, List<Word> words, int endColumn) {
+    private LineTokens(String file, int line, List<Token> tokens, int endColumn) {
         this.file = file;
         this.line = line;
-        this.words = words;
+        this.tokens = tokens;
         this.endColumn = endColumn;
     }
 
-    static Words of(String file, int line, String text, Map<String, String> values) {
-        List<Word> words = new ArrayList<>();
+    static LineTokens of(String file, int line, String text, Map<String, String> values) {
+        List<Token> tokens = new ArrayList<>();
         int at = 0;
         while (true) {
             while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
@@ -41,21 +41,21 @@ final class Words {
                 break;
             }
             int start = at;
-            var word = new StringBuilder();
+            var token = new StringBuilder();
             boolean quoted = false;
             for (; at < text.length() && (quoted || !Character.isWhitespace(text.charAt(at))); at++) {
                 if (text.charAt(at) == '"') {
                     quoted = !quoted;
                 } else {
-                    word.append(text.charAt(at));
+                    token.append(text.charAt(at));
                 }
             }
             if (quoted) {
-                throw problem(file, line, start + 1, "a quote is not closed, expected \" before the end of the line");
+                throw error(file, line, start + 1, "a quote is not closed, expected \" before the end of the line");
             }
-            words.add(new Word(substitute(file, line, start + 1, word.toString(), values), start + 1));
+            tokens.add(new Token(substitute(file, line, start + 1, token.toString(), values), start + 1));
         }
-        return new Words(file, line, words, text.stripTrailing().length() + 1);
+        return new LineTokens(file, line, tokens, text.stripTrailing().length() + 1);
     }
 
     private static String substitute(String file, int line, int column, String text, Map<String, String> values) {
@@ -65,7 +65,7 @@ final class Words {
             int end = text.indexOf('}', begin);
             String name = end < 0 ? "" : text.substring(begin + 2, end);
             if (!values.containsKey(name)) {
-                throw problem(
+                throw error(
                         file,
                         line,
                         column,
@@ -82,15 +82,15 @@ final class Words {
     }
 
     boolean isEmpty() {
-        return words.isEmpty();
+        return tokens.isEmpty();
     }
 
     boolean hasNext() {
-        return next < words.size();
+        return next < tokens.size();
     }
 
-    boolean isNext(String word) {
-        return hasNext() && words.get(next).text().equals(word);
+    boolean isNext(String token) {
+        return hasNext() && tokens.get(next).text().equals(token);
     }
 
     /**
@@ -98,47 +98,48 @@ final class Words {
      *
      * @param expected description of the token for the error at the end of the line
      */
-    Word next(String expected) {
+    Token next(String expected) {
         if (!hasNext()) {
-            throw problem(endColumn, "the line ends here, expected " + expected);
+            throw error(endColumn, "the line ends here, expected " + expected);
         }
-        return words.get(next++);
+        return tokens.get(next++);
     }
 
     /** The next token, which must be a name. */
     String name(String expected) {
-        Word word = next(expected);
-        if (!NAME.matcher(word.text()).matches()) {
-            throw problem(
-                    word, "\"" + word.text() + "\" is no name, expected " + expected + ": letters, digits, . _ and -");
+        Token token = next(expected);
+        if (!NAME.matcher(token.text()).matches()) {
+            throw error(
+                    token,
+                    "\"" + token.text() + "\" is no name, expected " + expected + ": letters, digits, . _ and -");
         }
-        return word.text();
+        return token.text();
     }
 
     /** Skips the next token, which must be the given word. */
-    void expect(String word) {
-        Word found = next("\"" + word + "\"");
-        if (!found.text().equals(word)) {
-            throw problem(found, "found \"" + found.text() + "\", expected \"" + word + "\"");
+    void expect(String token) {
+        Token found = next("\"" + token + "\"");
+        if (!found.text().equals(token)) {
+            throw error(found, "found \"" + found.text() + "\", expected \"" + token + "\"");
         }
     }
 
     void expectEnd() {
         if (hasNext()) {
-            Word found = words.get(next);
-            throw problem(found, "found \"" + found.text() + "\", expected the end of the line");
+            Token found = tokens.get(next);
+            throw error(found, "found \"" + found.text() + "\", expected the end of the line");
         }
     }
 
-    ApplicationFileException problem(Word at, String what) {
-        return problem(at.column(), what);
+    ApplicationFileException error(Token at, String what) {
+        return error(at.column(), what);
     }
 
-    private ApplicationFileException problem(int column, String what) {
-        return problem(file, line, column, what);
+    private ApplicationFileException error(int column, String what) {
+        return error(file, line, column, what);
     }
 
-    private static ApplicationFileException problem(String file, int line, int column, String what) {
+    private static ApplicationFileException error(String file, int line, int column, String what) {
         return new ApplicationFileException(file + ":" + line + ":" + column + ": " + what);
     }
 }

@@ -1,7 +1,7 @@
 package io.troupe.services.component;
 
 /** State of a component between invocation and termination. */
-public enum Lifecycle {
+public enum ComponentState {
     NOT_INVOKED("has not been invoked"),
     INVOKING("is being invoked"),
     RUNNING("runs"),
@@ -9,14 +9,14 @@ public enum Lifecycle {
     TERMINATED("has been terminated"),
     FAILED("has failed");
 
-    private final String words;
+    private final String description;
 
-    Lifecycle(String words) {
-        this.words = words;
+    ComponentState(String description) {
+        this.description = description;
     }
 
     /** Predicate for messages whose subject is the component, as in "hall runs". */
-    public String words() {
-        return words;
+    public String description() {
+        return description;
     }
 }

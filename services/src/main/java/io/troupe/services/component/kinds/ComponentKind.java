@@ -10,20 +10,20 @@ import java.util.Locale;
  * @param name the name in application files
  * @param description one line for lists of kinds
  * @param parameters the parameters that can be set
- * @param maker creates a component
+ * @param factory creates a component
  */
-public record Kind(String name, String description, List<Parameter> parameters, Maker maker) {
+public record ComponentKind(String name, String description, List<Parameter> parameters, Factory factory) {
     /**
      * A parameter of a kind of component.
      *
-     * @param meaning description of the value
-     * @param usual the default value; empty if the parameter is required
+     * @param description description of the value
+     * @param defaultValue the default value; empty if the parameter is required
      */
-    public record Parameter(String name, String meaning, String usual) {}
+    public record Parameter(String name, String description, String defaultValue) {}
 
     /** Creates components of this kind. */
     @FunctionalInterface
-    public interface Maker {
+    public interface Factory {
         /**
          * Creates a component.
          *
@@ -31,10 +31,10 @@ public record Kind(String name, String description, List<Parameter> parameters, 
          * @param arguments values of the parameters
          * @throws ArgumentException if an argument is invalid
          */
-        Component<?, ?> make(String name, Arguments arguments);
+        Component<?, ?> create(String name, Arguments arguments);
     }
 
-    public Kind {
+    public ComponentKind {
         parameters = List.copyOf(parameters);
     }
 
@@ -46,8 +46,8 @@ public record Kind(String name, String description, List<Parameter> parameters, 
                     Locale.ROOT,
                     "    %-11s%s%s%n",
                     parameter.name() + "=",
-                    parameter.meaning(),
-                    parameter.usual().isEmpty() ? " (has to be given)" : " (" + parameter.usual() + ")"));
+                    parameter.description(),
+                    parameter.defaultValue().isEmpty() ? " (has to be given)" : " (" + parameter.defaultValue() + ")"));
         }
         return text.toString();
     }
