@@ -17,7 +17,7 @@ final class ScriptedComponent {
     static final Topic<Number> OUT = new Topic<>("counter/out", Number.class);
 
     final List<String> calls = new ArrayList<>();
-    final List<ComponentCommunication.Signals<? super String>> lives = new ArrayList<>();
+    final List<ComponentCommunication.Signals<? super String>> runs = new ArrayList<>();
     Supplier<Promise<@Nullable Void>> invoke = Promise::done;
     Supplier<Promise<@Nullable Void>> terminate = Promise::done;
     Supplier<Promise<@Nullable Void>> health = Promise::done;
@@ -36,7 +36,7 @@ final class ScriptedComponent {
     }
 
     ComponentCommunication.Signals<? super String> signals() {
-        return lives.getLast();
+        return runs.getLast();
     }
 
     /** A promise that the test settles later. */
@@ -48,7 +48,7 @@ final class ScriptedComponent {
         @Override
         public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
             calls.add("invoke");
-            lives.add(signals);
+            runs.add(signals);
             return invoke.get();
         }
 

@@ -71,10 +71,10 @@ class ComponentsGuideTest {
         }
     }
 
-    static final class ThermometerLine implements ComponentCommunication<String, Double> {
+    static final class ThermometerCommunication implements ComponentCommunication<String, Double> {
         private final Thermometer thermometer;
 
-        ThermometerLine(Thermometer thermometer) {
+        ThermometerCommunication(Thermometer thermometer) {
             this.thermometer = thermometer;
         }
 
@@ -134,7 +134,7 @@ class ComponentsGuideTest {
                     List.of("senses"),
                     List.of(LABEL),
                     List.of(TEMPERATURE),
-                    () -> new ThermometerLine(thermometer),
+                    () -> new ThermometerCommunication(thermometer),
                     new Celsius(),
                     Buffering.LATEST,
                     Buffering.STREAM);

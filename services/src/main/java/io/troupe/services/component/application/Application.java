@@ -50,10 +50,9 @@ public final class Application {
     private final BusPort port;
     private final TopicWiring wiring;
     private final Map<String, ComponentInterface<?, ?>> interfaces = new LinkedHashMap<>();
-    private final List<Usage> usages = new ArrayList<>();
+    private final List<NeedConnection> connections = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
     private final Deferred<@Nullable Void> ended = new Deferred<>();
-    private final Losses losses = new Losses();
     private boolean ending;
 
     private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
@@ -131,9 +130,9 @@ public final class Application {
         if (ending || !needs.hasNext()) {
             return Promise.done();
         }
-        var usage = new Usage(needs.next(), wiring, settings.events(), losses);
-        usages.add(usage);
-        return broker.connect(usage.need(), usage).thenCompose(provider -> meetNeeds(needs));
+        var connection = new NeedConnection(needs.next());
+        connections.add(connection);
+        return broker.connect(connection.need, connection).thenCompose(provider -> meetNeeds(needs));
     }
 
     private void run() {
@@ -233,30 +232,62 @@ public final class Application {
         return found;
     }
 
-    private final class Losses implements Usage.Losses {
+    /**
+     * Connection of one need: connects the topics of the user with those of the provider that the broker selects, and
+     * ends the application if there is no provider for too long.
+     */
+    private final class NeedConnection implements Broker.Connection {
+        private final Need need;
+        private List<BusPort.Subscription> open = List.of();
+
+        /** Number of providers so far; if it is the same as at a loss, there has been no provider since. */
+        private int timesMet;
+
+        NeedConnection(Need need) {
+            this.need = need;
+        }
+
         @Override
-        public void lost(Usage usage, MissingServiceException why) {
+        public void use(ServiceRecord provider) {
+            var wires = wiring.wiresBetween(need.by(), provider.provider().name());
+            try {
+                wiring.release(need);
+                wiring.claim(need, wires);
+            } catch (ApplicationException clash) {
+                end(clash);
+                return;
+            }
+            disconnect(); // in the same turn, so that every value sees exactly one provider
+            open = wiring.open(wires);
+            timesMet++;
+            settings.events().accept(new ApplicationEvent.Connected(need, provider, wires));
+        }
+
+        @Override
+        public void lost(MissingServiceException why) {
+            disconnect();
+            wiring.release(need);
             if (!ending) {
-                awaitAnother(usage, why);
+                awaitAnother(why);
             }
         }
 
-        @Override
-        public void clash(ApplicationException why) {
-            end(why);
+        private void awaitAnother(MissingServiceException why) {
+            settings.events().accept(new ApplicationEvent.Lost(need, why));
+            int met = timesMet;
+            space.delay(settings.reconnectLimit()).handle((elapsed, closed) -> {
+                // a need that has been met since then has its own limit after the next loss
+                if (closed == null && timesMet == met) {
+                    end(why);
+                }
+                return null;
+            });
         }
-    }
 
-    private void awaitAnother(Usage usage, MissingServiceException why) {
-        settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
-        int met = usage.timesMet();
-        space.delay(settings.reconnectLimit()).handle((elapsed, closed) -> {
-            // a need that has been met since then has its own limit after the next loss
-            if (closed == null && usage.timesMet() == met) {
-                end(why);
-            }
-            return null;
-        });
+        void disconnect() {
+            open.forEach(BusPort.Subscription::close);
+            open = List.of();
+        }
     }
 
     // ---- the end
@@ -273,7 +304,7 @@ public final class Application {
         }
         ending = true;
         broker.shutDown().handle((left, error) -> {
-            usages.forEach(Usage::disconnect);
+            connections.forEach(NeedConnection::disconnect);
             interfaces.values().forEach(ComponentInterface::close);
             bus.close();
             settle(why != null ? why : error);

@@ -10,7 +10,9 @@ import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
@@ -385,5 +387,25 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : treeEnded).thenApply(ended -> {
             throw new ProviderException(commandLine() + " does not run" + lastErrors());
         }));
+    }
+
+    /** The last lines of a process's error output. Any thread. */
+    private static final class Tail {
+        private static final int LINES = 5;
+        private static final int LINE_CHARACTERS = 200;
+
+        private final Deque<String> lines = new ArrayDeque<>(); // guarded by this
+
+        synchronized void add(String line) {
+            if (lines.size() == LINES) {
+                lines.remove();
+            }
+            lines.add(line.length() > LINE_CHARACTERS ? line.substring(0, LINE_CHARACTERS) + ".." : line);
+        }
+
+        /** The lines joined to one; empty if there are none. */
+        synchronized String text() {
+            return String.join(" | ", lines).strip();
+        }
     }
 }

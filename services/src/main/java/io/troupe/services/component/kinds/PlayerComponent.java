@@ -1,8 +1,21 @@
 package io.troupe.services.component.kinds;
 
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.player.structures.laser.PlayerLaserData;
+import io.troupe.player.structures.position2d.PlayerPosition2dData;
+import io.troupe.player.structures.sonar.PlayerSonarData;
+import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.bus.Topic;
+import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
+import io.troupe.services.component.Conversion;
+import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
+import io.troupe.services.component.kinds.RobotTopics.LaserReading;
+import io.troupe.services.component.kinds.RobotTopics.PositionReading;
+import io.troupe.services.component.kinds.RobotTopics.SonarReading;
+import io.troupe.services.subsumption.DriverLimits;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,8 +27,8 @@ import java.util.Map;
  *
  * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and also {@code robotn/blobs} and
  * {@code robotn/laser} if the settings enable them. It moves at the velocities published on {@code robotn/velocity}. A
- * moving robot that has received no velocity for {@value PlayerRobot#MAX_READINGS_WITHOUT_COMMAND} sonar readings is
- * stopped, and this is reported to the observer.
+ * moving robot that has received no velocity for {@value #MAX_READINGS_WITHOUT_COMMAND} sonar readings is stopped, and
+ * this is reported to the observer.
  *
  * <p><b>Threads.</b> A server in the same JVM is found by its port; in lock step, its world waits until the space of
  * the interface is idle. Connecting to a server over a socket blocks the space.
@@ -24,6 +37,13 @@ import java.util.Map;
  * the server is lost.
  */
 public final class PlayerComponent {
+    /**
+     * Number of sonar readings without a command after which a moving robot is stopped: half a second in the worlds of
+     * the paper. Needed for other servers; Troupe's server stops the robot earlier, at
+     * {@link DriverLimits#COMMAND_LIMIT}.
+     */
+    static final int MAX_READINGS_WITHOUT_COMMAND = 5;
+
     /**
      * Address of the server, and the devices that are used.
      *
@@ -48,6 +68,24 @@ public final class PlayerComponent {
             return "Player server " + host + ":" + port;
         }
     }
+
+    /** Sensor reading of a robot from the server. Robots are identified by their Player index, from 0. */
+    sealed interface Reading {
+        int index();
+
+        double timestamp();
+    }
+
+    record Sonar(int index, double timestamp, PlayerSonarData data) implements Reading {}
+
+    record Laser(int index, double timestamp, PlayerLaserData data) implements Reading {}
+
+    record Position(int index, double timestamp, PlayerPosition2dData data) implements Reading {}
+
+    record Blobs(int index, double timestamp, PlayerBlobfinderData data) implements Reading {}
+
+    /** Command to the server: {@code setSpeed}. */
+    record SetSpeed(int index, double speed, double turnRate) {}
 
     private PlayerComponent() {}
 
@@ -77,5 +115,79 @@ public final class PlayerComponent {
                 new PlayerConversion(names),
                 Buffering.LATEST, // only the latest command is useful
                 Buffering.STREAM);
+    }
+
+    /**
+     * Converts between the structures of the Player client, which identify a robot by its index, and the topics and
+     * records on the bus, which identify it by its name.
+     */
+    private static final class PlayerConversion implements Conversion<SetSpeed, Reading> {
+        private final Map<Integer, String> names;
+
+        /** @param names names of the robots by Player index */
+        PlayerConversion(Map<Integer, String> names) {
+            this.names = Map.copyOf(names);
+        }
+
+        @Override
+        public List<ApplicationData<?>> toApplication(Reading reading) {
+            String robot = names.get(reading.index());
+            double timeSeconds = reading.timestamp();
+            return List.of(
+                    switch (reading) {
+                        case Sonar sonar ->
+                            new ApplicationData<>(
+                                    RobotTopics.sonar(robot),
+                                    new SonarReading(
+                                            timeSeconds, metres(sonar.data().getRanges())));
+                        case Position position ->
+                            new ApplicationData<>(RobotTopics.position(robot), position(timeSeconds, position));
+                        case Blobs blobs ->
+                            new ApplicationData<>(
+                                    RobotTopics.blobs(robot), new BlobsReading(timeSeconds, Blob.of(blobs.data())));
+                        case Laser laser ->
+                            new ApplicationData<>(RobotTopics.laser(robot), scan(timeSeconds, laser.data()));
+                    });
+        }
+
+        private static List<Double> metres(float[] ranges) {
+            List<Double> metres = new ArrayList<>(ranges.length);
+            for (float range : ranges) {
+                metres.add((double) range);
+            }
+            return metres;
+        }
+
+        private static LaserReading scan(double timeSeconds, PlayerLaserData scan) {
+            return new LaserReading(
+                    timeSeconds,
+                    scan.getMin_angle(),
+                    scan.getMax_angle(),
+                    scan.getMax_range(),
+                    metres(scan.getRanges()));
+        }
+
+        private static PositionReading position(double timeSeconds, Position position) {
+            var pose = position.data().getPos();
+            boolean stalled = position.data().getStall() != 0;
+            return new PositionReading(timeSeconds, pose.getPx(), pose.getPy(), pose.getPa(), stalled);
+        }
+
+        @Override
+        public SetSpeed toComponent(ApplicationData<?> input) {
+            if (!(input.value() instanceof Velocity velocity)) {
+                throw new IllegalArgumentException(input + " is no velocity");
+            }
+            if (!Double.isFinite(velocity.forwardMps()) || !Double.isFinite(velocity.turnRadps())) {
+                throw new IllegalArgumentException(
+                        input + " is no speed that a robot could have, expected finite numbers of m/s and rad/s");
+            }
+            for (var robot : names.entrySet()) {
+                if (RobotTopics.velocity(robot.getValue()).equals(input.topic())) {
+                    return new SetSpeed(robot.getKey(), velocity.forwardMps(), velocity.turnRadps());
+                }
+            }
+            throw new IllegalArgumentException(input + " is for none of the robots " + names.values());
+        }
     }
 }

@@ -386,14 +386,14 @@ class ApplicationTest {
 
     /** A driver whose first run fails at its first reading. While more than one death is left, restarts fail, too. */
     private static Component<?, ?> mortal(List<Integer> deaths) {
-        var lives = new ArrayList<Integer>();
+        var runs = new ArrayList<Integer>();
         return BehaviourComponent.of("mortal", "dying", List.of(), () -> {
-            lives.add(lives.size());
-            if (lives.size() > 1 && deaths.size() > 1) {
+            runs.add(runs.size());
+            if (runs.size() > 1 && deaths.size() > 1) {
                 throw new IllegalStateException("dizzy for good");
             }
             return senses -> {
-                if (lives.size() == 1) {
+                if (runs.size() == 1) {
                     throw new IllegalStateException("dizzy");
                 }
                 return Optional.of(new Velocity(0.1, 0));

@@ -127,7 +127,7 @@ class PlayerComponentTest {
     void robotThatNobodyCommandsAnyMore_isStopped_andThisIsTold() {
         started();
         drive("robot1", 0.3, 0);
-        for (int reading = 1; reading < PlayerRobot.MAX_READINGS_WITHOUT_COMMAND; reading++) {
+        for (int reading = 1; reading < PlayerComponent.MAX_READINGS_WITHOUT_COMMAND; reading++) {
             robots.tick(100);
         }
         assertThat(robots.commands(0)).hasSize(1);
@@ -152,7 +152,7 @@ class PlayerComponentTest {
             heard.clear();
             robots.tick(steppedMillis);
             assertThat(heard).containsExactlyInAnyOrder("sonar", "position", "blobs");
-            for (int reading = 1; reading < PlayerRobot.MAX_READINGS_WITHOUT_COMMAND; reading++) {
+            for (int reading = 1; reading < PlayerComponent.MAX_READINGS_WITHOUT_COMMAND; reading++) {
                 robots.tick(100);
             }
             assertThat(robots.lastCommand(0))
