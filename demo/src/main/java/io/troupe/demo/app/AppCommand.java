@@ -3,7 +3,7 @@ package io.troupe.demo.app;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.WorldReading;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.scenario.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -61,7 +61,7 @@ public final class AppCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         if (list) {
-            Kinds.standard().all().forEach(kind -> terminal.print(kind.describe()));
+            ComponentKinds.standard().all().forEach(kind -> terminal.print(kind.describe()));
             terminal.flush();
             return 0;
         }

@@ -98,7 +98,7 @@ final class AppReport implements ComponentObserver {
                         "connected",
                         it.need().by() + " with " + it.provider().provider().name() + words(it.wires()));
             case ApplicationEvent.Lost it -> say("lost", it.why().getMessage());
-            case ApplicationEvent.Carried it -> carried(it);
+            case ApplicationEvent.Forwarded it -> forwarded(it);
             case ApplicationEvent.Replaced it ->
                 say("replaced", it.what().old() + " by " + it.what().by());
             case ApplicationEvent.NotReplaced it -> say("not replaced", it.why().getMessage());
@@ -109,7 +109,7 @@ final class AppReport implements ComponentObserver {
         return wires.isEmpty() ? "" : wires.stream().map(Wire::toString).collect(Collectors.joining(", ", ": ", ""));
     }
 
-    private synchronized void carried(ApplicationEvent.Carried it) {
+    private synchronized void forwarded(ApplicationEvent.Forwarded it) {
         if (it.wire().to().name().endsWith("/velocity")) {
             loops.merge(it.wire().to().name(), 1, Integer::sum);
         }
@@ -128,7 +128,7 @@ final class AppReport implements ComponentObserver {
     }
 
     @Override
-    public void told(Address component, String what) {
+    public void info(Address component, String what) {
         say("told", component.name() + ": " + what);
     }
 

@@ -12,7 +12,7 @@ import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationPlan;
 import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.application.ApplicationSettings;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
@@ -78,7 +78,7 @@ final class AppRun {
             if (tcp != null) {
                 values.put("tcp", String.valueOf(tcp.port()));
             }
-            var plan = ApplicationReader.parse(declaration, file, Kinds.standard(), values);
+            var plan = ApplicationReader.parse(declaration, file, ComponentKinds.standard(), values);
             report.watch(simulation.latest(), simulation::timeMicros);
             Application application = start(space, plan);
             try {

@@ -20,7 +20,7 @@ import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationEvent;
 import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.application.ApplicationSettings;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.scenario.ScenarioReader;
 import java.io.IOException;
@@ -58,7 +58,7 @@ class PythonComponentTest {
         }
 
         @Override
-        public void told(Address component, String what) {
+        public void info(Address component, String what) {
             var process = PROCESS.matcher(what);
             if (process.matches()) {
                 processes.add(Long.valueOf(process.group(1)));
@@ -94,7 +94,7 @@ class PythonComponentTest {
         // goes
         String text = ApplicationReader.text(FILE).replace("robots=1\n", "robots=1,2\n");
         var plan = ApplicationReader.parse(
-                text, FILE, Kinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
+                text, FILE, ComponentKinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(
                 plan,

@@ -3,8 +3,8 @@ package io.troupe.services.component;
 import io.troupe.services.bus.Topic;
 
 /**
- * A value as the application knows it: a record under a topic. The component behind an interface may know it in quite
- * another form.
+ * A value in the application's format: a record published on a topic. The component behind an interface may use another
+ * format; {@link Conversion} translates.
  */
 public record ApplicationData<T extends Record>(Topic<T> topic, T value) {
     @Override

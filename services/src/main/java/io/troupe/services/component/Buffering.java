@@ -1,30 +1,31 @@
 package io.troupe.services.component;
 
 /**
- * How much waits in one direction of a {@link DataConversion}, and what gives way.
+ * Capacity and overflow policy of one buffer of a {@link DataConversion}.
  *
- * @param capacity how many values, at least 1
+ * @param capacity maximum number of buffered values, at least 1
  */
-public record Buffering(int capacity, WhenFull whenFull) {
-    /** What gives way. */
-    public enum WhenFull {
+public record Buffering(int capacity, OverflowPolicy overflow) {
+    /** Which value is discarded. */
+    public enum OverflowPolicy {
         /**
-         * Of all values the oldest: it is lost, counted, and told to the observer. For streams in which every value
-         * counts.
+         * A full buffer drops the oldest value of all topics. The value is counted and reported to the observer. For
+         * streams in which every value counts.
          */
         DROP_OLDEST,
         /**
-         * A value gives way to a newer one of its topic at once, full or not, and is counted. For commands and readings
-         * that only count while they are new.
+         * A new value replaces the buffered value of its topic, even if there is room for both. Replaced values are
+         * counted, but not reported. If more topics than the capacity have values, the oldest value is dropped. For
+         * commands and readings that are useful only while they are new.
          */
         LATEST_OF_EACH_TOPIC
     }
 
-    /** 64 values, the oldest gives way. */
-    public static final Buffering STREAM = new Buffering(64, WhenFull.DROP_OLDEST);
+    /** 64 values; a full buffer drops the oldest. */
+    public static final Buffering STREAM = new Buffering(64, OverflowPolicy.DROP_OLDEST);
 
-    /** The newest value of each of up to 64 topics. */
-    public static final Buffering LATEST = new Buffering(64, WhenFull.LATEST_OF_EACH_TOPIC);
+    /** The latest value of each of up to 64 topics. */
+    public static final Buffering LATEST = new Buffering(64, OverflowPolicy.LATEST_OF_EACH_TOPIC);
 
     public Buffering {
         if (capacity < 1) {

@@ -12,10 +12,9 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
- * The bus communication unit (BCU): all that an interface says on the bus and hears from it.
+ * The bus communication unit (BCU): connects a component interface with the bus.
  *
- * <p><b>Role.</b> Data messages go to topics and come from them; control messages, and questions for data, are
- * answered.
+ * <p><b>Role.</b> Publishes data messages, subscribes to topics, and answers control messages and requests for data.
  *
  * <p><b>Threads.</b> The actor space on which it was attached.
  *
@@ -23,7 +22,7 @@ import java.util.function.Function;
  */
 public final class BusCommunication implements AutoCloseable {
     private final BusPort port;
-    private final List<BusPort.Subscription> heard = new ArrayList<>();
+    private final List<BusPort.Subscription> subscriptions = new ArrayList<>();
 
     private BusCommunication(BusPort port) {
         this.port = port;
@@ -33,7 +32,7 @@ public final class BusCommunication implements AutoCloseable {
         return new BusCommunication(bus.attach(name));
     }
 
-    /** Where the component is on the bus. */
+    /** The address of the component on the bus. */
     public Address address() {
         return port.address();
     }
@@ -46,17 +45,18 @@ public final class BusCommunication implements AutoCloseable {
         port.publish(data.topic(), data.value());
     }
 
-    void hear(List<Topic<?>> topics, Consumer<ApplicationData<?>> listener) {
-        topics.forEach(topic -> hear(topic, listener));
+    void subscribe(List<Topic<?>> topics, Consumer<ApplicationData<?>> listener) {
+        topics.forEach(topic -> subscribe(topic, listener));
     }
 
-    private <T extends Record> void hear(Topic<T> topic, Consumer<ApplicationData<?>> listener) {
-        heard.add(port.subscribe(topic, (value, publisher) -> listener.accept(new ApplicationData<>(topic, value))));
+    private <T extends Record> void subscribe(Topic<T> topic, Consumer<ApplicationData<?>> listener) {
+        subscriptions.add(
+                port.subscribe(topic, (value, publisher) -> listener.accept(new ApplicationData<>(topic, value))));
     }
 
-    void hearNothing() {
-        heard.forEach(BusPort.Subscription::close);
-        heard.clear();
+    void unsubscribeAll() {
+        subscriptions.forEach(BusPort.Subscription::close);
+        subscriptions.clear();
     }
 
     <Q extends Record, A extends Record> void answer(

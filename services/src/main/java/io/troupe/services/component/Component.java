@@ -5,24 +5,24 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * What is to be known of a component so that it can be given an interface: the service it provides, the topics it hears
- * and publishes, and how to talk to it.
+ * Description of a component, from which its {@link ComponentInterface} is built: the service that it provides, its
+ * topics, its CCU and its DCU.
  *
- * @param service the service's name
- * @param capabilities what else it can be found by
- * @param hears the topics from which its input comes
- * @param publishes the topics to which its output goes
- * @param communication makes the CCU of one life
+ * @param service the name of the service
+ * @param capabilities further terms by which the broker finds the service
+ * @param subscribes the input topics, to which the component subscribes
+ * @param publishes the output topics
+ * @param communication creates the CCU, once for each run
  * @param conversion the rules of the DCU
  * @param input the DCU's buffer towards the component
  * @param output the DCU's buffer towards the application
- * @param <I> the data that the component takes, in its own form
- * @param <O> the data that the component gives, in its own form
+ * @param <I> type of the component's input, in the component's format
+ * @param <O> type of the component's output, in the component's format
  */
 public record Component<I, O>(
         String service,
         List<String> capabilities,
-        List<Topic<?>> hears,
+        List<Topic<?>> subscribes,
         List<Topic<?>> publishes,
         Supplier<? extends ComponentCommunication<I, O>> communication,
         Conversion<I, O> conversion,
@@ -30,17 +30,19 @@ public record Component<I, O>(
         Buffering output) {
     public Component {
         capabilities = List.copyOf(capabilities);
-        hears = List.copyOf(hears);
+        subscribes = List.copyOf(subscribes);
         publishes = List.copyOf(publishes);
     }
 
-    /** The same under another name, with other capabilities. */
+    /** A copy with another service name and other capabilities. */
     public Component<I, O> offering(String newService, List<String> newCapabilities) {
-        return new Component<>(newService, newCapabilities, hears, publishes, communication, conversion, input, output);
+        return new Component<>(
+                newService, newCapabilities, subscribes, publishes, communication, conversion, input, output);
     }
 
-    /** The same with other buffers. */
+    /** A copy with other buffers. */
     public Component<I, O> buffered(Buffering newInput, Buffering newOutput) {
-        return new Component<>(service, capabilities, hears, publishes, communication, conversion, newInput, newOutput);
+        return new Component<>(
+                service, capabilities, subscribes, publishes, communication, conversion, newInput, newOutput);
     }
 }

@@ -4,46 +4,49 @@ import io.troupe.actor.promise.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The component communication unit (CCU): control signals and data signals between an interface and the component
- * itself.
+ * The component communication unit (CCU): exchanges control and data signals between an interface and its component.
  *
- * <p><b>Role.</b> Implemented once for each kind of component, in terms of that component's own protocol and data. One
- * object serves one life of the component: each invocation gets a new one.
+ * <p><b>Role.</b> Implemented once for each kind of component, in terms of that component's protocol and data. An
+ * instance serves one run of the component; each invocation creates a new instance.
  *
- * <p><b>Threads.</b> Called on the actor space of the interface, and must not hold it. {@link Signals} may be called
+ * <p><b>Threads.</b> Called on the actor space of the interface, which it must not block. {@link Signals} may be called
  * from any thread.
  *
- * <p><b>Errors.</b> An exception or error from {@link #invoke} or {@link #data}, a rejected promise, and
- * {@link Signals#failed} all mean that the component has failed; its interface then terminates it and says so to
- * whoever asks.
+ * <p><b>Errors.</b> The component has failed if {@link #invoke} or {@link #data} throws, if the promise of
+ * {@link #invoke} is rejected, or if {@link Signals#failed} is called. Its interface then terminates it, and rejects
+ * health checks with the error. If the promise of {@link #terminate} is rejected, the component may still be running;
+ * the next start or stop terminates it again.
  *
  * <p><b>Source.</b> Paper, section 2.2.2.1.
  *
- * @param <I> the data that the component takes, in its own form
- * @param <O> the data that the component gives, in its own form
+ * @param <I> type of the component's input, in the component's format
+ * @param <O> type of the component's output, in the component's format
  */
 public interface ComponentCommunication<I, O> {
-    /** Control: starts the component. Fulfilled when it runs. */
+    /** Control signal: starts the component. The promise is fulfilled when the component runs. */
     Promise<@Nullable Void> invoke(Signals<? super O> signals);
 
-    /** Control: ends the component, whatever state it is in. Fulfilled when it has ended. */
+    /** Control signal: ends the component, in any state. The promise is fulfilled when the component has ended. */
     Promise<@Nullable Void> terminate();
 
-    /** Control: fulfilled when the component is well, rejected with what is wrong. */
+    /**
+     * Control signal: checks the component. The promise is fulfilled if the component is healthy, and rejected with the
+     * problem otherwise.
+     */
     Promise<@Nullable Void> health();
 
-    /** Data to the component; only while it runs. */
+    /** Data signal to the component; called only while it runs. */
     void data(I input);
 
-    /** What a component says by itself. */
+    /** Callbacks of the component. */
     interface Signals<O> {
-        /** Data from the component. */
+        /** Data signal from the component. */
         void data(O output);
 
-        /** It has ended by itself, or cannot go on. */
+        /** The component has ended unexpectedly, or cannot continue. */
         void failed(Throwable why);
 
-        /** Something that people should know of, and that is no failure. */
-        void tell(String what);
+        /** An event that is not a failure, as a message for people. */
+        void info(String what);
     }
 }

@@ -13,21 +13,22 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The interface that makes a component fit the architecture: its CCU, its DCU and its BCU, and the component's life.
+ * Connects a component with the bus and the broker: it consists of the CCU, the DCU and the BCU, and manages the
+ * component's lifecycle.
  *
- * <p><b>Role.</b> A {@link Provider}: registered with a broker, it is started when somebody needs its service. It can
- * be controlled by the messages of {@link Control} just as well.
+ * <p><b>Role.</b> A {@link Provider}: a broker with which it is registered starts it when its service is required. The
+ * messages of {@link Control} control it as well.
  *
- * <p><b>Threads.</b> It lives on one actor space, on whose thread it is opened and closed; what {@link Provider} has
- * may be called from any.
+ * <p><b>Threads.</b> Belongs to one actor space and is opened and closed on its thread. The methods of {@link Provider}
+ * may be called from any thread.
  *
- * <p><b>Order.</b> From invocation to termination is one life. A component hears its topics from the moment it is being
- * invoked: what comes before it runs waits in the DCU. What it says while {@link #stop} terminates it is still
- * published. What it says or does after that is told to the observer and has no other effect.
+ * <p><b>Order.</b> A run lasts from invocation to termination. The component is subscribed to its topics from the start
+ * of the invocation; values that arrive before it runs are buffered in the DCU. Output during the termination by
+ * {@link #stop} is still published. Any later output or failure is only reported to the observer.
  *
- * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with what it failed of until
- * it is started again. One whose termination fails may still be alive: {@link #start} and {@link #stop} terminate it
- * again, and are rejected until this succeeds.
+ * <p><b>Errors.</b> A component that fails is terminated, and {@link #check} is rejected with the error until the
+ * component is started again. If a termination fails, the component may still be running: {@link #start} and
+ * {@link #stop} repeat the termination, and are rejected until it succeeds.
  *
  * <p><b>Source.</b> Paper, section 2.2.2 and Figure 6.
  */
@@ -37,9 +38,9 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     private final ComponentObserver observer;
     private final BusCommunication bus;
     private final DataConversion<I, O> conversion;
-    private final Lives<I, O> lives;
-    private final AtomicBoolean outputWaits = new AtomicBoolean();
-    private final AtomicBoolean inputWaits = new AtomicBoolean();
+    private final ComponentLifecycle<I, O> lifecycle;
+    private final AtomicBoolean outputScheduled = new AtomicBoolean();
+    private final AtomicBoolean inputScheduled = new AtomicBoolean();
 
     private ComponentInterface(
             ActorSpace space, BusCommunication bus, Component<I, O> component, ComponentObserver observer) {
@@ -48,14 +49,15 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         this.component = component;
         this.observer = new SafeObserver(observer);
         this.conversion = new DataConversion<>(bus.address(), component, this.observer);
-        this.lives = new Lives<>(space, bus.address(), component.communication(), this.observer, new DataPath());
+        this.lifecycle = new ComponentLifecycle<>(
+                space, bus.address(), component.communication(), this.observer, new DataPath());
     }
 
     /**
-     * Puts a component on the bus, without starting it.
+     * Attaches a component to the bus without starting it.
      *
-     * @param name its name on the bus
-     * @throws IllegalStateException on any thread but that of an actor space
+     * @param name the component's name on the bus
+     * @throws IllegalStateException if the current thread is not that of an actor space
      */
     public static <I, O> ComponentInterface<I, O> open(
             Bus bus, String name, Component<I, O> component, ComponentObserver observer) {
@@ -70,68 +72,71 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     private void answerControl() {
-        bus.answer(Control.INVOKE, invoke -> lives.invoke().thenApply(runs -> done()));
-        bus.answer(Control.TERMINATE, terminate -> lives.terminate().thenApply(ended -> done()));
-        bus.answer(Control.HEALTH, ask -> lives.health().handle((well, wrong) -> report(wrong)));
+        bus.answer(Control.INVOKE, invoke -> lifecycle.invoke().thenApply(running -> done()));
+        bus.answer(Control.TERMINATE, terminate -> lifecycle.terminate().thenApply(ended -> done()));
+        bus.answer(Control.HEALTH, ask -> lifecycle.health().handle((well, wrong) -> report(wrong)));
     }
 
     private Control.Done done() {
-        return new Control.Done(address().name(), lives.state().name());
+        return new Control.Done(address().name(), lifecycle.state().name());
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
-        String problem = wrong == null ? "" : Lives.words(wrong);
-        return new Control.HealthReport(address().name(), lives.state().name(), problem);
+        String problem = wrong == null ? "" : ComponentLifecycle.messageOf(wrong);
+        return new Control.HealthReport(address().name(), lifecycle.state().name(), problem);
     }
 
-    /** Where the component is on the bus. */
+    /** The address of the component on the bus. */
     public Address address() {
         return bus.address();
     }
 
-    /** What this is the interface of. */
+    /** The description of the component. */
     public Component<I, O> component() {
         return component;
     }
 
-    /** The DCU, for what it has to say of losses. */
+    /** The DCU, which counts lost values. */
     public DataConversion<I, O> conversion() {
         return conversion;
     }
 
-    /** Where the component stands, on the space of its interface. */
-    public Lifecycle state() {
-        return lives.state();
+    /** The current state of the component. Call on the space of the interface. */
+    public ComponentState state() {
+        return lifecycle.state();
     }
 
-    /** Answers questions for data from now on, while the component runs; on the space of the interface. */
+    /**
+     * Registers a handler for requests for data. Requests are rejected while the component does not run. Call on the
+     * space of the interface.
+     */
     public <Q extends Record, A extends Record> void answer(
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         bus.answer(
                 operation,
-                question -> lives.state() == Lifecycle.RUNNING
+                question -> lifecycle.state() == ComponentState.RUNNING
                         ? answerer.apply(question)
-                        : Promise.failed(lives.notRunning()));
+                        : Promise.failed(lifecycle.notRunning()));
     }
 
     @Override
     public Promise<@Nullable Void> start() {
-        return onSpace(lives::invoke);
+        return onSpace(lifecycle::invoke);
     }
 
     @Override
     public Promise<@Nullable Void> stop() {
-        return onSpace(lives::terminate);
+        return onSpace(lifecycle::terminate);
     }
 
     @Override
     public Promise<@Nullable Void> check() {
-        return onSpace(lives::health);
+        return onSpace(lifecycle::health);
     }
 
     @Override
     public Promise<@Nullable Void> whenEnded() {
-        return onSpace(lives::whenEnded);
+        return onSpace(lifecycle::whenEnded);
     }
 
     private Promise<@Nullable Void> onSpace(Supplier<Promise<@Nullable Void>> action) {
@@ -144,26 +149,26 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     /**
-     * Leaves the bus for good, at once, so that its name is free. A component that runs is terminated: what it says
-     * while that lasts is reported as not published, and so is a termination that fails; {@link #stop} first publishes
-     * it. Calls of {@link #start} are rejected from now on.
+     * Leaves the bus permanently and immediately, so that its name can be used again. A running component is
+     * terminated. Its output during this termination is reported as not published, and a failed termination is reported
+     * to the observer; call {@link #stop} first to publish that output. Later calls of {@link #start} are rejected.
      */
     @Override
     public void close() {
-        Promise<@Nullable Void> ended = lives.close();
-        bus.close(); // not when it has ended: a termination may hang
+        Promise<@Nullable Void> ended = lifecycle.close();
+        bus.close(); // does not wait for the termination, which may hang
         ended.exceptionally(error -> {
             observer.problem(address(), "could not be terminated", error);
             return null;
         });
     }
 
-    /** An observer that throws is reported to the log, and changes nothing. */
+    /** Forwards to an observer and logs its exceptions, which have no other effect. */
     private record SafeObserver(ComponentObserver observer) implements ComponentObserver {
         private static final System.Logger LOG = System.getLogger(ComponentObserver.class.getName());
 
         @Override
-        public void changed(Address component, Lifecycle state) {
+        public void changed(Address component, ComponentState state) {
             call(() -> observer.changed(component, state));
         }
 
@@ -178,8 +183,8 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         }
 
         @Override
-        public void told(Address component, String what) {
-            call(() -> observer.told(component, what));
+        public void info(Address component, String what) {
+            call(() -> observer.info(component, what));
         }
 
         private static void call(Runnable callback) {
@@ -191,52 +196,53 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
         }
     }
 
-    /** The way of the data: bus, DCU, CCU, and back. */
-    private final class DataPath implements Lives.Turns<O> {
+    /** The path of the data: from the bus through DCU and CCU to the component, and back. */
+    private final class DataPath implements ComponentLifecycle.Listener<O> {
         @Override
-        public void begins() {
-            int forgotten = conversion.forgetInput();
-            if (forgotten > 0) {
-                observer.told(address(), forgotten + " values for its last life were forgotten");
+        public void invoking() {
+            int discarded = conversion.discardInput();
+            if (discarded > 0) {
+                observer.info(address(), discarded + " values for its last life were forgotten");
             }
-            bus.hear(component.hears(), this::heard);
+            bus.subscribe(component.subscribes(), this::received);
         }
 
         @Override
-        public void runs() {
-            handInput();
+        public void running() {
+            drainInput();
         }
 
         @Override
-        public void ends() {
-            bus.hearNothing();
-            publishOutput(); // its last words
+        public void ended() {
+            bus.unsubscribeAll();
+            publishOutput(); // output before and during the termination
         }
 
         @Override
         public void output(O output) {
             conversion.fromComponent(output);
-            if (outputWaits.compareAndSet(false, true)) {
+            if (outputScheduled.compareAndSet(false, true)) {
                 space.execute(this::publishOutput);
             }
         }
 
         private void publishOutput() {
-            outputWaits.set(false); // before taking: what comes while it publishes has a turn of its own
+            // cleared before draining: output that arrives during the drain schedules another one
+            outputScheduled.set(false);
             conversion.drainToApplication(bus::publish);
         }
 
-        private void heard(ApplicationData<?> data) {
+        private void received(ApplicationData<?> data) {
             conversion.fromBus(data);
-            if (lives.state() == Lifecycle.RUNNING && inputWaits.compareAndSet(false, true)) {
-                space.execute(this::handInput);
+            if (lifecycle.state() == ComponentState.RUNNING && inputScheduled.compareAndSet(false, true)) {
+                space.execute(this::drainInput);
             }
         }
 
-        private void handInput() {
-            inputWaits.set(false);
-            if (lives.state() == Lifecycle.RUNNING) {
-                conversion.drainToComponent(lives::data);
+        private void drainInput() {
+            inputScheduled.set(false);
+            if (lifecycle.state() == ComponentState.RUNNING) {
+                conversion.drainToComponent(lifecycle::data);
             }
         }
     }

@@ -4,13 +4,13 @@ import io.troupe.services.bus.Address;
 import java.lang.System.Logger.Level;
 
 /**
- * Hears what becomes of components: for people, for logs, for tests.
+ * Listener for state changes, losses and problems of components; used for logs, reports and tests.
  *
- * <p><b>Threads.</b> Mostly the space of the interface; {@link #dropped}, {@link #problem} and {@link #told} may come
- * from a thread of the component.
+ * <p><b>Threads.</b> Usually the space of the interface. {@link #dropped}, {@link #problem} and {@link #info} may be
+ * called on a thread of the component.
  */
 public interface ComponentObserver {
-    /** Writes problems and losses to the log, and nothing else. */
+    /** Logs problems, losses and messages; state changes are not logged. */
     ComponentObserver LOG = new ComponentObserver() {
         @Override
         public void dropped(Address component, ApplicationData<?> lost, long total) {
@@ -23,7 +23,7 @@ public interface ComponentObserver {
         }
 
         @Override
-        public void told(Address component, String what) {
+        public void info(Address component, String what) {
             log().log(Level.INFO, "{0}: {1}", component, what);
         }
 
@@ -32,15 +32,19 @@ public interface ComponentObserver {
         }
     };
 
-    /** The component has come into another state. */
-    default void changed(Address component, Lifecycle state) {}
+    /** The state of the component has changed. */
+    default void changed(Address component, ComponentState state) {}
 
-    /** A buffer was full. */
+    /**
+     * A full buffer has dropped a value.
+     *
+     * @param total number of values dropped by this buffer so far
+     */
     void dropped(Address component, ApplicationData<?> lost, long total);
 
-    /** Something failed, and nobody waits for an answer that would say so. */
+    /** An operation has failed, and no caller waits for a promise that would report the error. */
     void problem(Address component, String what, Throwable why);
 
-    /** The component, or its interface, has something to say. */
-    void told(Address component, String what);
+    /** A message from the component or its interface that is not a failure. */
+    void info(Address component, String what);
 }

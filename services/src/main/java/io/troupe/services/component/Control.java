@@ -3,29 +3,46 @@ package io.troupe.services.component;
 import io.troupe.services.bus.Operation;
 
 /**
- * The control messages that every interface answers: questions of the control kind, asked of the component's address.
+ * Control messages that every component interface answers: requests of kind {@link Operation.Kind#CONTROL} to the
+ * component's address.
  */
 public final class Control {
-    /** Start. */
+    /**
+     * Starts the component.
+     *
+     * @param by the sender, for information
+     */
     public record Invoke(String by) {}
 
-    /** End. */
+    /**
+     * Terminates the component.
+     *
+     * @param by the sender, for information
+     */
     public record Terminate(String by) {}
 
-    /** How are you? */
+    /**
+     * Checks the component's health.
+     *
+     * @param by the sender, for information
+     */
     public record AskHealth(String by) {}
 
-    /** It is done. */
+    /**
+     * Confirms a start or a termination.
+     *
+     * @param state the name of a {@link ComponentState}
+     */
     public record Done(String component, String state) {}
 
     /**
-     * How a component is.
+     * The result of a health check.
      *
-     * @param state the name of a {@link Lifecycle}
-     * @param problem what is wrong; empty if it is well
+     * @param state the name of a {@link ComponentState}
+     * @param problem the problem; empty if the component is healthy
      */
     public record HealthReport(String component, String state, String problem) {
-        public boolean isWell() {
+        public boolean isHealthy() {
             return problem.isEmpty();
         }
     }

@@ -3,20 +3,20 @@ package io.troupe.services.component;
 import java.util.List;
 
 /**
- * The rules by which a component's own data become the application's, and the other way.
+ * Converts between a component's data format and the application's.
  *
- * <p><b>Role.</b> Written once for each kind of component, as two pure functions.
+ * <p><b>Role.</b> Implemented once for each kind of component, as two pure functions.
  *
- * <p><b>Errors.</b> What cannot be converted is refused by an exception that says why; that value is lost and told, and
- * nothing else.
+ * <p><b>Errors.</b> A value that cannot be converted is rejected by an exception with the reason. Only that value is
+ * lost; the loss is counted and reported to the observer.
  *
- * @param <I> the data that the component takes
- * @param <O> the data that the component gives
+ * @param <I> type of the component's input
+ * @param <O> type of the component's output
  */
 public interface Conversion<I, O> {
-    /** What a piece of the component's data is to the application: any number of values, in order. */
+    /** Converts an output of the component to any number of values for the application, in order. */
     List<ApplicationData<?>> toApplication(O output);
 
-    /** What a value of the application is to the component. */
+    /** Converts a value from the application to an input of the component. */
     I toComponent(ApplicationData<?> input);
 }

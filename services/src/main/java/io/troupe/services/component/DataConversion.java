@@ -1,33 +1,38 @@
 package io.troupe.services.component;
 
 import io.troupe.services.bus.Address;
+import io.troupe.services.component.Buffering.OverflowPolicy;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The data conversion unit (DCU): turns the component's data into the application's and back, through a bounded buffer
- * for each direction.
+ * The data conversion unit (DCU): converts the component's data to the application's format and back, through one
+ * bounded buffer for each direction.
  *
- * <p><b>Role.</b> The buffers give each side its own time: a component may deliver from a thread of its own while the
- * bus is served by the actor space, and what the bus brings while the component is being invoked waits for it.
+ * <p><b>Role.</b> The buffers decouple component and bus. The component may deliver output on a separate thread while
+ * the actor space serves the bus. Values from the bus are buffered while the component is being invoked.
  *
- * <p><b>Threads.</b> Any thread puts in; one at a time takes out.
+ * <p><b>Threads.</b> Any thread may add values; only one thread at a time may drain a buffer.
  *
  * <p><b>Order.</b> First in, first out, in each direction.
  *
- * <p><b>Errors.</b> What is lost, because a buffer is full, a conversion fails or the bus refuses it, is counted and
- * told to the observer; the rest goes on.
+ * <p><b>Errors.</b> A value is lost if a buffer is full, a conversion fails, or the bus refuses it. Losses are counted
+ * and reported to the observer; other values are not affected.
  *
  * <p><b>Source.</b> Paper, section 2.2.2.2.
  */
 public final class DataConversion<I, O> {
     /**
-     * How many values did not get through, both directions together.
+     * Number of lost values, both directions together.
      *
-     * @param dropped because a buffer was full
-     * @param superseded because a newer one of the same topic came, where only the newest counts
-     * @param refused because they could not be converted or published
+     * @param dropped values dropped because a buffer was full
+     * @param superseded values replaced by a newer one of their topic, if only the latest value counts
+     * @param refused values that could not be converted or published
      */
     public record Losses(long dropped, long superseded, long refused) {}
 
@@ -46,7 +51,7 @@ public final class DataConversion<I, O> {
         this.toComponent = new DataBuffer(component.input());
     }
 
-    /** Converts what the component gives, and keeps it for {@link #drainToApplication}. */
+    /** Converts an output of the component, and buffers it for {@link #drainToApplication}. */
     void fromComponent(O output) {
         List<ApplicationData<?>> converted;
         try {
@@ -58,14 +63,17 @@ public final class DataConversion<I, O> {
         converted.forEach(data -> put(toApplication, data));
     }
 
-    /** Keeps what the bus brings for {@link #drainToComponent}. */
+    /** Buffers a value from the bus for {@link #drainToComponent}. */
     void fromBus(ApplicationData<?> data) {
         put(toComponent, data);
     }
 
-    /** Publishes what waits, one by one; what cannot be published is lost alone. */
+    /**
+     * Publishes the buffered output one by one. A value that cannot be published is lost; the others are still
+     * published.
+     */
     void drainToApplication(Consumer<ApplicationData<?>> publisher) {
-        for (var data : toApplication.take()) {
+        for (var data : toApplication.drain()) {
             try {
                 publisher.accept(data);
             } catch (RuntimeException | Error refusal) {
@@ -75,11 +83,11 @@ public final class DataConversion<I, O> {
     }
 
     /**
-     * Converts what waits, one by one, and hands it to the component; what the component throws is the caller's
-     * business, and ends it.
+     * Converts the buffered input one by one, and passes it to the component. The drain continues after a failed
+     * conversion. An exception of the component is not caught here.
      */
     void drainToComponent(Consumer<? super I> component) {
-        for (var data : toComponent.take()) {
+        for (var data : toComponent.drain()) {
             I input;
             try {
                 input = conversion.toComponent(data);
@@ -91,12 +99,16 @@ public final class DataConversion<I, O> {
         }
     }
 
-    /** Forgets what waits for the component; it was meant for a life that is over. */
-    int forgetInput() {
-        return toComponent.take().size();
+    /**
+     * Discards the buffered input of an earlier run.
+     *
+     * @return the number of discarded values
+     */
+    int discardInput() {
+        return toComponent.drain().size();
     }
 
-    /** How many values did not get through so far. */
+    /** Number of values lost so far. */
     public Losses losses() {
         return new Losses(
                 toApplication.dropped() + toComponent.dropped(),
@@ -105,7 +117,7 @@ public final class DataConversion<I, O> {
     }
 
     private void put(DataBuffer buffer, ApplicationData<?> data) {
-        var lost = buffer.put(data);
+        var lost = buffer.add(data);
         if (lost != null) {
             observer.dropped(owner, lost, buffer.dropped());
         }
@@ -114,5 +126,54 @@ public final class DataConversion<I, O> {
     private void refuse(String what, Throwable why) {
         refused.incrementAndGet();
         observer.problem(owner, "could not " + what, why);
+    }
+
+    /**
+     * The bounded buffer of one direction.
+     *
+     * <p><b>Threads.</b> Any thread; guarded by one lock that is held briefly.
+     */
+    private static final class DataBuffer {
+        private final Buffering buffering;
+        private final Deque<ApplicationData<?>> values = new ArrayDeque<>(); // guarded by this, as are the counters
+        private long dropped;
+        private long superseded;
+
+        DataBuffer(Buffering buffering) {
+            this.buffering = buffering;
+        }
+
+        /**
+         * Adds a value.
+         *
+         * @return the value that was dropped to make room, or null
+         */
+        synchronized @Nullable ApplicationData<?> add(ApplicationData<?> data) {
+            if (buffering.overflow() == OverflowPolicy.LATEST_OF_EACH_TOPIC
+                    && values.removeIf(each -> each.topic().equals(data.topic()))) {
+                superseded++;
+            }
+            ApplicationData<?> oldest = values.size() == buffering.capacity() ? values.poll() : null;
+            if (oldest != null) {
+                dropped++;
+            }
+            values.add(data);
+            return oldest;
+        }
+
+        /** Removes and returns all values, the oldest first. */
+        synchronized List<ApplicationData<?>> drain() {
+            List<ApplicationData<?>> drained = new ArrayList<>(values);
+            values.clear();
+            return drained;
+        }
+
+        synchronized long dropped() {
+            return dropped;
+        }
+
+        synchronized long superseded() {
+            return superseded;
+        }
     }
 }

@@ -11,15 +11,16 @@ import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A component that is controlled by messages over the bus: its interface may be in another process.
+ * Controls a component by messages over the bus; the component's interface may be in another process.
  *
- * <p><b>Role.</b> Register it with a broker in place of the interface itself.
+ * <p><b>Role.</b> Registered with a broker in place of the interface itself.
  *
- * <p><b>Order.</b> It does not hear of the component's death: that is found out with the next {@link #check}.
+ * <p><b>Order.</b> It is not notified when the component fails; a failure is found by the next {@link #check}.
  *
- * <p><b>Errors.</b> Those of {@link BusPort#ask}, but an overdue {@link ProviderException} when the limit is over, so
- * that a broker tells a component that starts late to stop, and one that does not answer for its health is suspect
- * first; and a {@link ProviderException} with the component's own report when it is not well.
+ * <p><b>Errors.</b> Those of {@link BusPort#ask}, except for two. When the limit is over, the promise is rejected with
+ * {@link ProviderException#overdue}: the broker then stops a component that starts late, and first treats one that does
+ * not answer a health check as suspect. If the component is not healthy, the promise is rejected with a
+ * {@link ProviderException} that has the component's report.
  */
 public final class RemoteProvider implements Provider {
     private final BusPort port;
@@ -27,8 +28,9 @@ public final class RemoteProvider implements Provider {
     private final Duration limit;
 
     /**
-     * @param port from which the control messages are sent
-     * @param limit how long each may take
+     * @param port port from which the control messages are sent
+     * @param component address of the component
+     * @param limit time limit of each control message
      */
     public RemoteProvider(BusPort port, Address component, Duration limit) {
         this.port = port;
@@ -52,13 +54,13 @@ public final class RemoteProvider implements Provider {
     public Promise<@Nullable Void> check() {
         return ask(Control.HEALTH, new Control.AskHealth(port.address().toString()))
                 .thenAccept(report -> {
-                    if (!report.isWell()) {
+                    if (!report.isHealthy()) {
                         throw new ProviderException(report.problem());
                     }
                 });
     }
 
-    /** The component works on what it was asked for although the limit is over, and a broker has to know that. */
+    /** Converts a timeout to an overdue error, since the component may still complete the request after the limit. */
     private <Q extends Record, A extends Record> Promise<A> ask(Operation<Q, A> operation, Q question) {
         return port.ask(component, operation, question, limit)
                 .exceptionallyCompose(error -> Promise.failed(

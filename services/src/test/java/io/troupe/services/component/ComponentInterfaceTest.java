@@ -13,7 +13,7 @@ import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.bus.Operation;
 import io.troupe.services.bus.RemoteFailure;
 import io.troupe.services.bus.Topic;
-import io.troupe.services.component.Buffering.WhenFull;
+import io.troupe.services.component.Buffering.OverflowPolicy;
 import io.troupe.services.component.ScriptedComponent.Number;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -27,11 +27,11 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /**
- * The three units of a component interface, with a scripted component on a hand-cranked space.
+ * The three units of a component interface, with a scripted component on a manually driven space.
  *
- * <p>Long because one component goes through all of them: first a life without faults and the bus messages that control
- * it, then the buffer between component and bus, then each way in which a life can fail (invocation, data, conversion,
- * hanging, termination), then lives that overlap (start, stop and restart during one another), at last closing.
+ * <p>The file is long because the same component is used for all tests: a run without faults and its control by bus
+ * messages; the buffer between component and bus; each failure of a run (invocation, data, conversion, a hanging
+ * component, termination); overlapping runs (start, stop and restart during one another); and closing.
  */
 class ComponentInterfaceTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);
@@ -39,7 +39,7 @@ class ComponentInterfaceTest {
     private final TestSpace test = new TestSpace();
     private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
     private final ScriptedComponent script = new ScriptedComponent();
-    private final Notes notes = new Notes();
+    private final RecordingObserver notes = new RecordingObserver();
     private final List<Integer> heard = new ArrayList<>();
     private @Nullable BusPort user;
 
@@ -65,10 +65,10 @@ class ComponentInterfaceTest {
     }
 
     private ComponentInterface<String, String> running() {
-        var face = open(script.component());
-        test.get(face.start().thenApply(runs -> true));
+        var provider = open(script.component());
+        test.get(provider.start().thenApply(runs -> true));
         notes.take();
-        return face;
+        return provider;
     }
 
     private void publish(int... values) {
@@ -87,13 +87,13 @@ class ComponentInterfaceTest {
 
     @Test
     void component_isInvoked_takesData_givesData_andIsTerminated() {
-        var face = open(script.component());
-        assertThat(face.state()).isEqualTo(Lifecycle.NOT_INVOKED);
-        test.get(face.start().thenApply(runs -> true));
+        var provider = open(script.component());
+        assertThat(provider.state()).isEqualTo(ComponentState.NOT_INVOKED);
+        test.get(provider.start().thenApply(runs -> true));
         publish(1, 2);
         test.run(() -> script.signals().data("3"));
-        test.get(face.check().thenApply(well -> true));
-        test.get(face.stop().thenApply(ended -> true));
+        test.get(provider.check().thenApply(well -> true));
+        test.get(provider.stop().thenApply(ended -> true));
         assertThat(script.calls).containsExactly("invoke", "1", "2", "terminate");
         assertThat(heard).containsExactly(3);
         assertThat(notes.take())
@@ -102,22 +102,22 @@ class ComponentInterfaceTest {
 
     @Test
     void control_comesAsMessagesOverTheBus() {
-        var face = open(script.component());
+        var provider = open(script.component());
         assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))))
                 .isEqualTo(new Control.HealthReport("counter", "NOT_INVOKED", "here/counter has not been invoked"));
         assertThat(test.get(ask(Control.INVOKE, new Control.Invoke("user"))))
                 .isEqualTo(new Control.Done("counter", "RUNNING"));
-        assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))).isWell())
+        assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))).isHealthy())
                 .isTrue();
         assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user"))))
                 .isEqualTo(new Control.Done("counter", "TERMINATED"));
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void remoteProvider_controlsTheComponentByMessages_andHearsWhatIsWrong() {
-        var face = open(script.component());
-        var remote = new RemoteProvider(user, face.address(), LIMIT);
+        var provider = open(script.component());
+        var remote = new RemoteProvider(user, provider.address(), LIMIT);
         test.get(remote.start().thenApply(runs -> true));
         test.get(remote.check().thenApply(well -> true));
         script.health = () -> Promise.failed(new IllegalStateException("out of numbers"));
@@ -125,18 +125,18 @@ class ComponentInterfaceTest {
                 .isInstanceOf(ProviderException.class)
                 .hasMessage("out of numbers");
         test.get(remote.stop().thenApply(ended -> true));
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void dataOperation_isAnsweredWhileTheComponentRuns() {
         var half = new Operation<>("half", Number.class, Number.class, Operation.Kind.DATA);
-        var face = open(script.component());
-        test.run(() -> face.answer(half, number -> Promise.of(new Number(number.value() / 2))));
+        var provider = open(script.component());
+        test.run(() -> provider.answer(half, number -> Promise.of(new Number(number.value() / 2))));
         assertThat(test.error(ask(half, new Number(8))))
                 .isInstanceOf(RemoteFailure.class)
                 .hasMessageContaining("here/counter has not been invoked");
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.start().thenApply(runs -> true));
         assertThat(test.get(ask(half, new Number(8)))).isEqualTo(new Number(4));
     }
 
@@ -146,8 +146,8 @@ class ComponentInterfaceTest {
     void whatComesWhileTheComponentIsBeingInvoked_waitsForIt() {
         var slow = ScriptedComponent.later();
         script.invoke = () -> slow;
-        var face = open(script.component());
-        var started = face.start();
+        var provider = open(script.component());
+        var started = provider.start();
         publish(1, 2);
         assertThat(script.calls).containsExactly("invoke");
         test.run(() -> slow.resolve(null));
@@ -159,42 +159,44 @@ class ComponentInterfaceTest {
     void fullBuffer_losesTheOldest_countsIt_andTells() {
         var slow = ScriptedComponent.later();
         script.invoke = () -> slow;
-        var face = open(script.component().buffered(new Buffering(2, WhenFull.DROP_OLDEST), Buffering.STREAM));
-        var started = face.start();
+        var provider =
+                open(script.component().buffered(new Buffering(2, OverflowPolicy.DROP_OLDEST), Buffering.STREAM));
+        var started = provider.start();
         publish(1, 2, 3);
         test.run(() -> slow.resolve(null));
         assertThat(started.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "2", "3");
         assertThat(notes.take()).contains("counter dropped Number[value=1], 1 so far");
-        assertThat(face.conversion().losses()).isEqualTo(new DataConversion.Losses(1, 0, 0));
+        assertThat(provider.conversion().losses()).isEqualTo(new DataConversion.Losses(1, 0, 0));
     }
 
     @Test
     void latestOfEachTopic_keepsTheNewest_andCountsTheRest() {
         var slow = ScriptedComponent.later();
         script.invoke = () -> slow;
-        var face = open(script.component().buffered(Buffering.LATEST, Buffering.STREAM));
-        var started = face.start();
+        var provider = open(script.component().buffered(Buffering.LATEST, Buffering.STREAM));
+        var started = provider.start();
         publish(1, 2, 3);
         test.run(() -> slow.resolve(null));
         assertThat(started.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "3");
-        assertThat(face.conversion().losses()).isEqualTo(new DataConversion.Losses(0, 2, 0));
+        assertThat(provider.conversion().losses()).isEqualTo(new DataConversion.Losses(0, 2, 0));
     }
 
     @Test
     void burstFromTheComponent_overflowsItsOwnBufferOnly() {
-        var face = open(script.component().buffered(Buffering.STREAM, new Buffering(2, WhenFull.DROP_OLDEST)));
-        test.get(face.start().thenApply(runs -> true));
+        var provider =
+                open(script.component().buffered(Buffering.STREAM, new Buffering(2, OverflowPolicy.DROP_OLDEST)));
+        test.get(provider.start().thenApply(runs -> true));
         test.run(() ->
                 List.of("1", "2", "3", "4").forEach(each -> script.signals().data(each)));
         assertThat(heard).containsExactly(3, 4);
-        assertThat(face.conversion().losses().dropped()).isEqualTo(2);
+        assertThat(provider.conversion().losses().dropped()).isEqualTo(2);
     }
 
     @Test
     void conversionThatFails_costsThatValueOnly_andIsTold() {
-        var face = running();
+        var provider = running();
         publish(1, -1, 2);
         test.run(
                 () -> List.of("3", "four", "5").forEach(each -> script.signals().data(each)));
@@ -204,8 +206,8 @@ class ComponentInterfaceTest {
                 .containsExactly(
                         "counter could not convert counter/in Number[value=-1]: a count is -1, expected 0 or more",
                         "counter could not convert four: For input string: \"four\"");
-        assertThat(face.conversion().losses().refused()).isEqualTo(2);
-        test.get(face.check().thenApply(well -> true));
+        assertThat(provider.conversion().losses().refused()).isEqualTo(2);
+        test.get(provider.check().thenApply(well -> true));
     }
 
     // ---- components that fail
@@ -215,23 +217,23 @@ class ComponentInterfaceTest {
         script.invoke = () -> {
             throw new IllegalStateException("no power");
         };
-        var face = open(script.component());
-        assertThat(test.error(face.start()))
+        var provider = open(script.component());
+        assertThat(test.error(provider.start()))
                 .isInstanceOf(ProviderException.class)
                 .hasMessage("here/counter has failed: no power");
-        assertThat(test.error(face.check())).hasMessage("here/counter has failed: no power");
+        assertThat(test.error(provider.check())).hasMessage("here/counter has failed: no power");
         assertThat(script.calls).containsExactly("invoke", "terminate");
         script.invoke = Promise::done;
-        test.get(face.start().thenApply(runs -> true));
-        test.get(face.check().thenApply(well -> true));
+        test.get(provider.start().thenApply(runs -> true));
+        test.get(provider.check().thenApply(well -> true));
     }
 
     @Test
     void componentThatThrowsOnData_hasFailed_isTerminated_andHearsNothingMore() {
-        var face = running();
+        var provider = running();
         publish(12, 13, 14);
         assertThat(script.calls).containsExactly("invoke", "12", "13", "terminate");
-        assertThat(test.error(face.check())).hasMessage("here/counter has failed: 13 is bad luck");
+        assertThat(test.error(provider.check())).hasMessage("here/counter has failed: 13 is bad luck");
         publish(15);
         assertThat(script.calls).hasSize(4);
         assertThat(notes.take()).containsExactly("counter FAILED", "counter has failed: 13 is bad luck");
@@ -239,8 +241,8 @@ class ComponentInterfaceTest {
 
     @Test
     void componentThatDies_hasFailed_andSaysSoAtOnce_itsLastWordsAreStillPublished() {
-        var face = running();
-        var end = face.whenEnded();
+        var provider = running();
+        var end = provider.whenEnded();
         end.handle((ended, error) -> null);
         test.crank();
         test.run(() -> {
@@ -248,58 +250,58 @@ class ComponentInterfaceTest {
             script.signals().failed(new IllegalStateException("burnt out"));
         });
         assertThat(heard).containsExactly(7);
-        assertThat(test.error(face.check())).hasMessage("here/counter has failed: burnt out");
+        assertThat(test.error(provider.check())).hasMessage("here/counter has failed: burnt out");
         assertThat(test.error(end)).hasMessage("here/counter has failed: burnt out");
-        test.get(face.stop().thenApply(ended -> true));
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        test.get(provider.stop().thenApply(ended -> true));
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void componentThatIsNotTerminatedProperly_hasFailed() {
         script.terminate = () -> Promise.failed(new IllegalStateException("stuck"));
-        var face = running();
-        assertThat(test.error(face.stop())).hasMessage("here/counter has failed: stuck");
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        var provider = running();
+        assertThat(test.error(provider.stop())).hasMessage("here/counter has failed: stuck");
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
     }
 
     @Test
     void lifeThatIsNotTerminated_isTerminatedAgain_andNoneBeginsBesideIt() {
         script.terminate = () -> Promise.failed(new IllegalStateException("process still alive"));
-        var face = running();
-        assertThat(test.error(face.stop())).hasMessage("here/counter has failed: process still alive");
-        assertThat(test.error(face.stop())).hasMessage("here/counter has failed: process still alive");
-        assertThat(test.error(face.start()))
+        var provider = running();
+        assertThat(test.error(provider.stop())).hasMessage("here/counter has failed: process still alive");
+        assertThat(test.error(provider.stop())).hasMessage("here/counter has failed: process still alive");
+        assertThat(test.error(provider.start()))
                 .isInstanceOf(ProviderException.class)
                 .hasMessage("here/counter cannot be invoked: its life before has not ended: process still alive");
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
         script.terminate = Promise::done;
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.start().thenApply(runs -> true));
         assertThat(script.calls)
                 .containsExactly("invoke", "terminate", "terminate", "terminate", "terminate", "invoke");
-        test.get(face.stop().thenApply(ended -> true));
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        test.get(provider.stop().thenApply(ended -> true));
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void failedLifeThatIsNotTerminated_isTerminatedByTheNextStop() {
         script.terminate = () -> Promise.failed(new IllegalStateException("process still alive"));
-        var face = running();
+        var provider = running();
         test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
-        assertThat(test.error(face.start())).hasMessageEndingWith("has not ended: process still alive");
+        assertThat(test.error(provider.start())).hasMessageEndingWith("has not ended: process still alive");
         script.terminate = Promise::done;
-        test.get(face.stop().thenApply(ended -> true));
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        test.get(provider.stop().thenApply(ended -> true));
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate", "terminate");
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.start().thenApply(runs -> true));
     }
 
-    private ComponentInterface<String, String> watched(Lifecycle when, Consumer<ComponentInterface<?, ?>> action) {
+    private ComponentInterface<String, String> watched(ComponentState when, Consumer<ComponentInterface<?, ?>> action) {
         var opened = new ArrayList<ComponentInterface<String, String>>();
         var once = new AtomicBoolean();
-        var observer = new Notes() {
+        var observer = new RecordingObserver() {
             @Override
-            public void changed(Address component, Lifecycle state) {
+            public void changed(Address component, ComponentState state) {
                 if (state == when && once.compareAndSet(false, true)) {
                     action.accept(opened.getFirst());
                 }
@@ -311,11 +313,11 @@ class ComponentInterfaceTest {
 
     @Test
     void observerThatRestartsAFailedComponent_beginsTheNextLifeAfterTheFailedOne() {
-        var face = watched(Lifecycle.FAILED, ComponentInterface::start);
-        test.get(face.start().thenApply(runs -> true));
+        var provider = watched(ComponentState.FAILED, ComponentInterface::start);
+        test.get(provider.start().thenApply(runs -> true));
         test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
         assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
-        assertThat(face.state()).isEqualTo(Lifecycle.RUNNING);
+        assertThat(provider.state()).isEqualTo(ComponentState.RUNNING);
         publish(1);
         assertThat(script.calls).endsWith("invoke", "1");
     }
@@ -324,63 +326,63 @@ class ComponentInterfaceTest {
     void observerThatRestartsATerminatedComponent_beginsOneLife_alsoIfAStartWaits() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = watched(Lifecycle.TERMINATED, ComponentInterface::start);
-        test.get(face.start().thenApply(runs -> true));
-        var stopped = face.stop();
-        var started = face.start();
+        var provider = watched(ComponentState.TERMINATED, ComponentInterface::start);
+        test.get(provider.start().thenApply(runs -> true));
+        var stopped = provider.stop();
+        var started = provider.start();
         test.run(() -> slow.resolve(null));
         assertThat(stopped.isDone() && started.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
-        assertThat(face.state()).isEqualTo(Lifecycle.RUNNING);
+        assertThat(provider.state()).isEqualTo(ComponentState.RUNNING);
         publish(1);
         assertThat(script.calls).endsWith("invoke", "1");
     }
 
     @Test
     void observerThatStopsAComponentThatIsBeingInvoked_leavesNothingThatRuns() {
-        var face = watched(Lifecycle.INVOKING, ComponentInterface::stop);
-        assertThat(test.error(face.start())).hasMessage("here/counter was terminated while it was being invoked");
+        var provider = watched(ComponentState.INVOKING, ComponentInterface::stop);
+        assertThat(test.error(provider.start())).hasMessage("here/counter was terminated while it was being invoked");
         assertThat(script.calls).containsExactly("terminate");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void componentThatHangs_isGivenUp_andWhenItRunsAfterAll_isTerminatedAgain() {
         var late = ScriptedComponent.later();
         script.invoke = () -> late;
-        var face = open(script.component());
-        var started = face.start();
-        test.get(face.stop().thenApply(ended -> true));
+        var provider = open(script.component());
+        var started = provider.start();
+        test.get(provider.stop().thenApply(ended -> true));
         assertThat(test.error(started)).hasMessage("here/counter was terminated while it was being invoked");
         notes.take();
         test.run(() -> late.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate", "terminate");
         assertThat(notes.take())
                 .containsExactly("counter ran only after it had been given up, and is terminated again");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void whatIsSaidAfterTheEnd_isToldAndNotPublished() {
-        var face = running();
-        test.get(face.stop().thenApply(ended -> true));
+        var provider = running();
+        test.get(provider.stop().thenApply(ended -> true));
         test.run(() -> {
             script.signals().data("9");
             script.signals().failed(new IllegalStateException("too late to fail"));
         });
         assertThat(heard).isEmpty();
         assertThat(notes.take()).contains("counter gave data after its end: 9");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void signalsOfAnEarlierLife_doNotTouchTheNext() {
-        var face = running();
+        var provider = running();
         var past = script.signals();
-        test.get(face.stop().thenApply(ended -> true));
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.stop().thenApply(ended -> true));
+        test.get(provider.start().thenApply(runs -> true));
         test.run(() -> past.failed(new IllegalStateException("from the grave")));
-        test.get(face.check().thenApply(well -> true));
+        test.get(provider.check().thenApply(well -> true));
         test.run(() -> script.signals().data("1"));
         assertThat(heard).containsExactly(1);
     }
@@ -389,32 +391,32 @@ class ComponentInterfaceTest {
     void nextLife_beginsWhenTheFailedOneHasBeenTerminated() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = running();
+        var provider = running();
         test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
-        var first = face.start();
-        var second = face.start();
+        var first = provider.start();
+        var second = provider.start();
         test.crank();
         assertThat(script.calls).containsExactly("invoke", "terminate");
         test.run(() -> slow.resolve(null));
         assertThat(first.isDone() && second.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
-        test.get(face.check().thenApply(well -> true));
+        test.get(provider.check().thenApply(well -> true));
     }
 
     @Test
     void stopOfAFailedComponent_waitsForItsTermination_andGivesUpTheStartThatWaits() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = running();
+        var provider = running();
         test.run(() -> script.signals().failed(new IllegalStateException("burnt out")));
-        var started = face.start();
-        var stopped = face.stop();
+        var started = provider.start();
+        var stopped = provider.stop();
         assertThat(test.error(started)).hasMessage("here/counter was terminated while it waited to be invoked");
         assertThat(stopped.isDone()).isFalse();
         test.run(() -> slow.reject(new IllegalStateException("stuck")));
         assertThat(test.error(stopped)).hasMessage("here/counter has failed: stuck");
         assertThat(script.calls).containsExactly("invoke", "terminate");
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
         assertThat(notes.take()).contains("counter could not be terminated after it had failed: stuck");
     }
 
@@ -435,15 +437,15 @@ class ComponentInterfaceTest {
             script.signals().data("2");
             return Promise.done();
         };
-        var face = running();
-        test.get(face.stop().thenApply(ended -> true));
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        var provider = running();
+        test.get(provider.stop().thenApply(ended -> true));
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
         assertThat(heard).containsExactly(1, 2);
         assertThat(notes.take()).anyMatch(note -> note.startsWith("counter could not publish other"));
-        assertThat(face.conversion().losses().refused()).isEqualTo(1);
+        assertThat(provider.conversion().losses().refused()).isEqualTo(1);
     }
 
-    /** With a null among its texts it cannot cross a bus. */
+    /** A record that a bus rejects if its list has a null element. */
     record Unfit(List<String> texts) {}
 
     @Test
@@ -451,18 +453,18 @@ class ComponentInterfaceTest {
         script.invoke = () -> {
             throw new ExceptionInInitializerError("no such library");
         };
-        var face = open(script.component());
-        assertThat(test.error(face.start())).hasMessage("here/counter has failed: no such library");
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        var provider = open(script.component());
+        assertThat(test.error(provider.start())).hasMessage("here/counter has failed: no such library");
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
     }
 
     @Test
     void errorOnTheWayToTheInvocation_isAFailure() {
         var whole = script.component();
-        var face = open(new Component<String, String>(
+        var provider = open(new Component<String, String>(
                 whole.service(),
                 whole.capabilities(),
-                whole.hears(),
+                whole.subscribes(),
                 whole.publishes(),
                 () -> {
                     throw new NoClassDefFoundError("a/driver");
@@ -470,23 +472,23 @@ class ComponentInterfaceTest {
                 whole.conversion(),
                 whole.input(),
                 whole.output()));
-        assertThat(test.error(face.start())).hasMessage("here/counter has failed: a/driver");
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(test.error(provider.start())).hasMessage("here/counter has failed: a/driver");
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
     }
 
     @Test
     void invocationThatAnswersNull_isAFailure() {
         script.invoke = () -> null;
-        var face = open(script.component());
-        assertThat(test.error(face.start())).hasMessageEndingWith("it answered null, expected a promise");
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        var provider = open(script.component());
+        assertThat(test.error(provider.start())).hasMessageEndingWith("it answered null, expected a promise");
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
     }
 
     @Test
     void errorOnData_isAFailure() {
-        var face = running();
+        var provider = running();
         publish(666, 1);
-        assertThat(test.error(face.check())).hasMessage("here/counter has failed: too deep");
+        assertThat(test.error(provider.check())).hasMessage("here/counter has failed: too deep");
         assertThat(script.calls).containsExactly("invoke", "666", "terminate");
     }
 
@@ -512,19 +514,19 @@ class ComponentInterfaceTest {
                 }
             }
         };
-        var face = running();
+        var provider = running();
         publish(7, 1);
         test.run(() -> List.of("8", "2").forEach(each -> script.signals().data(each)));
         assertThat(script.calls).containsExactly("invoke", "1");
         assertThat(heard).containsExactly(2);
-        assertThat(face.conversion().losses().refused()).isEqualTo(2);
+        assertThat(provider.conversion().losses().refused()).isEqualTo(2);
     }
 
     @Test
     void observerThatThrows_changesNothing() {
         var throwing = new ComponentObserver() {
             @Override
-            public void changed(Address component, Lifecycle state) {
+            public void changed(Address component, ComponentState state) {
                 throw new AssertionError("changed");
             }
 
@@ -539,26 +541,26 @@ class ComponentInterfaceTest {
             }
 
             @Override
-            public void told(Address component, String what) {
+            public void info(Address component, String what) {
                 throw new IllegalStateException("told");
             }
         };
         var opened = new ArrayList<ComponentInterface<String, String>>();
         test.run(() -> opened.add(ComponentInterface.open(bus, "counter", script.component(), throwing)));
-        var face = opened.getFirst();
-        test.get(face.start().thenApply(runs -> true));
+        var provider = opened.getFirst();
+        test.get(provider.start().thenApply(runs -> true));
         publish(-1, 1);
-        test.run(() -> script.signals().tell("something"));
-        test.get(face.stop().thenApply(ended -> true));
+        test.run(() -> script.signals().info("something"));
+        test.get(provider.stop().thenApply(ended -> true));
         assertThat(script.calls).containsExactly("invoke", "1", "terminate");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void failureWithoutAMessage_isNotWell() {
-        var face = running();
+        var provider = running();
         script.health = () -> Promise.failed(new IllegalStateException(""));
-        assertThat(test.error(new RemoteProvider(user, face.address(), LIMIT).check()))
+        assertThat(test.error(new RemoteProvider(user, provider.address(), LIMIT).check()))
                 .isInstanceOf(ProviderException.class)
                 .hasMessage("java.lang.IllegalStateException");
     }
@@ -569,13 +571,13 @@ class ComponentInterfaceTest {
     void startDuringAStart_waitsForTheSame_andStopIsIdempotent() {
         var slow = ScriptedComponent.later();
         script.invoke = () -> slow;
-        var face = open(script.component());
-        var first = face.start();
-        var second = face.start();
+        var provider = open(script.component());
+        var first = provider.start();
+        var second = provider.start();
         test.run(() -> slow.resolve(null));
         assertThat(first.isDone() && second.isDone()).isTrue();
-        test.get(face.stop().thenApply(ended -> true));
-        test.get(face.stop().thenApply(ended -> true));
+        test.get(provider.stop().thenApply(ended -> true));
+        test.get(provider.stop().thenApply(ended -> true));
         assertThat(script.calls).containsExactly("invoke", "terminate");
     }
 
@@ -583,9 +585,9 @@ class ComponentInterfaceTest {
     void startDuringAStop_begins_whenThatIsOver() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = running();
-        var stopped = face.stop();
-        var started = face.start();
+        var provider = running();
+        var stopped = provider.stop();
+        var started = provider.start();
         test.crank();
         assertThat(script.calls).containsExactly("invoke", "terminate");
         test.run(() -> slow.resolve(null));
@@ -597,10 +599,10 @@ class ComponentInterfaceTest {
     void stopDuringAStop_givesUpTheStartThatWaits() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = running();
-        face.stop();
-        var started = face.start();
-        var stopped = face.stop();
+        var provider = running();
+        provider.stop();
+        var started = provider.start();
+        var stopped = provider.stop();
         assertThat(test.error(started)).hasMessage("here/counter was terminated while it waited to be invoked");
         test.run(() -> slow.resolve(null));
         assertThat(stopped.isDone()).isTrue();
@@ -611,23 +613,24 @@ class ComponentInterfaceTest {
     void closedInterface_startsNothing_howeverItIsAsked() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = running();
-        test.run(face::close);
+        var provider = running();
+        test.run(provider::close);
         var overTheBus = ask(Control.INVOKE, new Control.Invoke("user"));
-        assertThat(test.error(face.start())).hasMessage("here/counter has left the bus, expected an open interface");
+        assertThat(test.error(provider.start()))
+                .hasMessage("here/counter has left the bus, expected an open interface");
         assertThat(test.error(overTheBus))
                 .hasMessageContaining("asked here/counter for component/invoke: nobody is there");
         test.run(() -> slow.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
     void close_freesTheNameAtOnce_andReportsATerminationThatFailsLater() {
         var slow = ScriptedComponent.later();
         script.terminate = () -> slow;
-        var face = running();
-        test.run(face::close);
+        var provider = running();
+        test.run(provider::close);
         open(new ScriptedComponent().component());
         notes.take();
         test.run(() -> slow.reject(new IllegalStateException("stuck")));
@@ -636,8 +639,8 @@ class ComponentInterfaceTest {
 
     @Test
     void close_terminatesWhatRuns_andFreesTheName() {
-        var face = running();
-        test.run(face::close);
+        var provider = running();
+        test.run(provider::close);
         assertThat(script.calls).containsExactly("invoke", "terminate");
         open(script.component());
     }

@@ -27,8 +27,8 @@ import org.junit.jupiter.params.provider.NullSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Components controlled over the bus that are slow, hang, or go away; the limit of their control messages is shorter
- * than the broker's own ones.
+ * Components controlled over the bus that are slow, hang, or end. The limit of their control messages is shorter than
+ * the limits of the broker.
  */
 class RemoteProviderFaultsTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);
@@ -43,8 +43,8 @@ class RemoteProviderFaultsTest {
                     .withObserver(event -> {}));
     private final ScriptedComponent first = new ScriptedComponent();
     private final ScriptedComponent second = new ScriptedComponent();
-    private final Notes notes = new Notes();
-    private final List<ComponentInterface<?, ?>> faces = new ArrayList<>();
+    private final RecordingObserver notes = new RecordingObserver();
+    private final List<ComponentInterface<?, ?>> interfaces = new ArrayList<>();
     private final List<String> heard = new ArrayList<>();
     private BusPort control;
 
@@ -64,10 +64,10 @@ class RemoteProviderFaultsTest {
     }
 
     private void offer(String name, ScriptedComponent script) {
-        test.run(() -> faces.add(ComponentInterface.open(bus, name, script.component(), notes)));
-        var face = faces.getLast();
+        test.run(() -> interfaces.add(ComponentInterface.open(bus, name, script.component(), notes)));
+        var provider = interfaces.getLast();
         test.get(broker.register(
-                "counting", List.of(), face.address(), new RemoteProvider(control, face.address(), LIMIT)));
+                "counting", List.of(), provider.address(), new RemoteProvider(control, provider.address(), LIMIT)));
     }
 
     private void connect() {
@@ -107,8 +107,8 @@ class RemoteProviderFaultsTest {
         assertThat(first.calls).containsExactly("invoke", "terminate");
         test.run(() -> slow.resolve(null));
         assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
-        assertThat(faces.getFirst().state()).isEqualTo(Lifecycle.TERMINATED);
-        assertThat(faces.getLast().state()).isEqualTo(Lifecycle.RUNNING);
+        assertThat(interfaces.getFirst().state()).isEqualTo(ComponentState.TERMINATED);
+        assertThat(interfaces.getLast().state()).isEqualTo(ComponentState.RUNNING);
         assertThat(notes.take()).doesNotContain("first RUNNING").contains("second RUNNING");
     }
 
@@ -116,7 +116,7 @@ class RemoteProviderFaultsTest {
     void healthThatHangs_makesItSuspect_andFailedOnlyAfterSoManyMisses() {
         connect();
         first.health = ScriptedComponent::later;
-        seconds(2); // asked after one second, given up after another
+        seconds(2); // checked after one second, overdue after another
         assertThat(health(0)).isEqualTo(Health.SUSPECT);
         seconds(3);
         assertThat(health(0)).isEqualTo(Health.SUSPECT);
@@ -152,7 +152,7 @@ class RemoteProviderFaultsTest {
     @Test
     void componentThatHasLeftTheBus_isFailedOverWithTheNextCheck() {
         connect();
-        test.run(faces.getFirst()::close);
+        test.run(interfaces.getFirst()::close);
         assertThat(heard).as("nobody has told the broker").containsExactly("use first");
         seconds(1);
         assertThat(heard).containsExactly("use first", "use second");
@@ -162,7 +162,7 @@ class RemoteProviderFaultsTest {
     @Test
     void timeOut_isOverdue_andNamesWhoWasAskedForWhat() {
         first.invoke = ScriptedComponent::later;
-        var remote = new RemoteProvider(control, faces.getFirst().address(), LIMIT);
+        var remote = new RemoteProvider(control, interfaces.getFirst().address(), LIMIT);
         var started = remote.start();
         test.crank();
         test.advance(LIMIT);

@@ -8,16 +8,16 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A component that does what a test says; it takes and gives text, the application knows numbers. */
+/** A component that is scripted by a test. Its input and output are texts; the application's values are numbers. */
 final class ScriptedComponent {
-    /** The application's data. */
+    /** A value of the application. */
     record Number(int value) {}
 
     static final Topic<Number> IN = new Topic<>("counter/in", Number.class);
     static final Topic<Number> OUT = new Topic<>("counter/out", Number.class);
 
     final List<String> calls = new ArrayList<>();
-    final List<ComponentCommunication.Signals<? super String>> lives = new ArrayList<>();
+    final List<ComponentCommunication.Signals<? super String>> runs = new ArrayList<>();
     Supplier<Promise<@Nullable Void>> invoke = Promise::done;
     Supplier<Promise<@Nullable Void>> terminate = Promise::done;
     Supplier<Promise<@Nullable Void>> health = Promise::done;
@@ -36,10 +36,10 @@ final class ScriptedComponent {
     }
 
     ComponentCommunication.Signals<? super String> signals() {
-        return lives.getLast();
+        return runs.getLast();
     }
 
-    /** For a script that answers later. */
+    /** A promise that the test settles later. */
     static Deferred<@Nullable Void> later() {
         return new Deferred<>();
     }
@@ -48,7 +48,7 @@ final class ScriptedComponent {
         @Override
         public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
             calls.add("invoke");
-            lives.add(signals);
+            runs.add(signals);
             return invoke.get();
         }
 

@@ -55,7 +55,7 @@ class ComponentsGuideTest {
     static final Topic<Temperature> TEMPERATURE = new Topic<>("hall/temperature", Temperature.class);
     static final Topic<Label> LABEL = new Topic<>("hall/label", Label.class);
 
-    /** Somebody else's package: it has its own data, and calls back. */
+    /** A third-party package with its own data format and a callback. */
     private static final class Thermometer {
         private boolean on;
         private String label = "";
@@ -71,10 +71,10 @@ class ComponentsGuideTest {
         }
     }
 
-    static final class ThermometerLine implements ComponentCommunication<String, Double> {
+    static final class ThermometerCommunication implements ComponentCommunication<String, Double> {
         private final Thermometer thermometer;
 
-        ThermometerLine(Thermometer thermometer) {
+        ThermometerCommunication(Thermometer thermometer) {
             this.thermometer = thermometer;
         }
 
@@ -134,7 +134,7 @@ class ComponentsGuideTest {
                     List.of("senses"),
                     List.of(LABEL),
                     List.of(TEMPERATURE),
-                    () -> new ThermometerLine(thermometer),
+                    () -> new ThermometerCommunication(thermometer),
                     new Celsius(),
                     Buffering.LATEST,
                     Buffering.STREAM);

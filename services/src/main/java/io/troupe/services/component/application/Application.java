@@ -20,22 +20,24 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An application that runs.
+ * A running application.
  *
- * <p><b>Role.</b> Puts the components of its plan on the bus, registers them with the broker, and asks the broker for
- * all its needs: that is what starts components, and only those that are needed. Then it keeps each user connected with
- * the provider that the broker names.
+ * <p><b>Role.</b> Attaches the components of its plan to the bus, registers them with the broker, and requests all
+ * needs of the plan from the broker. The broker starts the components, and only those that are needed. The application
+ * then connects each user with the provider that the broker selects.
  *
- * <p><b>Threads.</b> One actor space, on which it is started, stopped, and tells its observers. Bus and broker belong
- * to it, and are closed with it.
+ * <p><b>Threads.</b> One actor space, on which it is started and stopped, and on which it notifies its observers. The
+ * application owns bus and broker, and closes them at its end.
  *
- * <p><b>Order.</b> Needs are met one after the other, in the order of the plan; replacements are timed from the moment
- * when all are. When one provider takes the place of another its wires do so in one turn of the space.
+ * <p><b>Order.</b> Needs are met one after the other, in the order of the plan. The times of replacements count from
+ * the moment when all needs are met. When one provider replaces another, their wires are exchanged in one turn of the
+ * space.
  *
- * <p><b>Errors.</b> A need that nobody can meet, or that stays unmet longer than the patience, ends the application:
- * everything that was started is stopped, and then {@link #started} or {@link #ended} is rejected with the broker's
- * {@link MissingServiceException}. So do two needs that would feed one topic, with an {@link ApplicationException}.
- * {@link #replace} and {@link #add} are rejected with one when it is being stopped, or has been.
+ * <p><b>Errors.</b> A need that no provider can meet, or that stays unmet for longer than
+ * {@link ApplicationSettings#reconnectLimit}, ends the application: everything that was started is stopped, and then
+ * {@link #started} or {@link #ended} is rejected with the broker's {@link MissingServiceException}. Two needs that
+ * would feed one topic end it in the same way, with an {@link ApplicationException}. {@link #replace} and {@link #add}
+ * are rejected with an {@link ApplicationException} once the application is being stopped.
  *
  * <p><b>Source.</b> Paper, sections 1 ("terminate gracefully with proper error messages"), 2.1.3 and 2.2.4.
  */
@@ -46,12 +48,11 @@ public final class Application {
     private final Broker broker;
     private final ApplicationSettings settings;
     private final BusPort port;
-    private final Wiring wiring;
+    private final TopicWiring wiring;
     private final Map<String, ComponentInterface<?, ?>> interfaces = new LinkedHashMap<>();
-    private final List<Usage> usages = new ArrayList<>();
+    private final List<NeedConnection> connections = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
     private final Deferred<@Nullable Void> ended = new Deferred<>();
-    private final Losses losses = new Losses();
     private boolean ending;
 
     private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
@@ -61,13 +62,13 @@ public final class Application {
         this.broker = broker;
         this.settings = settings;
         this.port = bus.attach(plan.name() + ":application");
-        this.wiring = new Wiring(port, plan.components(), settings.events());
+        this.wiring = new TopicWiring(port, plan.components(), settings.events());
     }
 
     /**
      * Starts an application.
      *
-     * @throws IllegalStateException on any thread but that of an actor space
+     * @throws IllegalStateException if the current thread is not that of an actor space
      */
     public static Application start(ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
         ActorSpace space = ActorSpace.current();
@@ -80,32 +81,32 @@ public final class Application {
         return application;
     }
 
-    /** Fulfilled when all needs are met; rejected if one cannot be, after everything has been stopped again. */
+    /** Fulfilled when all needs are met; rejected if a need cannot be met, after everything has been stopped. */
     public Promise<@Nullable Void> started() {
         return started;
     }
 
-    /** Fulfilled when it has been stopped; rejected with what has ended it. */
+    /** Fulfilled when the application has been stopped; rejected with the error that has ended it. */
     public Promise<@Nullable Void> ended() {
         return ended;
     }
 
     private void begin() {
-        ended.exceptionally(error -> null); // whoever waits for the start hears of it there
+        ended.exceptionally(error -> null); // a failed start is reported by started(); ended() needs no listener
         Promise<?> registered = Promise.done();
         try {
             for (var each : plan.components().entrySet()) {
-                var face = ComponentInterface.open(bus, each.getKey(), each.getValue(), settings.components());
-                interfaces.put(each.getKey(), face);
+                var opened = ComponentInterface.open(bus, each.getKey(), each.getValue(), settings.components());
+                interfaces.put(each.getKey(), opened);
             }
             wiring.claim(null, plan.wires());
             wiring.open(plan.wires());
-            for (var face : interfaces.values()) {
-                if (plan.isOffered(face.address().name())) {
-                    var component = face.component();
-                    registered = both(
+            for (var opened : interfaces.values()) {
+                if (plan.isRegisteredAtStart(opened.address().name())) {
+                    var component = opened.component();
+                    registered = combine(
                             registered,
-                            broker.register(component.service(), component.capabilities(), face.address(), face));
+                            broker.register(component.service(), component.capabilities(), opened.address(), opened));
                 }
             }
         } catch (RuntimeException refused) {
@@ -113,7 +114,7 @@ public final class Application {
             return;
         }
         registered
-                .thenCompose(all -> meet(plan.needs().iterator()))
+                .thenCompose(all -> meetNeeds(plan.needs().iterator()))
                 .thenAccept(met -> run())
                 .exceptionally(error -> {
                     end(error);
@@ -121,17 +122,17 @@ public final class Application {
                 });
     }
 
-    private static Promise<?> both(Promise<?> first, Promise<?> second) {
+    private static Promise<?> combine(Promise<?> first, Promise<?> second) {
         return first.thenCombine(second, (one, other) -> one);
     }
 
-    private Promise<?> meet(Iterator<Need> needs) {
+    private Promise<?> meetNeeds(Iterator<Need> needs) {
         if (ending || !needs.hasNext()) {
             return Promise.done();
         }
-        var usage = new Usage(needs.next(), wiring, settings.events(), losses);
-        usages.add(usage);
-        return broker.connect(usage.need(), usage).thenCompose(provider -> meet(needs));
+        var connection = new NeedConnection(needs.next());
+        connections.add(connection);
+        return broker.connect(connection.need, connection).thenCompose(provider -> meetNeeds(needs));
     }
 
     private void run() {
@@ -140,7 +141,7 @@ public final class Application {
         }
         started.resolve(null);
         for (var replacement : plan.replacements()) {
-            space.delay(replacement.after()).handle((over, closed) -> {
+            space.delay(replacement.after()).handle((elapsed, closed) -> {
                 if (closed == null && !ending) {
                     replace(replacement);
                 }
@@ -161,17 +162,18 @@ public final class Application {
     }
 
     /**
-     * Puts a component in the place of another, under the service that this one is registered for, while the
-     * application runs.
+     * Replaces a component by another while the application runs. The new component is registered for the service of
+     * the old one.
      *
+     * @param old the component that is replaced
      * @param by a component of the plan that is not in use
      */
     public Promise<@Nullable Void> replace(String old, String by) {
         if (ending) {
-            return Promise.failed(over("replaces nothing"));
+            return Promise.failed(stoppedError("replaces nothing"));
         }
-        var before = face(old);
-        var next = face(by);
+        var before = componentInterface(old);
+        var next = componentInterface(by);
         return broker.registered()
                 .thenCompose(all -> {
                     var offer = offerOf(before, all);
@@ -184,74 +186,113 @@ public final class Application {
                 .thenAccept(replaced -> {});
     }
 
-    /** What a component offers: not what it was made for, if it has itself taken the place of another. */
-    private ServiceRecord offerOf(ComponentInterface<?, ?> face, List<ServiceRecord> all) {
+    /**
+     * The service for which a component is registered, which is not its original one if it has replaced another
+     * component.
+     */
+    private ServiceRecord offerOf(ComponentInterface<?, ?> component, List<ServiceRecord> all) {
         return all.stream()
-                .filter(each -> each.provider().equals(face.address()))
+                .filter(each -> each.provider().equals(component.address()))
                 .findFirst()
-                .orElseThrow(() -> new ApplicationException(face.address().name()
+                .orElseThrow(() -> new ApplicationException(component.address().name()
                         + " offers nothing now, expected a component in whose place another can be put"));
     }
 
     /**
-     * Connects one more component on the fly: it is registered, and started as soon as somebody needs it.
+     * Adds a component at run time: registers it, so that the broker starts it when it is needed.
      *
-     * @param name as the component's maker was given
-     * @throws IllegalArgumentException if there is a component of that name
+     * @param name name of the component, with which it was also created
+     * @throws IllegalArgumentException if there already is a component of that name
      */
     public Promise<ServiceRecord> add(String name, Component<?, ?> component) {
         if (ending) {
-            return Promise.failed(over("takes no component " + name));
+            return Promise.failed(stoppedError("takes no component " + name));
         }
-        var face = ComponentInterface.open(bus, name, component, settings.components());
-        interfaces.put(name, face);
-        wiring.know(name, component);
-        return broker.register(component.service(), component.capabilities(), face.address(), face);
+        var opened = ComponentInterface.open(bus, name, component, settings.components());
+        interfaces.put(name, opened);
+        wiring.addComponent(name, component);
+        return broker.register(component.service(), component.capabilities(), opened.address(), opened);
     }
 
-    private ApplicationException over(String what) {
+    private ApplicationException stoppedError(String what) {
         return new ApplicationException(plan.name() + " has been stopped, and " + what);
     }
 
-    /** The interface of a component. */
-    public ComponentInterface<?, ?> face(String component) {
-        var face = interfaces.get(component);
-        if (face == null) {
+    /**
+     * The interface of a component.
+     *
+     * @throws IllegalArgumentException if there is no such component
+     */
+    public ComponentInterface<?, ?> componentInterface(String component) {
+        var found = interfaces.get(component);
+        if (found == null) {
             throw new IllegalArgumentException(
                     plan.name() + " has no component " + component + ", it has " + interfaces.keySet());
         }
-        return face;
+        return found;
     }
 
-    private final class Losses implements Usage.Losses {
+    /**
+     * Connection of one need: connects the topics of the user with those of the provider that the broker selects, and
+     * ends the application if there is no provider for too long.
+     */
+    private final class NeedConnection implements Broker.Connection {
+        private final Need need;
+        private List<BusPort.Subscription> open = List.of();
+
+        /** Number of providers so far; if it is the same as at a loss, there has been no provider since. */
+        private int timesMet;
+
+        NeedConnection(Need need) {
+            this.need = need;
+        }
+
         @Override
-        public void lost(Usage usage, MissingServiceException why) {
+        public void use(ServiceRecord provider) {
+            var wires = wiring.wiresBetween(need.by(), provider.provider().name());
+            try {
+                wiring.release(need);
+                wiring.claim(need, wires);
+            } catch (ApplicationException clash) {
+                end(clash);
+                return;
+            }
+            disconnect(); // in the same turn, so that every value sees exactly one provider
+            open = wiring.open(wires);
+            timesMet++;
+            settings.events().accept(new ApplicationEvent.Connected(need, provider, wires));
+        }
+
+        @Override
+        public void lost(MissingServiceException why) {
+            disconnect();
+            wiring.release(need);
             if (!ending) {
-                awaitAnother(usage, why);
+                awaitAnother(why);
             }
         }
 
-        @Override
-        public void clash(ApplicationException why) {
-            end(why);
+        private void awaitAnother(MissingServiceException why) {
+            settings.events().accept(new ApplicationEvent.Lost(need, why));
+            int met = timesMet;
+            space.delay(settings.reconnectLimit()).handle((elapsed, closed) -> {
+                // a need that has been met since then has its own limit after the next loss
+                if (closed == null && timesMet == met) {
+                    end(why);
+                }
+                return null;
+            });
         }
-    }
 
-    private void awaitAnother(Usage usage, MissingServiceException why) {
-        settings.events().accept(new ApplicationEvent.Lost(usage.need(), why));
-        int met = usage.timesMet();
-        space.delay(settings.patience()).handle((over, closed) -> {
-            if (closed == null
-                    && usage.timesMet() == met) { // else it had one meanwhile, and a later loss has its own time
-                end(why);
-            }
-            return null;
-        });
+        void disconnect() {
+            open.forEach(BusPort.Subscription::close);
+            open = List.of();
+        }
     }
 
     // ---- the end
 
-    /** Stops everything that was started, in reverse order, and leaves the bus. */
+    /** Stops everything that was started, in reverse order, and closes the bus. Fulfilled when this is done. */
     public Promise<@Nullable Void> stop() {
         end(null);
         return ended;
@@ -263,7 +304,7 @@ public final class Application {
         }
         ending = true;
         broker.shutDown().handle((left, error) -> {
-            usages.forEach(Usage::disconnect);
+            connections.forEach(NeedConnection::disconnect);
             interfaces.values().forEach(ComponentInterface::close);
             bus.close();
             settle(why != null ? why : error);
@@ -273,7 +314,7 @@ public final class Application {
 
     private void settle(@Nullable Throwable why) {
         if (why == null) {
-            started.resolve(null); // whoever stops it before it has started does not wait for that any more
+            started.resolve(null); // also settles the start of an application that is stopped while it starts
             ended.resolve(null);
         } else {
             started.reject(why);

@@ -7,23 +7,26 @@ import io.troupe.services.component.application.ApplicationPlan.Replacement;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.List;
 
-/** Something that happened in an application. */
+/** An event of an application, for its observer. */
 public sealed interface ApplicationEvent {
     /**
-     * A user has got a provider, the first or another.
+     * A user has been connected with a provider, its first or another.
      *
-     * @param wires what is connected between the two
+     * @param wires the connected topics of user and provider
      */
     record Connected(Need need, ServiceRecord provider, List<Wire<?>> wires) implements ApplicationEvent {}
 
-    /** A user has lost its provider; if it gets none within the application's patience, the application ends. */
+    /**
+     * A user has lost its provider. The application ends if there is no other within
+     * {@link ApplicationSettings#reconnectLimit}.
+     */
     record Lost(Need need, MissingServiceException why) implements ApplicationEvent {}
 
-    /** A value went over a wire. */
-    record Carried(Wire<?> wire, Record value) implements ApplicationEvent {}
+    /** A value was forwarded over a wire. */
+    record Forwarded(Wire<?> wire, Record value) implements ApplicationEvent {}
 
     record Replaced(Replacement what) implements ApplicationEvent {}
 
-    /** The old one stays in use. */
+    /** A replacement has failed; the old component stays in use. */
     record NotReplaced(Replacement what, Throwable why) implements ApplicationEvent {}
 }

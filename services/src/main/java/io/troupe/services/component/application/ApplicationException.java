@@ -1,6 +1,6 @@
 package io.troupe.services.component.application;
 
-/** An application that cannot run as it was declared. */
+/** Thrown if an application cannot run as declared. */
 public final class ApplicationException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

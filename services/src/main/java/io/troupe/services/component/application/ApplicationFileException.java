@@ -1,6 +1,9 @@
 package io.troupe.services.component.application;
 
-/** A declaration that cannot be read: {@code file:line:column}, what is wrong, and what was expected. */
+/**
+ * Thrown for an application file that cannot be read; the message has {@code file:line:column}, the error, and what was
+ * expected.
+ */
 public final class ApplicationFileException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

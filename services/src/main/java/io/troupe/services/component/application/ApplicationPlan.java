@@ -18,17 +18,18 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * An application before it runs: which components there are, who needs which service, which topics are connected, and
- * what is replaced when.
+ * Description of an application: its components, which services they need, which topics are connected, and which
+ * components are replaced when.
  *
  * <p><b>Role.</b> Made in code by {@link #named(String)}, or read from a file by {@link ApplicationReader}. Immutable;
- * the same plan may run many times.
+ * a plan may be run many times.
  *
- * @param components by their names on the bus, in the order in which they are registered
- * @param needs what the broker is asked for, in this order; the user of a need is its {@code by}: a robot or a
- *     component, whose topics are connected with those of the provider, or the application itself
- * @param wires what is connected all the time
- * @param replacements who takes another's place
+ * @param name the name of the application
+ * @param components components by their names on the bus, in the order of their registration
+ * @param needs requests to the broker, in this order. The user of a need is its {@code by}: a robot or a component,
+ *     whose topics are connected with those of the provider, or the application itself
+ * @param wires connections that hold all the time
+ * @param replacements replacements of components, with their times
  */
 public record ApplicationPlan(
         String name,
@@ -37,9 +38,9 @@ public record ApplicationPlan(
         List<Wire<?>> wires,
         List<Replacement> replacements) {
     /**
-     * What is published on one topic is published on the other, too.
+     * Connection of two topics: values published on the first are also published on the second.
      *
-     * @param <T> the type of both
+     * @param <T> the type of both topics
      */
     public record Wire<T extends Record>(Topic<T> from, Topic<T> to) {
         @Override
@@ -49,9 +50,9 @@ public record ApplicationPlan(
     }
 
     /**
-     * A component that is put in another's place, under the name of its service.
+     * Replacement of a component by another, which takes over the name of its service.
      *
-     * @param after by the clock of the application's space, from its start
+     * @param after time since all needs were met, by the clock of the application's space
      */
     public record Replacement(Duration after, String old, String by) {}
 
@@ -62,15 +63,15 @@ public record ApplicationPlan(
         replacements = List.copyOf(replacements);
     }
 
-    /** An application of nothing. */
+    /** An empty application. */
     public static ApplicationPlan named(String name) {
         return new ApplicationPlan(name, Map.of(), List.of(), List.of(), List.of());
     }
 
     /**
-     * With one more component.
+     * A copy with one more component.
      *
-     * @param component as its maker was given the same name
+     * @param component name of the component, with which it was also created
      */
     public ApplicationPlan with(String component, Component<?, ?> what) {
         if (components.containsKey(component)) {
@@ -81,15 +82,16 @@ public record ApplicationPlan(
         return new ApplicationPlan(name, more, needs, wires, replacements);
     }
 
-    /** With one more need, of a service by its name. */
+    /** A copy with one more need, for a service by its name. */
     public ApplicationPlan needing(String user, String service) {
         return needing(Need.ofService(user, service));
     }
 
     /**
-     * With one more need.
+     * A copy with one more need.
      *
-     * @throws IllegalArgumentException if the user is neither the application, nor a component, nor an owner of topics
+     * @throws IllegalArgumentException if the user is neither the application, nor a component, nor the owner of a
+     *     topic
      */
     public ApplicationPlan needing(Need need) {
         List<String> users = users();
@@ -98,10 +100,10 @@ public record ApplicationPlan(
                     "\"" + need.by() + "\" is neither the application nor a component nor a robot of one; "
                             + Hints.of(need.by(), users));
         }
-        return new ApplicationPlan(name, components, plus(needs, need), wires, replacements);
+        return new ApplicationPlan(name, components, append(needs, need), wires, replacements);
     }
 
-    /** Whose needs there can be. */
+    /** Permitted users of a need: the application, its components, and the owners of topics. */
     List<String> users() {
         return Stream.concat(
                         Stream.concat(Stream.of(name), components.keySet().stream()),
@@ -113,7 +115,7 @@ public record ApplicationPlan(
     /** All topics of all components. */
     List<Topic<?>> topics() {
         return components.values().stream()
-                .flatMap(each -> Stream.concat(each.hears().stream(), each.publishes().stream()))
+                .flatMap(each -> Stream.concat(each.subscribes().stream(), each.publishes().stream()))
                 .<Topic<?>>map(topic -> topic)
                 .distinct()
                 .toList();
@@ -125,21 +127,25 @@ public record ApplicationPlan(
     }
 
     /**
-     * With two topics connected.
+     * A copy with two topics connected.
      *
-     * @throws IllegalArgumentException if they are already, or if values would go round in a circle
+     * @throws IllegalArgumentException if they are already connected, or if the wire would close a cycle
      */
     public <T extends Record> ApplicationPlan connecting(Topic<T> from, Topic<T> to) {
         var wire = new Wire<>(from, to);
         if (wires.contains(wire)) {
             throw new IllegalArgumentException(wire + " is there already, expected it once");
         }
-        checkEnds(wire, wires);
-        return new ApplicationPlan(name, components, needs, plus(wires, wire), replacements);
+        checkAcyclic(wire, wires);
+        return new ApplicationPlan(name, components, needs, append(wires, wire), replacements);
     }
 
-    /** @throws IllegalArgumentException if a value that went over this wire would come back to it over the others */
-    static void checkEnds(Wire<?> wire, Collection<? extends Wire<?>> others) {
+    /**
+     * Checks that a wire closes no cycle with other wires.
+     *
+     * @throws IllegalArgumentException if a value sent over this wire would return to it over the others
+     */
+    static void checkAcyclic(Wire<?> wire, Collection<? extends Wire<?>> others) {
         Set<Topic<?>> reached = new LinkedHashSet<>(Set.of(wire.to()));
         Deque<Topic<?>> open = new ArrayDeque<>(reached);
         while (!open.isEmpty()) {
@@ -155,9 +161,9 @@ public record ApplicationPlan(
     }
 
     /**
-     * With a replacement; the component that takes over is registered only then.
+     * A copy with a replacement. The component that takes over is registered only when the replacement takes place.
      *
-     * @throws IllegalArgumentException if one of them is unknown
+     * @throws IllegalArgumentException if a component is unknown, takes a place twice, or would replace itself
      */
     public ApplicationPlan replacing(Duration after, String old, String by) {
         for (String each : List.of(old, by)) {
@@ -169,11 +175,15 @@ public record ApplicationPlan(
         if (replacements.stream().anyMatch(each -> each.by().equals(by)) || old.equals(by)) {
             throw new IllegalArgumentException("\"" + by + "\" cannot take a place twice, or its own");
         }
-        return new ApplicationPlan(name, components, needs, wires, plus(replacements, new Replacement(after, old, by)));
+        return new ApplicationPlan(
+                name, components, needs, wires, append(replacements, new Replacement(after, old, by)));
     }
 
-    /** Whether a component is registered from the beginning: unless it takes a place before it gives one up. */
-    boolean isOffered(String component) {
+    /**
+     * True if a component is registered at the start. A component whose first replacement puts it in another's place is
+     * registered only then.
+     */
+    boolean isRegisteredAtStart(String component) {
         return replacements.stream()
                 .filter(each -> each.old().equals(component) || each.by().equals(component))
                 .min(Comparator.comparing(Replacement::after))
@@ -181,7 +191,7 @@ public record ApplicationPlan(
                 .orElse(true);
     }
 
-    private static <T> List<T> plus(List<T> list, T more) {
+    private static <T> List<T> append(List<T> list, T more) {
         List<T> longer = new ArrayList<>(list);
         longer.add(more);
         return longer;

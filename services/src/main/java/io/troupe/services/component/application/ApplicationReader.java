@@ -2,9 +2,13 @@ package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
 import io.troupe.services.bus.Topic;
+import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
-import io.troupe.services.component.application.Words.Word;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.application.LineTokens.Token;
+import io.troupe.services.component.kinds.ArgumentException;
+import io.troupe.services.component.kinds.Arguments;
+import io.troupe.services.component.kinds.ComponentKind;
+import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.text.Suggestions;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -15,14 +19,17 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /**
- * Reads the declaration of an application.
+ * Reads application files.
  *
- * <p><b>Units and shapes.</b> One statement a line:
+ * <p><b>Units and shapes.</b> One statement per line:
  *
  * <pre>
  * application NAME
@@ -32,24 +39,24 @@ import java.util.regex.Pattern;
  * at TIME replace COMPONENT by COMPONENT
  * </pre>
  *
- * A user is the application, a component, or a robot of one. Times are {@code 500ms}, {@code 20s} or {@code 2min}, from
- * when all needs are met.
+ * A user is the application, a component, or a robot of a component. Times are written {@code 500ms}, {@code 20s} or
+ * {@code 2min}, and count from the moment when all needs are met.
  *
- * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first mistake.
+ * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first error.
  */
 public final class ApplicationReader {
-    private static final String BYTE_ORDER_MARK = "\uFEFF"; // some editors write one
+    private static final String BYTE_ORDER_MARK = "\uFEFF"; // written by some editors
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
     private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
     private static final String STATEMENT = "application, component, connect, at, or a user that needs a service";
 
     private final Path file;
-    private final Kinds kinds;
+    private final ComponentKinds kinds;
     private ApplicationPlan plan = ApplicationPlan.named("application");
     private boolean named;
 
-    private ApplicationReader(Path file, Kinds kinds) {
+    private ApplicationReader(Path file, ComponentKinds kinds) {
         this.file = file;
         this.kinds = kinds;
     }
@@ -57,10 +64,10 @@ public final class ApplicationReader {
     /**
      * Reads a file.
      *
-     * @param values of what the file writes as <code>${name}</code>
-     * @throws UncheckedIOException if there is no such file
+     * @param values replacements for <code>${name}</code> in the file
+     * @throws UncheckedIOException if the file cannot be read
      */
-    public static ApplicationPlan read(Path file, Kinds kinds, Map<String, String> values) {
+    public static ApplicationPlan read(Path file, ComponentKinds kinds, Map<String, String> values) {
         try {
             return parse(text(file), file, kinds, values);
         } catch (IOException e) {
@@ -69,7 +76,7 @@ public final class ApplicationReader {
     }
 
     /**
-     * The text of a declaration, as {@link #parse} takes it.
+     * The text of a file, decoded for {@link #parse}.
      *
      * @throws ApplicationFileException if it is not UTF-8
      */
@@ -91,14 +98,14 @@ public final class ApplicationReader {
         return read.startsWith(BYTE_ORDER_MARK) ? read.substring(BYTE_ORDER_MARK.length()) : read;
     }
 
-    /** Reads a text as if it stood in that file. */
-    public static ApplicationPlan parse(String text, Path file, Kinds kinds, Map<String, String> values) {
+    /** Parses a text; the file is used for error positions and relative paths. */
+    public static ApplicationPlan parse(String text, Path file, ComponentKinds kinds, Map<String, String> values) {
         var reader = new ApplicationReader(file, kinds);
         List<String> lines = text.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
-            var words = Words.of(file.toString(), index + 1, lines.get(index), values);
-            if (!words.isEmpty()) {
-                reader.statement(words);
+            var tokens = LineTokens.of(file.toString(), index + 1, lines.get(index), values);
+            if (!tokens.isEmpty()) {
+                reader.statement(tokens);
             }
         }
         if (!reader.named) {
@@ -108,32 +115,32 @@ public final class ApplicationReader {
         return reader.plan;
     }
 
-    private void statement(Words words) {
-        Word first = words.next(STATEMENT);
+    private void statement(LineTokens tokens) {
+        Token first = tokens.next(STATEMENT);
         switch (first.text()) {
-            case "application" -> application(first, words);
-            case "component" -> component(words);
-            case "connect" -> connect(words);
-            case "at" -> replace(words);
-            default -> need(first, words);
+            case "application" -> application(first, tokens);
+            case "component" -> component(tokens);
+            case "connect" -> connect(tokens);
+            case "at" -> replace(tokens);
+            default -> need(first, tokens);
         }
-        words.expectEnd();
+        tokens.expectEnd();
     }
 
-    private void application(Word first, Words words) {
+    private void application(Token first, LineTokens tokens) {
         if (named || !plan.components().isEmpty()) {
-            throw words.problem(first, "the name of the application stands here, expected it once, on the first line");
+            throw tokens.error(first, "the name of the application stands here, expected it once, on the first line");
         }
         named = true;
-        plan = ApplicationPlan.named(words.name("the application's name"));
+        plan = ApplicationPlan.named(tokens.name("the application's name"));
     }
 
-    private void component(Words words) {
-        var read = ComponentStatement.read(words, kinds, directory());
+    private void component(LineTokens tokens) {
+        var read = ComponentStatement.read(tokens, kinds, directory());
         try {
             plan = plan.with(read.name(), read.component());
         } catch (IllegalArgumentException twice) {
-            throw words.problem(read.kind(), twice.getMessage());
+            throw tokens.error(read.kind(), twice.getMessage());
         }
     }
 
@@ -142,50 +149,50 @@ public final class ApplicationReader {
         return parent == null ? Path.of("") : parent;
     }
 
-    private void need(Word user, Words words) {
+    private void need(Token user, LineTokens tokens) {
         var meant = Suggestions.nearest(user.text(), STATEMENTS);
-        if (!words.isNext("needs") && (meant.isPresent() || !plan.users().contains(user.text()))) {
-            throw words.problem(
+        if (!tokens.isNext("needs") && (meant.isPresent() || !plan.users().contains(user.text()))) {
+            throw tokens.error(
                     user,
                     "found \"" + user.text() + "\", expected " + STATEMENT
                             + meant.map(word -> "; did you mean \"" + word + "\"?")
                                     .orElse(""));
         }
-        words.expect("needs");
+        tokens.expect("needs");
         String service = null;
         String capability = null;
         do {
-            Word what = words.next("\"service\" or \"capability\"");
+            Token what = tokens.next("\"service\" or \"capability\"");
             if (what.text().equals("service") && service == null) {
-                service = words.next("a service").text();
+                service = tokens.next("a service").text();
             } else if (what.text().equals("capability") && capability == null) {
-                capability = words.next("a capability").text();
+                capability = tokens.next("a capability").text();
             } else {
-                throw words.problem(
+                throw tokens.error(
                         what, "found \"" + what.text() + "\", expected \"service\" or \"capability\", each once");
             }
-        } while (words.hasNext());
+        } while (tokens.hasNext());
         try {
             plan = plan.needing(new Need(user.text(), service, capability));
         } catch (IllegalArgumentException unknown) {
-            throw words.problem(user, unknown.getMessage());
+            throw tokens.error(user, unknown.getMessage());
         }
     }
 
-    private void connect(Words words) {
-        Topic<?> from = topic(words);
-        words.expect("to");
-        Word target = words.next("a topic");
-        Topic<?> to = topic(words, target);
-        Wire<?> wire = Wiring.wire(from, to)
-                .orElseThrow(() -> words.problem(
+    private void connect(LineTokens tokens) {
+        Topic<?> from = topic(tokens);
+        tokens.expect("to");
+        Token target = tokens.next("a topic");
+        Topic<?> to = topic(tokens, target);
+        Wire<?> wire = TopicWiring.wire(from, to)
+                .orElseThrow(() -> tokens.error(
                         target,
                         to.name() + " is of " + to.type().getSimpleName() + ", expected a topic of "
                                 + from.type().getSimpleName() + " as " + from.name() + " is"));
         try {
             plan = connecting(wire);
         } catch (IllegalArgumentException circle) {
-            throw words.problem(target, circle.getMessage());
+            throw tokens.error(target, circle.getMessage());
         }
     }
 
@@ -193,38 +200,123 @@ public final class ApplicationReader {
         return plan.connecting(wire.from(), wire.to());
     }
 
-    private Topic<?> topic(Words words) {
-        return topic(words, words.next("a topic"));
+    private Topic<?> topic(LineTokens tokens) {
+        return topic(tokens, tokens.next("a topic"));
     }
 
-    private Topic<?> topic(Words words, Word name) {
+    private Topic<?> topic(LineTokens tokens, Token name) {
         List<Topic<?>> topics = plan.topics();
         for (var topic : topics) {
             if (topic.name().equals(name.text())) {
                 return topic;
             }
         }
-        throw words.problem(
+        throw tokens.error(
                 name,
                 "no component above has a topic \"" + name.text() + "\"; "
                         + Hints.of(name.text(), topics.stream().map(Topic::name).toList()));
     }
 
-    private void replace(Words words) {
-        Word time = words.next("a time");
+    private void replace(LineTokens tokens) {
+        Token time = tokens.next("a time");
         var match = TIME.matcher(time.text());
         if (!match.matches()) {
-            throw words.problem(time, "\"" + time.text() + "\" is no time, expected for example 500ms, 20s or 2min");
+            throw tokens.error(time, "\"" + time.text() + "\" is no time, expected for example 500ms, 20s or 2min");
         }
         double millis = Double.parseDouble(match.group(1)) * MILLIS.getOrDefault(match.group(2), 1.0);
-        words.expect("replace");
-        Word old = words.next("a component");
-        words.expect("by");
-        Word by = words.next("a component");
+        tokens.expect("replace");
+        Token old = tokens.next("a component");
+        tokens.expect("by");
+        Token by = tokens.next("a component");
         try {
             plan = plan.replacing(Duration.ofMillis(StrictMath.round(millis)), old.text(), by.text());
         } catch (IllegalArgumentException unknown) {
-            throw words.problem(plan.components().containsKey(old.text()) ? by : old, unknown.getMessage());
+            throw tokens.error(plan.components().containsKey(old.text()) ? by : old, unknown.getMessage());
+        }
+    }
+
+    /**
+     * The statement {@code component NAME is KIND [PARAMETER=VALUE ..]}.
+     *
+     * @param kind the token that names the kind
+     */
+    private record ComponentStatement(String name, Token kind, Component<?, ?> component) {
+        private static final String SERVICE = "service";
+        private static final String CAPABILITIES = "capabilities";
+
+        /** Parses the rest of the line after the word {@code component}. */
+        static ComponentStatement read(LineTokens tokens, ComponentKinds kinds, Path directory) {
+            String name = tokens.name("the component's name");
+            tokens.expect("is");
+            Token kindToken = tokens.next("a kind of component");
+            ComponentKind kind = kinds.find(kindToken.text())
+                    .orElseThrow(() -> tokens.error(
+                            kindToken,
+                            "there is no kind of component \"" + kindToken.text() + "\"; "
+                                    + Hints.of(
+                                            kindToken.text(),
+                                            kinds.all().stream()
+                                                    .map(ComponentKind::name)
+                                                    .toList())));
+            Map<String, Token> arguments = arguments(kind, tokens);
+            Map<String, String> given = new LinkedHashMap<>();
+            arguments.forEach((key, token) -> given.put(key, token.text()));
+            List<String> service = names(SERVICE, arguments, tokens);
+            List<String> capabilities = names(CAPABILITIES, arguments, tokens);
+            given.keySet().removeAll(List.of(SERVICE, CAPABILITIES));
+            try {
+                var made = kind.factory().create(name, new Arguments(kind, given, directory));
+                var offered = made.offering(
+                        service.isEmpty() ? made.service() : service.getFirst(),
+                        capabilities.isEmpty() ? made.capabilities() : capabilities);
+                return new ComponentStatement(name, kindToken, offered);
+            } catch (ArgumentException wrong) {
+                throw tokens.error(arguments.getOrDefault(wrong.parameter(), kindToken), wrong.getMessage());
+            }
+        }
+
+        /** The comma-separated names given for a key; empty if the key is missing. */
+        private static List<String> names(String key, Map<String, Token> arguments, LineTokens tokens) {
+            Token given = arguments.get(key);
+            if (given == null) {
+                return List.of();
+            }
+            List<String> names = key.equals(SERVICE)
+                    ? List.of(given.text())
+                    : Arrays.stream(given.text().split(",", -1))
+                            .map(String::strip)
+                            .toList();
+            if (names.stream().anyMatch(String::isBlank)) {
+                throw tokens.error(
+                        given,
+                        key + " is \"" + given.text() + "\", expected "
+                                + (key.equals(SERVICE) ? "a name" : "names with commas between them"));
+            }
+            return names;
+        }
+
+        private static Map<String, Token> arguments(ComponentKind kind, LineTokens tokens) {
+            List<String> known = Stream.concat(
+                            kind.parameters().stream().map(ComponentKind.Parameter::name),
+                            Stream.of(SERVICE, CAPABILITIES))
+                    .toList();
+            Map<String, Token> arguments = new LinkedHashMap<>();
+            while (tokens.hasNext()) {
+                Token token = tokens.next("PARAMETER=VALUE");
+                int equals = token.text().indexOf('=');
+                if (equals < 1) {
+                    throw tokens.error(token, "found \"" + token.text() + "\", expected PARAMETER=VALUE");
+                }
+                String key = token.text().substring(0, equals);
+                if (!known.contains(key)) {
+                    throw tokens.error(
+                            token, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
+                }
+                if (arguments.put(key, new Token(token.text().substring(equals + 1), token.column())) != null) {
+                    throw tokens.error(token, "\"" + key + "\" is given twice, expected it once");
+                }
+            }
+            return arguments;
         }
     }
 }

@@ -5,22 +5,23 @@ import java.time.Duration;
 import java.util.function.Consumer;
 
 /**
- * How an application is run; immutable.
+ * Immutable settings of an application.
  *
- * @param patience how long a user may be without a provider that it had
- * @param components hears what becomes of components
- * @param events hears what happens in the application
+ * @param reconnectLimit how long a user may be without a provider after the loss of one
+ * @param components listener for the events of components
+ * @param events listener for the events of the application
  */
-public record ApplicationSettings(Duration patience, ComponentObserver components, Consumer<ApplicationEvent> events) {
-    /** 3 s of patience, enough for the broker to start a provider again; problems are logged. */
+public record ApplicationSettings(
+        Duration reconnectLimit, ComponentObserver components, Consumer<ApplicationEvent> events) {
+    /** A reconnect limit of 3 s, which is enough for the broker to restart a provider; problems are logged. */
     public static final ApplicationSettings DEFAULT =
             new ApplicationSettings(Duration.ofSeconds(3), ComponentObserver.LOG, event -> {});
 
-    public ApplicationSettings withPatience(Duration newPatience) {
-        return new ApplicationSettings(newPatience, components, events);
+    public ApplicationSettings withReconnectLimit(Duration newReconnectLimit) {
+        return new ApplicationSettings(newReconnectLimit, components, events);
     }
 
     public ApplicationSettings withObservers(ComponentObserver newComponents, Consumer<ApplicationEvent> newEvents) {
-        return new ApplicationSettings(patience, newComponents, newEvents);
+        return new ApplicationSettings(reconnectLimit, newComponents, newEvents);
     }
 }

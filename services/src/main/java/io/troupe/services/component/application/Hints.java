@@ -4,7 +4,7 @@ import io.troupe.services.text.Suggestions;
 import java.util.Collection;
 import java.util.List;
 
-/** What a message says of a name that is not known. */
+/** Hints for messages about unknown names: the nearest known name, and the permitted names. */
 final class Hints {
     private static final int FEW = 12;
 

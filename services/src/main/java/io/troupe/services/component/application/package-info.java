@@ -1,7 +1,7 @@
 /**
- * The application layer (paper, section 2.1.3): an application says which components there are, who needs which
- * service, and when one takes another's place; the broker finds and starts them, and the wiring connects what has the
- * same name.
+ * The application layer (paper, section 2.1.3). An application declares its components, which services they need, and
+ * when a component replaces another. The broker finds and starts the components, and the application connects the
+ * topics of users and providers that have the same name.
  */
 @NullMarked
 package io.troupe.services.component.application;

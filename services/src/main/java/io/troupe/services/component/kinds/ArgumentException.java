@@ -1,6 +1,9 @@
 package io.troupe.services.component.kinds;
 
-/** A value that a kind of component cannot take; the message has no position, that is for whoever read it. */
+/**
+ * Thrown for a parameter value that a kind of component does not accept. The message has no file position; the reader
+ * of the file adds it.
+ */
 public final class ArgumentException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -1,14 +1,19 @@
 package io.troupe.services.component.kinds;
 
+import io.troupe.actor.promise.Promise;
 import io.troupe.services.behaviour.Behaviour;
+import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.LaserScan;
+import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.RobotPose;
+import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
+import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.Conversion;
 import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.LaserReading;
@@ -16,42 +21,48 @@ import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Any behaviour as a component.
+ * Makes a component of any {@link Behaviour}.
  *
- * <p><b>Role.</b> Under the name {@code c} it hears {@code c/sonar} and {@code c/position}, and for each ring of
- * ranges, but not more often than every 100 ms, says {@code c/velocity} if it wants to move. Where no position comes it
- * knows only the pose (0, 0, 0), not stalled. One that asks for blobs or laser subscribes to {@code c/blobs} or
- * {@code c/laser} too; until the first of them comes there are no blobs, and the scan is empty. Its last command, when
- * it is terminated or its law throws, is to stand still.
+ * <p><b>Role.</b> A component named {@code c} subscribes to {@code c/sonar} and {@code c/position}. For each sonar
+ * reading, but at most every 100 ms, it runs a step of its control law and publishes the velocity on {@code c/velocity}
+ * if the step returns one. Until a position arrives, the pose is (0, 0, 0) and the robot is not stalled. A behaviour
+ * that needs blobs or laser scans also subscribes to {@code c/blobs} or {@code c/laser}; until the first of them
+ * arrives, there are no blobs and the scan is empty. When the component is terminated or its control law throws, its
+ * last output is a command to stop.
  *
  * <p><b>Source.</b> Paper, sections 3.1 and 3.2.
  */
 public final class BehaviourComponent {
-    /** What a behaviour senses only if it asks for it, since it costs messages. */
+    /** Optional inputs of a behaviour, which cost messages and are therefore subscribed to only on request. */
     public enum Sense {
-        /** What the camera sees, from {@code c/blobs}. */
+        /** Camera blobs, from {@code c/blobs}. */
         BLOBS,
-        /** The scans of the laser, from {@code c/laser}. */
+        /** Laser scans, from {@code c/laser}. */
         LASER
     }
 
     private BehaviourComponent() {}
 
-    /** A behaviour that asks for neither blobs nor laser. */
+    /** Makes a component without blobs and laser scans. */
     public static Component<?, ?> of(
             String name, String service, List<String> capabilities, Supplier<? extends Behaviour> law) {
         return of(name, service, capabilities, Set.of(), law);
     }
 
     /**
-     * @param name of the component on the bus, and of its topics
-     * @param service what it provides
-     * @param senses what it asks for besides sonar and position
-     * @param law made anew for each life of the component
+     * Makes a component.
+     *
+     * @param name name of the component on the bus, and prefix of its topics
+     * @param service name of the provided service
+     * @param capabilities further terms by which the broker finds the service
+     * @param senses optional inputs besides sonar and position
+     * @param law creates the behaviour, once for each run of the component
      */
     public static Component<?, ?> of(
             String name,
@@ -59,17 +70,17 @@ public final class BehaviourComponent {
             List<String> capabilities,
             Set<Sense> senses,
             Supplier<? extends Behaviour> law) {
-        List<Topic<?>> hears = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
+        List<Topic<?>> subscribes = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
         if (senses.contains(Sense.BLOBS)) {
-            hears.add(RobotTopics.blobs(name));
+            subscribes.add(RobotTopics.blobs(name));
         }
         if (senses.contains(Sense.LASER)) {
-            hears.add(RobotTopics.laser(name));
+            subscribes.add(RobotTopics.laser(name));
         }
         return new Component<>(
                 service,
                 capabilities,
-                hears,
+                subscribes,
                 List.of(RobotTopics.velocity(name)),
                 () -> new BehaviourCommunication(law),
                 new SensesConversion(name),
@@ -107,6 +118,88 @@ public final class BehaviourComponent {
                 ranges[each] = rangesM.get(each).floatValue();
             }
             return ranges;
+        }
+    }
+
+    /** Input of a behaviour, in the types that control laws use. */
+    private sealed interface BehaviourInput {
+        record Position(RobotPose pose, boolean stalled) implements BehaviourInput {}
+
+        record Image(List<Blob> blobs) implements BehaviourInput {}
+
+        record Laser(LaserScan scan) implements BehaviourInput {}
+
+        record Ranges(double timeSeconds, SonarRing sonar) implements BehaviourInput {}
+    }
+
+    /**
+     * The CCU of a behaviour: runs one step of the control law for each sonar reading, at most one per control cycle.
+     */
+    private static final class BehaviourCommunication implements ComponentCommunication<BehaviourInput, Velocity> {
+        private static final RobotPose UNKNOWN = new RobotPose(0, 0, 0);
+
+        private final Supplier<? extends Behaviour> law;
+        private @Nullable Behaviour behaviour;
+        private @Nullable Signals<? super Velocity> signals;
+        private RobotPose pose = UNKNOWN;
+        private boolean stalled;
+        private List<Blob> blobs = List.of();
+        private LaserScan scan = LaserScan.EMPTY;
+        private final ReadingTime time = new ReadingTime();
+        private double lastSeconds = Double.NEGATIVE_INFINITY;
+
+        BehaviourCommunication(Supplier<? extends Behaviour> law) {
+            this.law = law;
+        }
+
+        @Override
+        public Promise<@Nullable Void> invoke(Signals<? super Velocity> newSignals) {
+            behaviour = law.get();
+            signals = newSignals;
+            return Promise.done();
+        }
+
+        @Override
+        public void data(BehaviourInput input) {
+            switch (input) {
+                case BehaviourInput.Position position -> {
+                    pose = position.pose();
+                    stalled = position.stalled();
+                }
+                case BehaviourInput.Image image -> blobs = image.blobs();
+                case BehaviourInput.Laser laser -> scan = laser.scan();
+                case BehaviourInput.Ranges ranges -> step(ranges);
+            }
+        }
+
+        private void step(BehaviourInput.Ranges ranges) {
+            double nowSeconds = time.at(ranges.timeSeconds());
+            if (behaviour == null || signals == null || !ReadingTime.isCycle(lastSeconds, nowSeconds)) {
+                return; // ranges that arrive before the cycle is over are skipped
+            }
+            lastSeconds = nowSeconds;
+            Optional<Velocity> wanted;
+            try {
+                wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose, stalled, blobs, scan));
+            } catch (RuntimeException | Error thrown) {
+                signals.data(Velocity.STOP); // the failing behaviour cannot stop the robot any more
+                throw thrown;
+            }
+            wanted.ifPresent(signals::data);
+        }
+
+        @Override
+        public Promise<@Nullable Void> terminate() {
+            if (behaviour != null && signals != null) {
+                behaviour = null;
+                signals.data(Velocity.STOP);
+            }
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> health() {
+            return Promise.done();
         }
     }
 }

@@ -15,15 +15,20 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The colour finder as a component: under the name {@code c} it hears {@code c/blobs}, and says {@code c/colours}
- * whenever another colour than before is the largest in sight.
+ * Makes a component of the colour finder. A component named {@code c} subscribes to {@code c/blobs}, and publishes on
+ * {@code c/colours} when the largest colour in sight changes to another colour.
  *
  * <p><b>Source.</b> Paper, section 3.2.
  */
 public final class ColourFinderComponent {
     private ColourFinderComponent() {}
 
-    /** @param ignored colours that mean nothing, {@code 0x00RRGGBB}: walls, other robots */
+    /**
+     * Makes a component.
+     *
+     * @param name name of the component on the bus, and prefix of its topics
+     * @param ignored colours without a meaning, as {@code 0x00RRGGBB}, such as those of walls and other robots
+     */
     public static Component<?, ?> of(String name, Set<Integer> ignored) {
         Set<Integer> unseen = Set.copyOf(ignored);
         return new Component<>(

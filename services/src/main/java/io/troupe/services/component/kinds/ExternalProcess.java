@@ -10,7 +10,9 @@ import java.io.Reader;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
@@ -24,26 +26,26 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The CCU of a process of the operating system.
+ * The CCU of an operating system process.
  *
- * <p><b>Threads.</b> Daemon threads of its own: two read what the process writes, one writes what is sent to it, one
- * waits for its end, and one ends it. The actor space never waits for the process, and neither does the common pool:
- * {@link Process#onExit} would, and blocks it while a process that has outlived its parent holds the pipe.
+ * <p><b>Threads.</b> Five daemon threads for each process: two read its output and error streams, one writes its input,
+ * one waits for its exit, and one ends it. They never block the actor space or the common pool. {@link Process#onExit}
+ * is not used because it occupies a thread of the common pool while a child that outlives the process keeps the pipe
+ * open.
  */
 final class ExternalProcess implements ComponentCommunication<String, String> {
-    /** A longer line is cut here. */
+    /** Longer lines are cut here. */
     static final int LONGEST_LINE_CHARACTERS = 65_536;
 
-    /** Killed processes end at once, unless the system cannot end them. */
+    /** Time limit for the end of killed processes, which usually end at once. */
     private static final Duration KILL_LIMIT = Duration.ofSeconds(10);
 
     /**
-     * An application that ends with the virtual machine stops its components in its own order, and has this time for
-     * it.
+     * Time that an application has, during the shutdown of the virtual machine, to stop its components in its order.
      */
     private static final Duration SHUTDOWN_GRACE = Duration.ofSeconds(2);
 
-    /** Starts the program. */
+    /** Starts the program and returns its process tree. */
     interface Starter {
         ProcessTree start(ProcessComponent.Settings settings) throws IOException;
     }
@@ -56,15 +58,15 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     private final BlockingQueue<String> input = new LinkedBlockingQueue<>(1024);
     private final CompletableFuture<@Nullable Void> firstLine = new CompletableFuture<>();
 
-    /** Completed when the process has ended, and those that it had started as well. */
-    private final CompletableFuture<@Nullable Void> over = new CompletableFuture<>();
+    /** Completed when the process and all processes that it started have ended. */
+    private final CompletableFuture<@Nullable Void> treeEnded = new CompletableFuture<>();
 
-    /** Completed when the program has been started, or could not be. */
-    private final CompletableFuture<@Nullable Void> begun = new CompletableFuture<>();
+    /** Completed when the start of the program has succeeded or failed. */
+    private final CompletableFuture<@Nullable Void> startAttempted = new CompletableFuture<>();
 
-    final Thread atShutdown;
+    final Thread shutdownHook;
     private volatile @Nullable ProcessTree tree;
-    private volatile boolean ending;
+    private volatile boolean terminating;
     private @Nullable CompletableFuture<@Nullable Void> end; // guarded by this
 
     ExternalProcess(ProcessComponent.Settings settings) {
@@ -76,14 +78,15 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         this.starter = starter;
         this.killLimit = killLimit;
         this.shutdownGrace = shutdownGrace;
-        this.atShutdown =
+        this.shutdownHook =
                 new Thread(this::endAtShutdown, "end of " + settings.command().getFirst());
     }
 
     @Override
     public Promise<@Nullable Void> invoke(Signals<? super String> signals) {
         try {
-            Runtime.getRuntime().addShutdownHook(atShutdown); // Ctrl-C in a terminal does not reach other sessions
+            // Ctrl-C in a terminal does not reach processes in other sessions
+            Runtime.getRuntime().addShutdownHook(shutdownHook);
         } catch (IllegalStateException shuttingDown) {
             return Promise.failed(notStarted("the virtual machine is shutting down", shuttingDown));
         }
@@ -92,16 +95,16 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             started = starter.start(settings);
             tree = started;
         } catch (IOException | RuntimeException | Error e) {
-            forgetShutdown();
+            removeShutdownHook();
             return Promise.failed(notStarted(String.valueOf(e.getMessage()).strip(), e));
         } finally {
-            begun.complete(null);
+            startAttempted.complete(null);
         }
-        if (ending) {
+        if (terminating) {
             end();
         }
         Process process = started.root();
-        signals.tell("process " + process.pid() + ": " + words());
+        signals.info("process " + process.pid() + ": " + commandLine());
         Thread readErrors = thread("stderr", () -> read(process.getErrorStream(), "error", signals, errors::add));
         Thread readOutput = thread(
                 "stdout",
@@ -113,20 +116,23 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         thread("exit", () -> awaitExit(started, signals, readErrors, readOutput));
         return Promise.from(firstLine
                 .orTimeout(TimeUnit.MILLISECONDS.convert(settings.startLimit()), TimeUnit.MILLISECONDS)
-                .exceptionallyCompose(
-                        error -> error instanceof TimeoutException ? giveUp() : CompletableFuture.failedFuture(error)));
+                .exceptionallyCompose(error ->
+                        error instanceof TimeoutException ? abortStart() : CompletableFuture.failedFuture(error)));
     }
 
     private ProviderException notStarted(String why, Throwable cause) {
-        return new ProviderException(words() + " cannot be started: " + why, cause);
+        return new ProviderException(commandLine() + " cannot be started: " + why, cause);
     }
 
-    /** Fails when the process has been ended: what is started instead must not run beside it. */
-    private CompletableFuture<@Nullable Void> giveUp() {
-        ending = true;
+    /**
+     * Ends a process whose start has timed out. The future fails only after the process has ended, so that a
+     * replacement does not run beside it.
+     */
+    private CompletableFuture<@Nullable Void> abortStart() {
+        terminating = true;
         return end().handle((ended, left) -> {
-            var why = new ProviderException(words() + " has written no line in " + settings.startLimit()
-                    + ", expected one when it is ready" + said());
+            var why = new ProviderException(commandLine() + " has written no line in " + settings.startLimit()
+                    + ", expected one when it is ready" + lastErrors());
             if (left != null) {
                 why.addSuppressed(left);
             }
@@ -142,46 +148,49 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             Thread.currentThread().interrupt();
             return;
         }
-        List<Throwable> troubles = new ArrayList<>();
-        attempt(() -> tellOrphans(ofProgram, status, signals), troubles);
-        // what it left is reported by whoever terminates the component
-        attempt(() -> end().handle((ended, left) -> null).join(), troubles);
+        List<Throwable> errorsOnExit = new ArrayList<>();
+        attempt(() -> reportOrphans(ofProgram, status, signals), errorsOnExit);
+        // remaining processes are reported by the termination of the component
+        attempt(() -> end().handle((ended, left) -> null).join(), errorsOnExit);
         for (Thread reader : readers) {
-            attempt(() -> awaitLastLines(reader, signals), troubles);
+            attempt(() -> awaitLastLines(reader, signals), errorsOnExit);
         }
-        attempt(() -> tellUnwritten(signals), troubles);
-        forgetShutdown();
-        var why = new ProviderException(words() + " ended with status " + status + said());
-        troubles.forEach(why::addSuppressed);
+        attempt(() -> reportUnwritten(signals), errorsOnExit);
+        removeShutdownHook();
+        var why = new ProviderException(commandLine() + " ended with status " + status + lastErrors());
+        errorsOnExit.forEach(why::addSuppressed);
         firstLine.completeExceptionally(why);
-        over.complete(null);
-        if (!ending) {
+        treeEnded.complete(null);
+        if (!terminating) {
             signals.failed(why);
         }
     }
 
-    /** The end of the process is reported whatever fails on the way: a start and a health check wait for it. */
-    private static void attempt(Runnable step, List<Throwable> troubles) {
+    /**
+     * Runs a step and records its exception. A failed step must not prevent the report of the exit, on which starts and
+     * health checks wait.
+     */
+    private static void attempt(Runnable step, List<Throwable> errorsOnExit) {
         try {
             step.run();
-        } catch (RuntimeException | Error trouble) {
-            troubles.add(trouble);
+        } catch (RuntimeException | Error error) {
+            errorsOnExit.add(error);
         }
     }
 
-    private void tellOrphans(ProcessTree ofProgram, int status, Signals<?> signals) {
+    private void reportOrphans(ProcessTree ofProgram, int status, Signals<?> signals) {
         var orphans = ofProgram.alive();
-        if (!orphans.isEmpty() && !ending) {
-            signals.tell(words() + " has ended with status " + status
-                    + ", before processes that it had started; these are ended too: " + named(orphans));
+        if (!orphans.isEmpty() && !terminating) {
+            signals.info(commandLine() + " has ended with status " + status
+                    + ", before processes that it had started; these are ended too: " + describe(orphans));
         }
     }
 
     private void awaitLastLines(Thread reader, Signals<?> signals) {
         join(reader);
         if (reader.isAlive()) {
-            signals.tell(
-                    words() + " has ended, but a process outside its session keeps its " + reader.getName() + " open");
+            signals.info(commandLine() + " has ended, but a process outside its session keeps its " + reader.getName()
+                    + " open");
         }
     }
 
@@ -193,12 +202,12 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         }
     }
 
-    private String said() {
+    private String lastErrors() {
         String last = errors.text();
         return last.isEmpty() ? "" : "; it said: " + last;
     }
 
-    private String words() {
+    private String commandLine() {
         return "\"" + String.join(" ", settings.command()) + "\"";
     }
 
@@ -214,7 +223,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             readLines(
                     reader,
                     lines,
-                    () -> signals.tell(words() + " wrote a line of more than " + LONGEST_LINE_CHARACTERS
+                    () -> signals.info(commandLine() + " wrote a line of more than " + LONGEST_LINE_CHARACTERS
                             + " characters to its standard " + what + "; the rest of the line is lost"));
         } catch (IOException broken) {
             errors.add("(" + broken.getMessage() + ")");
@@ -222,8 +231,8 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
     }
 
     /**
-     * As {@link java.io.BufferedReader#readLine} divides text, but a line that does not end takes no more memory than a
-     * long one.
+     * Splits text into lines like {@link java.io.BufferedReader#readLine}, but cuts long lines, so that an endless line
+     * takes bounded memory.
      */
     private static void readLines(Reader from, Consumer<String> lines, Runnable cut) throws IOException {
         var line = new StringBuilder();
@@ -270,51 +279,52 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
                 }
             }
         } catch (IOException closed) {
-            if (to.isAlive() && !ending) { // else its exit says all
-                signals.tell(words() + " reads its standard input no more: " + closed.getMessage());
+            if (to.isAlive() && !terminating) { // otherwise the exit is reported
+                signals.info(commandLine() + " reads its standard input no more: " + closed.getMessage());
             }
         } catch (InterruptedException gone) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private void tellUnwritten(Signals<?> signals) {
+    private void reportUnwritten(Signals<?> signals) {
         List<String> rest = new ArrayList<>();
         input.drainTo(rest);
         if (!rest.isEmpty()) {
-            signals.tell(rest.size() + " lines for " + words() + " were not written to it");
+            signals.info(rest.size() + " lines for " + commandLine() + " were not written to it");
         }
     }
 
     @Override
     public void data(String line) {
         if (!input.offer(line)) {
-            throw new ProviderException(words() + " does not read its standard input: " + input.size() + " lines wait");
+            throw new ProviderException(
+                    commandLine() + " does not read its standard input: " + input.size() + " lines wait");
         }
     }
 
     /**
-     * Ends the process and those that it has started. Rejected with what is left if some are alive {@link #KILL_LIMIT}
-     * after they were killed; the next call tries again.
+     * Ends the process and all processes that it started. The promise is rejected with the remaining processes if some
+     * are alive {@link #KILL_LIMIT} after they were killed; the next call tries again.
      */
     @Override
     public Promise<@Nullable Void> terminate() {
-        ending = true;
+        terminating = true;
         return tree == null ? Promise.done() : Promise.from(end());
     }
 
     /**
-     * Waits for a start that has begun, and then for an application that stops its components; ends the process if it
-     * is alive after that.
+     * Shutdown hook: waits for a start in progress, then for the application to stop its components, and then ends the
+     * process if it is still alive.
      */
     void endAtShutdown() {
-        awaitAtShutdown(begun, killLimit);
+        awaitAtShutdown(startAttempted, killLimit);
         if (tree == null) {
-            ending = true;
+            terminating = true;
             return;
         }
-        awaitAtShutdown(over, shutdownGrace);
-        ending = true;
+        awaitAtShutdown(treeEnded, shutdownGrace);
+        terminating = true;
         end().handle((ended, left) -> null).join();
     }
 
@@ -322,17 +332,17 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         try {
             awaited.get(TimeUnit.MILLISECONDS.convert(limit), TimeUnit.MILLISECONDS);
         } catch (TimeoutException | ExecutionException late) {
-            // the process is ended all the same
+            // the process is ended anyway
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private void forgetShutdown() {
+    private void removeShutdownHook() {
         try {
-            Runtime.getRuntime().removeShutdownHook(atShutdown);
+            Runtime.getRuntime().removeShutdownHook(shutdownHook);
         } catch (IllegalStateException shuttingDown) {
-            // it runs already
+            // the hook is already running
         }
     }
 
@@ -352,15 +362,15 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
             if (left.isEmpty()) {
                 ended.complete(null);
             } else {
-                ended.completeExceptionally(new ProviderException(words() + " was killed, and " + killLimit
-                        + " later some of its processes are still alive: " + named(left)));
+                ended.completeExceptionally(new ProviderException(commandLine() + " was killed, and " + killLimit
+                        + " later some of its processes are still alive: " + describe(left)));
             }
         } catch (RuntimeException | Error failure) {
             ended.completeExceptionally(failure);
         }
     }
 
-    private static String named(List<ProcessHandle> processes) {
+    private static String describe(List<ProcessHandle> processes) {
         return processes.stream()
                 .map(each -> each.pid()
                         + each.info().command().map(name -> " (" + name + ")").orElse(""))
@@ -373,9 +383,29 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
         if (asked != null && asked.root().isAlive()) {
             return Promise.done();
         }
-        // not before the processes that it had started have ended: a broker starts another in its place
-        return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : over).thenApply(ended -> {
-            throw new ProviderException(words() + " does not run" + said());
+        // waits for the end of the child processes: after the rejection, a broker starts another provider
+        return Promise.from((asked == null ? CompletableFuture.completedFuture(null) : treeEnded).thenApply(ended -> {
+            throw new ProviderException(commandLine() + " does not run" + lastErrors());
         }));
+    }
+
+    /** The last lines of a process's error output. Any thread. */
+    private static final class Tail {
+        private static final int LINES = 5;
+        private static final int LINE_CHARACTERS = 200;
+
+        private final Deque<String> lines = new ArrayDeque<>(); // guarded by this
+
+        synchronized void add(String line) {
+            if (lines.size() == LINES) {
+                lines.remove();
+            }
+            lines.add(line.length() > LINE_CHARACTERS ? line.substring(0, LINE_CHARACTERS) + ".." : line);
+        }
+
+        /** The lines joined to one; empty if there are none. */
+        synchronized String text() {
+            return String.join(" | ", lines).strip();
+        }
     }
 }

@@ -1,33 +1,55 @@
 package io.troupe.services.component.kinds;
 
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
+import io.troupe.player.structures.laser.PlayerLaserData;
+import io.troupe.player.structures.position2d.PlayerPosition2dData;
+import io.troupe.player.structures.sonar.PlayerSonarData;
+import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.bus.Topic;
+import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
+import io.troupe.services.component.Conversion;
+import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
+import io.troupe.services.component.kinds.RobotTopics.LaserReading;
+import io.troupe.services.component.kinds.RobotTopics.PositionReading;
+import io.troupe.services.component.kinds.RobotTopics.SonarReading;
+import io.troupe.services.subsumption.DriverLimits;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
 /**
- * A Player server, ours or a real one, as a component: its robots say what they sense, and hear how to move.
+ * Makes a component of a Player server, Troupe's or another: it publishes the sensor readings of its robots, and
+ * subscribes to their velocity commands.
  *
- * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and {@code robotn/blobs} and
- * {@code robotn/laser} if the settings say that it has these; it drives as {@code robotn/velocity} says. When no
- * velocity has come for {@value PlayerRobot#PATIENCE_READINGS} readings, the robot is stopped, and this is told.
+ * <p><b>Role.</b> Robot n publishes {@code robotn/sonar} and {@code robotn/position}, and also {@code robotn/blobs} and
+ * {@code robotn/laser} if the settings enable them. It moves at the velocities published on {@code robotn/velocity}. A
+ * moving robot that has received no velocity for {@value #MAX_READINGS_WITHOUT_COMMAND} sonar readings is stopped, and
+ * this is reported to the observer.
  *
- * <p><b>Threads.</b> A server in this JVM is found by its port; its world waits, in lock step, until the space of the
- * interface has nothing left to do. Connecting to a server behind a socket holds the space meanwhile.
+ * <p><b>Threads.</b> A server in the same JVM is found by its port; in lock step, its world waits until the space of
+ * the interface is idle. Connecting to a server over a socket blocks the space.
  *
- * <p><b>Errors.</b> It cannot be started where there is no server, or no such robot; it fails when the server goes
- * away.
+ * <p><b>Errors.</b> The start fails if there is no server, or no such robot. The component fails when the connection to
+ * the server is lost.
  */
 public final class PlayerComponent {
     /**
-     * Where the server is, and what of it is used.
+     * Number of sonar readings without a command after which a moving robot is stopped: half a second in the worlds of
+     * the paper. Needed for other servers; Troupe's server stops the robot earlier, at
+     * {@link DriverLimits#COMMAND_LIMIT}.
+     */
+    static final int MAX_READINGS_WITHOUT_COMMAND = 5;
+
+    /**
+     * Address of the server, and the devices that are used.
      *
-     * @param robots by number from 1, which is the Player index plus one
-     * @param camera whether they have blobfinders, which are subscribed to then
-     * @param laser whether they have lasers, which are subscribed to then
+     * @param robots robot numbers from 1, which are Player indices plus one
+     * @param camera whether to subscribe to the blobfinders of the robots
+     * @param laser whether to subscribe to the lasers of the robots
      */
     public record Settings(String host, int port, List<Integer> robots, boolean camera, boolean laser) {
         public Settings {
@@ -37,7 +59,7 @@ public final class PlayerComponent {
             }
         }
 
-        /** Without lasers. */
+        /** Settings without lasers. */
         public Settings(String host, int port, List<Integer> robots, boolean camera) {
             this(host, port, robots, camera, false);
         }
@@ -47,16 +69,34 @@ public final class PlayerComponent {
         }
     }
 
+    /** Sensor reading of a robot from the server. Robots are identified by their Player index, from 0. */
+    sealed interface Reading {
+        int index();
+
+        double timestamp();
+    }
+
+    record Sonar(int index, double timestamp, PlayerSonarData data) implements Reading {}
+
+    record Laser(int index, double timestamp, PlayerLaserData data) implements Reading {}
+
+    record Position(int index, double timestamp, PlayerPosition2dData data) implements Reading {}
+
+    record Blobs(int index, double timestamp, PlayerBlobfinderData data) implements Reading {}
+
+    /** Command to the server: {@code setSpeed}. */
+    record SetSpeed(int index, double speed, double turnRate) {}
+
     private PlayerComponent() {}
 
     public static Component<?, ?> of(Settings settings) {
         Map<Integer, String> names = new LinkedHashMap<>();
-        List<Topic<?>> hears = new ArrayList<>();
+        List<Topic<?>> subscribes = new ArrayList<>();
         List<Topic<?>> publishes = new ArrayList<>();
         for (int number : settings.robots()) {
             String robot = "robot" + number;
             names.put(number - 1, robot);
-            hears.add(RobotTopics.velocity(robot));
+            subscribes.add(RobotTopics.velocity(robot));
             publishes.add(RobotTopics.position(robot));
             publishes.add(RobotTopics.sonar(robot));
             if (settings.camera()) {
@@ -69,11 +109,85 @@ public final class PlayerComponent {
         return new Component<>(
                 "player",
                 List.of("senses", "moves"),
-                hears,
+                subscribes,
                 publishes,
                 () -> new PlayerCommunication(settings),
                 new PlayerConversion(names),
-                Buffering.LATEST, // an old command is worse than none
+                Buffering.LATEST, // only the latest command is useful
                 Buffering.STREAM);
+    }
+
+    /**
+     * Converts between the structures of the Player client, which identify a robot by its index, and the topics and
+     * records on the bus, which identify it by its name.
+     */
+    private static final class PlayerConversion implements Conversion<SetSpeed, Reading> {
+        private final Map<Integer, String> names;
+
+        /** @param names names of the robots by Player index */
+        PlayerConversion(Map<Integer, String> names) {
+            this.names = Map.copyOf(names);
+        }
+
+        @Override
+        public List<ApplicationData<?>> toApplication(Reading reading) {
+            String robot = names.get(reading.index());
+            double timeSeconds = reading.timestamp();
+            return List.of(
+                    switch (reading) {
+                        case Sonar sonar ->
+                            new ApplicationData<>(
+                                    RobotTopics.sonar(robot),
+                                    new SonarReading(
+                                            timeSeconds, metres(sonar.data().getRanges())));
+                        case Position position ->
+                            new ApplicationData<>(RobotTopics.position(robot), position(timeSeconds, position));
+                        case Blobs blobs ->
+                            new ApplicationData<>(
+                                    RobotTopics.blobs(robot), new BlobsReading(timeSeconds, Blob.of(blobs.data())));
+                        case Laser laser ->
+                            new ApplicationData<>(RobotTopics.laser(robot), scan(timeSeconds, laser.data()));
+                    });
+        }
+
+        private static List<Double> metres(float[] ranges) {
+            List<Double> metres = new ArrayList<>(ranges.length);
+            for (float range : ranges) {
+                metres.add((double) range);
+            }
+            return metres;
+        }
+
+        private static LaserReading scan(double timeSeconds, PlayerLaserData scan) {
+            return new LaserReading(
+                    timeSeconds,
+                    scan.getMin_angle(),
+                    scan.getMax_angle(),
+                    scan.getMax_range(),
+                    metres(scan.getRanges()));
+        }
+
+        private static PositionReading position(double timeSeconds, Position position) {
+            var pose = position.data().getPos();
+            boolean stalled = position.data().getStall() != 0;
+            return new PositionReading(timeSeconds, pose.getPx(), pose.getPy(), pose.getPa(), stalled);
+        }
+
+        @Override
+        public SetSpeed toComponent(ApplicationData<?> input) {
+            if (!(input.value() instanceof Velocity velocity)) {
+                throw new IllegalArgumentException(input + " is no velocity");
+            }
+            if (!Double.isFinite(velocity.forwardMps()) || !Double.isFinite(velocity.turnRadps())) {
+                throw new IllegalArgumentException(
+                        input + " is no speed that a robot could have, expected finite numbers of m/s and rad/s");
+            }
+            for (var robot : names.entrySet()) {
+                if (RobotTopics.velocity(robot.getValue()).equals(input.topic())) {
+                    return new SetSpeed(robot.getKey(), velocity.forwardMps(), velocity.turnRadps());
+                }
+            }
+            throw new IllegalArgumentException(input + " is for none of the robots " + names.values());
+        }
     }
 }

@@ -10,40 +10,40 @@ import java.time.Duration;
 import java.util.List;
 
 /**
- * A process of the operating system as a component: a program in any language that reaches the robots by itself, by the
- * Player protocol for example.
+ * Makes a component of an operating system process: a program in any language that connects to the robots by itself,
+ * for example by the Player protocol.
  *
- * <p><b>Role.</b> Control signals: it is started by its command line, runs from the first line it writes to its
- * standard output, and is ended, with the processes that it has started, as the system does that. Data signals are
- * lines of text: under the name {@code c} it hears {@code c/in} on its standard input, and each line of its standard
- * output is said as {@code c/out}, cut after 65,536 characters.
+ * <p><b>Role.</b> Control signals: the process is started by its command line, counts as running from the first line on
+ * its standard output, and is ended together with all processes that it has started. Data signals are lines of text. A
+ * component named {@code c} subscribes to {@code c/in} and writes the lines to the process's standard input. It
+ * publishes each line of the standard output on {@code c/out}, cut after 65,536 characters.
  *
- * <p><b>Processes.</b> On Linux, where there is the command {@code setsid}, the program leads a session, without a
- * terminal, and every process of the session ends with it: when it is terminated, when it ends by itself, and when this
- * virtual machine shuts down: then an application has 2 s to stop its components in its own order, before the processes
- * that are left are ended. A virtual machine that is killed ({@code kill -9}, {@code Runtime.halt}, a crash) ends none:
- * a program that must not go on alone ends at the end of its standard input, or when its connection with the server has
- * gone. One that opens a session itself, as a daemon does, lives on if its parent has ended, and so do, where there is
- * no {@code setsid}, processes whose parent has ended.
+ * <p><b>Processes.</b> On Linux, if the command {@code setsid} exists, the program leads a session without a terminal.
+ * All processes of the session are ended when the component is terminated, when the program ends by itself, and when
+ * this virtual machine shuts down. In a shutdown, an application first has 2 s to stop its components in its order. A
+ * virtual machine that is killed ({@code kill -9}, {@code Runtime.halt}, a crash) ends no process: a program that must
+ * not continue alone has to end at the end of its standard input, or when its connection to the server is closed. A
+ * process that opens a new session, such as a daemon, is not ended if its parent has ended. Without {@code setsid},
+ * this holds for every process whose parent has ended.
  *
- * <p><b>Errors.</b> It has failed when it ends by itself, which is reported when the processes that it had started have
- * ended, too; the error has its exit status and the end of what it wrote to its standard error. A termination is
- * rejected with the processes that are left if some are alive 10 s after they were killed. What it moved over a
- * connection of its own is for the server to stop: ours does when nobody has the robot open any more.
+ * <p><b>Errors.</b> The component fails if the process ends by itself. The failure is reported after the processes that
+ * it started have ended, too; the error has the exit status and the last lines of the standard error. A termination is
+ * rejected with the remaining processes if some are alive 10 s after they were killed. A robot that the program moved
+ * over its connection has to be stopped by the server: Troupe's server does so when no client has the robot open.
  *
  * <p><b>Source.</b> Paper, section 2.1.1: packages may be built in different programming languages.
  */
 public final class ProcessComponent {
-    /** A line of text, without its end. */
+    /** A line of text without its line terminator. */
     public record TextLine(String text) {}
 
     /**
-     * What is run.
+     * The program and its time limits.
      *
      * @param command the program and its arguments
-     * @param directory where it runs
-     * @param startLimit how long it may take to its first line
-     * @param stopLimit how long it may take to end when it is asked to, before it is killed
+     * @param directory the working directory
+     * @param startLimit time limit for the first line of output
+     * @param stopLimit time that the processes have to end on request before they are killed
      */
     public record Settings(List<String> command, Path directory, Duration startLimit, Duration stopLimit) {
         public Settings {
@@ -53,7 +53,7 @@ public final class ProcessComponent {
             }
         }
 
-        /** With 10 s to start and 2 s to stop, by the machine's clock. */
+        /** Settings with 10 s to start and 2 s to stop, measured by the system clock. */
         public static Settings of(List<String> command, Path directory) {
             return new Settings(command, directory, Duration.ofSeconds(10), Duration.ofSeconds(2));
         }

@@ -24,20 +24,21 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A program and the processes that it has started.
+ * A program and all processes that it has started.
  *
- * <p><b>Role.</b> On Linux, where there is the command {@code setsid}, the program leads a session: all processes of
- * the session belong to it, also after their parents have ended. Elsewhere its descendants belong to it, and these are
- * found only while their parents live. A process that opens a session itself is found while its parent lives.
+ * <p><b>Role.</b> On Linux, if the command {@code setsid} exists, the program leads a session. All processes of the
+ * session belong to the tree, even after their parents have ended. Otherwise the descendants of the program belong to
+ * the tree, and are found only while their parents live. A process that opens a new session is found only while its
+ * parent lives.
  *
- * <p><b>Threads.</b> Any. It reads the process table, so it is not for an actor space.
+ * <p><b>Threads.</b> Any. It reads the process table, which blocks: do not call it on an actor space.
  */
 final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
 
     /**
-     * Process number, name, which may have blanks and brackets, state, parent, group and session; no match for a
-     * zombie.
+     * The start of a line in {@code /proc/PID/stat}: process number, name (which may contain blanks and brackets),
+     * state, parent, group and session. Does not match a zombie.
      */
     private static final Pattern STAT =
             Pattern.compile("[^(]*\\(.*\\) [^ZX] (\\d{1,18}) -?\\d+ (\\d{1,18})\\b", Pattern.DOTALL);
@@ -46,8 +47,8 @@ final class ProcessTree {
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
 
     /**
-     * A line of the process table of Linux; zombies, which only wait for their parents to notice their end, are left
-     * out.
+     * An entry of the Linux process table. Zombies, which have ended but have not been reaped by their parents, are
+     * left out.
      */
     record Entry(long pid, long parent, long session) {}
 
@@ -60,16 +61,16 @@ final class ProcessTree {
         this.leadsSession = leadsSession;
     }
 
-    /** Starts a program, in a session if this machine can. */
+    /** Starts a program, in a new session if the system supports it. */
     static ProcessTree start(ProcessComponent.Settings settings) throws IOException {
         boolean hasTable = Files.isReadable(PROCESS_TABLE.resolve("self/stat"));
         return start(settings, hasTable ? onPath("setsid").orElse(null) : null);
     }
 
-    /** Starts a program, in a session if there is a {@code setsid}. */
+    /** Starts a program, in a new session if {@code setsid} is given. */
     static ProcessTree start(ProcessComponent.Settings settings, @Nullable Path setsid) throws IOException {
         List<String> command = new ArrayList<>(settings.command());
-        // setsid would report a missing program by an exit status only, ProcessBuilder says what is wrong
+        // setsid reports a missing program only by an exit status; the error of ProcessBuilder names the reason
         boolean session = setsid != null && isProgram(command.getFirst(), settings.directory());
         if (session) {
             command.addFirst(setsid.toString());
@@ -92,28 +93,29 @@ final class ProcessTree {
                 .findFirst();
     }
 
-    /** The program itself. */
+    /** The process of the program. */
     Process root() {
         return root;
     }
 
-    /** One more process that belongs to it. */
+    /** Adds a process to the tree. */
     synchronized void add(ProcessHandle process) {
         known.add(process);
     }
 
-    /** Its processes that have not ended. */
+    /** The processes of the tree that have not ended. */
     synchronized List<ProcessHandle> alive() {
-        boolean sawSome;
+        boolean foundAlive;
+        // scan again if the last process may have started another one, unseen, before it ended
         do {
-            sawSome = look();
+            foundAlive = scan();
             known.removeIf(this::hasEnded);
-        } while (sawSome && known.isEmpty()); // one may have started another, unseen, before it ended
+        } while (foundAlive && known.isEmpty());
         return List.copyOf(known);
     }
 
-    /** Whether any of them was alive while it looked. */
-    private boolean look() {
+    /** Scans for processes of the tree; true if any was alive during the scan. */
+    private boolean scan() {
         known.removeIf(this::hasEnded);
         if (root.isAlive()) {
             known.add(root.toHandle());
@@ -135,7 +137,7 @@ final class ProcessTree {
                         && entry(PROCESS_TABLE, String.valueOf(process.pid())).isEmpty();
     }
 
-    /** Those in the session, and all that descend from them or from a known one. */
+    /** The processes in the session, and all descendants of these and of the known processes. */
     private List<ProcessHandle> inSession() {
         List<Entry> others = new ArrayList<>(entries(PROCESS_TABLE));
         Set<Long> members = new HashSet<>();
@@ -157,9 +159,9 @@ final class ProcessTree {
     }
 
     /**
-     * All processes.
+     * All entries of a process table.
      *
-     * @throws UncheckedIOException if the table cannot be read: it is not known then who is alive
+     * @throws UncheckedIOException if the table cannot be read, so that the living processes are unknown
      */
     static List<Entry> entries(Path table) {
         List<Entry> entries = new ArrayList<>();
@@ -182,7 +184,7 @@ final class ProcessTree {
                 why);
     }
 
-    /** Empty if it has ended, or belongs to another user and is hidden. */
+    /** The entry of a process; empty if the process has ended, or is hidden because it belongs to another user. */
     private static Optional<Entry> entry(Path table, String pid) {
         Path directory = table.resolve(pid);
         String line;
@@ -192,7 +194,7 @@ final class ProcessTree {
         } catch (NoSuchFileException | AccessDeniedException gone) {
             return Optional.empty();
         } catch (IOException unreadable) {
-            if (Files.notExists(directory)) { // it ended while it was read
+            if (Files.notExists(directory)) { // it ended during the read
                 return Optional.empty();
             }
             throw unknown(directory, unreadable);
@@ -205,11 +207,12 @@ final class ProcessTree {
     }
 
     /**
-     * Asks all to end, each once and those that were started meanwhile too, and kills those that have not ended within
+     * Requests each process once to end, including those started meanwhile, and kills those that have not ended within
      * the limit. Blocks.
      *
-     * @param killLimit how long those that were killed are waited for
-     * @return those that are still alive; empty as a rule
+     * @param limit time that the processes have to end on request
+     * @param killLimit time limit for the end of killed processes
+     * @return the processes that are still alive; usually empty
      */
     List<ProcessHandle> end(Duration limit, Duration killLimit) {
         Set<ProcessHandle> asked = new HashSet<>();
@@ -219,11 +222,14 @@ final class ProcessTree {
             }
         };
         alive().forEach(ask);
-        var deaf = awaitEnd(limit, ask);
-        return deaf.isEmpty() ? deaf : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
+        var unresponsive = awaitEnd(limit, ask);
+        return unresponsive.isEmpty() ? unresponsive : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
     }
 
-    /** Looks again and again, since what lives may start others meanwhile. */
+    /**
+     * Polls until no process is alive or the limit is over. Each poll scans again, since living processes may start
+     * others.
+     */
     private List<ProcessHandle> awaitEnd(Duration limit, Consumer<ProcessHandle> toEach) {
         long limitNanos = TimeUnit.NANOSECONDS.convert(limit);
         long begunNanos = Clock.system().nanos();

@@ -6,24 +6,24 @@ import io.troupe.services.bus.Topic;
 import java.util.List;
 
 /**
- * What is said on the bus of a robot: topics named {@code owner/sonar} and so on, where the owner is a robot
- * ({@code robot1}) or a component that takes part in driving one.
+ * Topics and records of robot data on the bus. Topics are named {@code owner/sonar} and so on, where the owner is a
+ * robot ({@code robot1}) or a component that takes part in driving one.
  *
  * <p><b>Units and shapes.</b> Metres, radians, seconds on the robot's clock; x forward, y left, left turns positive.
  * Colours are {@code 0x00RRGGBB}.
  */
 public final class RobotTopics {
-    /** A ring's readings, in the order of the sonars. */
+    /** Ranges of a sonar ring, in the order of the sonars. */
     public record SonarReading(double timeSeconds, List<Double> rangesM) {
         public SonarReading {
             rangesM = List.copyOf(rangesM);
         }
     }
 
-    /** Where odometry says that the robot is. */
+    /** The pose by odometry. */
     public record PositionReading(double timeSeconds, double xM, double yM, double headingRad, boolean stalled) {}
 
-    /** What the camera sees. */
+    /** Blobs in the camera image. */
     public record BlobsReading(double timeSeconds, List<Blob> blobs) {
         public BlobsReading {
             blobs = List.copyOf(blobs);
@@ -31,11 +31,11 @@ public final class RobotTopics {
     }
 
     /**
-     * A laser's scan, from right to left, with equal angles between its beams.
+     * A laser scan from right to left, with equal angles between the beams.
      *
-     * @param minBearingRad of the first beam, from the laser's axis, left positive
-     * @param maxBearingRad of the last beam
-     * @param maxRangeM the farthest that the laser measures
+     * @param minBearingRad bearing of the first beam from the laser's axis, left positive
+     * @param maxBearingRad bearing of the last beam
+     * @param maxRangeM largest range that the laser measures
      */
     public record LaserReading(
             double timeSeconds, double minBearingRad, double maxBearingRad, double maxRangeM, List<Double> rangesM) {

@@ -9,8 +9,8 @@ import io.troupe.services.broker.BrokerSettings;
 import io.troupe.services.broker.ServiceBroker;
 import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
-import io.troupe.services.component.Lifecycle;
-import io.troupe.services.component.Notes;
+import io.troupe.services.component.ComponentState;
+import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.FakeRobots;
 import java.time.Duration;
@@ -19,7 +19,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Providers of an application that hang, or come late: a robot has one driver. */
+/** Providers of an application that hang or answer late: a robot has only one driver at a time. */
 class ApplicationFaultsTest {
     private static final DeviceCommand.Velocity SLOW = new DeviceCommand.Velocity(0.1, 0, 0, true);
     private static final DeviceCommand.Velocity FAST = new DeviceCommand.Velocity(0.3, 0, 0, true);
@@ -36,7 +36,7 @@ class ApplicationFaultsTest {
         var stopped = application.stop();
         stopped.handle((ended, error) -> true);
         for (int second = 0; second < 20 && !stopped.isDone(); second++) {
-            test.advance(Duration.ofSeconds(1)); // what hangs is waited for so long
+            test.advance(Duration.ofSeconds(1)); // the limit for a hanging provider
         }
         assertThat(stopped.isDone()).isTrue();
         test.crank();
@@ -57,7 +57,7 @@ class ApplicationFaultsTest {
                     plan,
                     InProcessBus.open("here", BusSettings.on(test.space())),
                     ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
-                    ApplicationSettings.DEFAULT.withObservers(new Notes(), this::note));
+                    ApplicationSettings.DEFAULT.withObservers(new RecordingObserver(), this::note));
             application.started().handle((runs, error) -> error);
         });
     }
@@ -68,7 +68,7 @@ class ApplicationFaultsTest {
         }
     }
 
-    /** What the robot is told in one tick. */
+    /** The command that the robot receives in one tick. */
     private List<DeviceCommand.Velocity> commandsOfOneTick() {
         int before = robots.commands(0).size();
         robots.tick(100);
@@ -78,7 +78,7 @@ class ApplicationFaultsTest {
     @Test
     void providerWhoseHealthHangs_isFailedOver_andTheRobotObeysTheNextOnly() {
         first.health = ScriptedDriver::later;
-        first.terminate = ScriptedDriver::later; // it hangs altogether, but drives on
+        first.terminate = ScriptedDriver::later; // control hangs, but the driver still outputs velocities
         start();
         test.get(application.started().thenApply(runs -> true));
         for (int tick = 1; tick < 60; tick++) {
@@ -86,7 +86,7 @@ class ApplicationFaultsTest {
             assertThat(commandsOfOneTick()).as("commands of tick %d", tick).containsExactly(SLOW);
         }
         assertThat(connected).as("after two misses").containsExactly("first");
-        test.advance(Duration.ofMillis(100)); // the third miss: asked after 5 s, given up after 6
+        test.advance(Duration.ofMillis(100)); // the third missed check: sent after 5 s, overdue after 6 s
         assertThat(connected).containsExactly("first", "next");
         int before = robots.commands(0).size();
         for (int tick = 61; tick < 120; tick++) {
@@ -113,7 +113,7 @@ class ApplicationFaultsTest {
         assertThat(connected).containsExactly("next");
         test.run(() -> late.resolve(null));
         assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
-        assertThat(application.face("first").state()).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(application.componentInterface("first").state()).isEqualTo(ComponentState.TERMINATED);
         for (int tick = 1; tick <= 5; tick++) {
             test.run(first::drive);
             assertThat(commandsOfOneTick()).as("commands of tick %d", tick).containsExactly(FAST);

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.broker.Need;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKinds;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,7 +19,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class ApplicationReaderTest {
     private static ApplicationPlan read(String text) {
-        return ApplicationReader.parse(text, Path.of("my.app"), Kinds.standard(), Map.of("port", "7000"));
+        return ApplicationReader.parse(text, Path.of("my.app"), ComponentKinds.standard(), Map.of("port", "7000"));
     }
 
     @Test
@@ -112,7 +112,8 @@ class ApplicationReaderTest {
                 .isInstanceOf(ApplicationFileException.class)
                 .hasMessage(file + ":2:3: the byte here is no UTF-8, expected a text in UTF-8");
         Files.writeString(file, "\uFEFFapplication a\n");
-        assertThat(ApplicationReader.read(file, Kinds.standard(), Map.of()).name())
+        assertThat(ApplicationReader.read(file, ComponentKinds.standard(), Map.of())
+                        .name())
                 .isEqualTo("a");
         assertThatThrownBy(() -> ApplicationReader.text(directory))
                 .hasMessage(directory + ": a directory, expected the file of a declaration");
@@ -132,9 +133,10 @@ class ApplicationReaderTest {
 
     @Test
     void catalogue_describesItsKinds() {
-        assertThat(Kinds.standard().all())
+        assertThat(ComponentKinds.standard().all())
                 .extracting(kind -> kind.name())
                 .isEqualTo(List.of("player", "wallFollower", "spaceWanderer", "colourFinder", "process"));
-        assertThat(Kinds.standard().find("process").orElseThrow().describe()).contains("run=", "has to be given");
+        assertThat(ComponentKinds.standard().find("process").orElseThrow().describe())
+                .contains("run=", "has to be given");
     }
 }

@@ -12,11 +12,11 @@ import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
+import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.DataConversion;
-import io.troupe.services.component.Lifecycle;
-import io.troupe.services.component.Notes;
+import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.BehaviourComponent;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.component.kinds.RobotTopics;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
@@ -51,7 +51,7 @@ class ApplicationTest {
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final Notes notes = new Notes();
+    private final RecordingObserver notes = new RecordingObserver();
     private final List<String> events = new ArrayList<>();
     private Application application;
     private InProcessBus bus;
@@ -66,7 +66,7 @@ class ApplicationTest {
     }
 
     private static ApplicationPlan plan(String text) {
-        return ApplicationReader.parse(text, Path.of("test.app"), Kinds.standard(), Map.of());
+        return ApplicationReader.parse(text, Path.of("test.app"), ComponentKinds.standard(), Map.of());
     }
 
     private void start(ApplicationPlan plan) {
@@ -77,7 +77,7 @@ class ApplicationTest {
                     bus,
                     ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
                     ApplicationSettings.DEFAULT.withObservers(notes, this::note));
-            application.started().handle((runs, error) -> error); // the test asks for it later
+            application.started().handle((runs, error) -> error); // handled here; the test reads the result later
         });
     }
 
@@ -86,7 +86,7 @@ class ApplicationTest {
             case ApplicationEvent.Connected it ->
                 events.add(it.need().by() + " uses " + it.provider().provider().name() + " " + it.wires());
             case ApplicationEvent.Lost it -> events.add(it.need().by() + " has lost its provider");
-            case ApplicationEvent.Carried it -> {}
+            case ApplicationEvent.Forwarded it -> {}
             case ApplicationEvent.Replaced it ->
                 events.add(it.what().by() + " in the place of " + it.what().old());
             case ApplicationEvent.NotReplaced it ->
@@ -94,8 +94,8 @@ class ApplicationTest {
         }
     }
 
-    private Lifecycle state(String component) {
-        return application.face(component).state();
+    private ComponentState state(String component) {
+        return application.componentInterface(component).state();
     }
 
     @Test
@@ -109,7 +109,7 @@ class ApplicationTest {
                                 + " follower/velocity -> robot1/velocity]",
                         "robot2 uses wanderer [robot2/position -> wanderer/position, robot2/sonar -> wanderer/sonar,"
                                 + " wanderer/velocity -> robot2/velocity]");
-        assertThat(state("idle")).isEqualTo(Lifecycle.NOT_INVOKED);
+        assertThat(state("idle")).isEqualTo(ComponentState.NOT_INVOKED);
         robots.tick(100);
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD);
         assertThat(robots.commands(1)).containsExactly(WANDERER_AHEAD);
@@ -139,7 +139,7 @@ class ApplicationTest {
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         assertThat(robots.lastCommand(1)).isEqualTo(STOP);
         assertThat(List.of(state("robots"), state("follower"), state("wanderer")))
-                .containsOnly(Lifecycle.TERMINATED);
+                .containsOnly(ComponentState.TERMINATED);
     }
 
     @Test
@@ -156,9 +156,9 @@ class ApplicationTest {
         assertThat(test.error(application.replace("follower", "idle")))
                 .isInstanceOf(ApplicationException.class)
                 .hasMessage("two-robots has been stopped, and replaces nothing");
-        var face = application.face("follower");
-        assertThat(test.error(face.start())).hasMessageContaining("here/follower has left the bus");
-        assertThat(face.state()).isEqualTo(Lifecycle.TERMINATED);
+        var provider = application.componentInterface("follower");
+        assertThat(test.error(provider.start())).hasMessageContaining("here/follower has left the bus");
+        assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
@@ -175,7 +175,7 @@ class ApplicationTest {
                         "player",
                         "spaceWanderer");
         assertThat(error.getMessage()).doesNotContain("\n");
-        assertThat(state("robots")).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(state("robots")).isEqualTo(ComponentState.TERMINATED);
         assertThat(robots.connections()).isZero();
         assertThat(application.ended().error()).isSameAs(error);
     }
@@ -227,7 +227,7 @@ class ApplicationTest {
     }
 
     @Test
-    void patience_countsFromTheLossThatLasts_notFromOneBefore() {
+    void reconnectLimit_countsFromTheLossThatLasts_notFromOneBefore() {
         var dizzy = new AtomicBoolean();
         var flickering = BehaviourComponent.of("flickering", "driving", List.of(), () -> senses -> {
             if (dizzy.getAndSet(false)) {
@@ -241,7 +241,7 @@ class ApplicationTest {
             dizzy.set(true);
             robots.tick(100);
             assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
-            test.advance(Duration.ofMillis(900)); // the second time 3.4 s after the first loss
+            test.advance(Duration.ofMillis(900)); // the second time: 3.4 s after the first loss
             assertThat(application.ended().isDone())
                     .as("ended by loss %d", loss)
                     .isFalse();
@@ -254,7 +254,7 @@ class ApplicationTest {
     void providerIsReplacedWhileTheApplicationRuns_noTickIsWithoutACommand_andNothingIsLost() {
         start(plan(TWO_ROBOTS + "component other is spaceWanderer\nat 450ms replace follower by other\n"));
         test.get(application.started().thenApply(runs -> true));
-        assertThat(state("other")).isEqualTo(Lifecycle.NOT_INVOKED);
+        assertThat(state("other")).isEqualTo(ComponentState.NOT_INVOKED);
         for (int tick = 1; tick <= 10; tick++) {
             int commands = robots.commands(0).size();
             test.advance(Duration.ofMillis(100));
@@ -267,9 +267,9 @@ class ApplicationTest {
         assertThat(robots.commands(0).subList(0, 4)).containsOnly(FOLLOWER_AHEAD);
         assertThat(robots.commands(0).subList(4, 10)).containsOnly(WANDERER_AHEAD);
         assertThat(events).contains("other in the place of follower");
-        assertThat(state("follower")).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(state("follower")).isEqualTo(ComponentState.TERMINATED);
         for (String component : List.of("robots", "follower", "other")) {
-            var losses = application.face(component).conversion().losses();
+            var losses = application.componentInterface(component).conversion().losses();
             assertThat(losses.dropped() + losses.superseded() + losses.refused())
                     .as("lost by " + component)
                     .isZero();
@@ -290,14 +290,14 @@ class ApplicationTest {
     }
 
     @Test
-    void providerThatDies_isStartedAgainWithinThePatience_andTheRobotStandsStillMeanwhile() {
+    void providerThatDies_isStartedAgainWithinTheReconnectLimit_andTheRobotStandsStillMeanwhile() {
         var deaths = new ArrayList<Integer>(List.of(1));
         start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
         test.get(application.started().thenApply(runs -> true));
         robots.tick(100);
         assertThat(robots.commands(0)).contains(STOP);
         assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
-        test.advance(Duration.ofSeconds(2)); // the broker pauses before it tries again
+        test.advance(Duration.ofSeconds(2)); // the broker pauses before it restarts the provider
         assertThat(events.getLast()).startsWith("robot1 uses mortal");
         assertThat(application.ended().isDone()).isFalse();
     }
@@ -314,7 +314,7 @@ class ApplicationTest {
         assertThat(application.ended().error())
                 .isInstanceOf(MissingServiceException.class)
                 .hasMessageContainingAll("robot1", "dying", "dizzy");
-        assertThat(state("robots")).isEqualTo(Lifecycle.TERMINATED);
+        assertThat(state("robots")).isEqualTo(ComponentState.TERMINATED);
     }
 
     @Test
@@ -334,7 +334,7 @@ class ApplicationTest {
         assertThat(application.ended().isDone()).isFalse();
     }
 
-    /** Whatever is said under a topic from now on. */
+    /** Subscribes to a topic and collects its values. */
     private <T extends Record> List<T> listenTo(Topic<T> topic) {
         List<T> heard = new ArrayList<>();
         test.run(() -> bus.attach("listener").subscribe(topic, (value, from) -> heard.add(value)));
@@ -347,7 +347,7 @@ class ApplicationTest {
         test.get(application.started().thenApply(runs -> true));
         assertThat(events.getLast()).isEqualTo("robot2 uses finder [robot2/blobs -> finder/blobs]");
         var seen = listenTo(RobotTopics.colours("finder"));
-        robots.show(0, Colours.GREEN); // the other robot's camera is not its business
+        robots.show(0, Colours.GREEN); // the camera of the other robot has no effect
         robots.tick(100);
         assertThat(seen).as("walls alone").isEmpty();
         robots.show(1, Colours.RED);
@@ -364,13 +364,14 @@ class ApplicationTest {
         start(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
         test.get(application.started().thenApply(runs -> true));
         var sonar = listenTo(RobotTopics.sonar("idle"));
-        assertThat(state("idle")).isEqualTo(Lifecycle.RUNNING);
+        assertThat(state("idle")).isEqualTo(ComponentState.RUNNING);
         robots.range(0, 3, 1.25);
         robots.tick(100);
         robots.tick(100);
         assertThat(sonar).extracting(SonarReading::timeSeconds).containsExactly(0.1, 0.2);
         assertThat(sonar).extracting(reading -> reading.rangesM().get(3)).containsOnly(1.25);
-        assertThat(application.face("idle").conversion().losses()).isEqualTo(new DataConversion.Losses(0, 0, 0));
+        assertThat(application.componentInterface("idle").conversion().losses())
+                .isEqualTo(new DataConversion.Losses(0, 0, 0));
     }
 
     @Test
@@ -383,19 +384,16 @@ class ApplicationTest {
         assertThat(robots.commands(0)).as("it drives nobody").containsExactly(FOLLOWER_AHEAD);
     }
 
-    /**
-     * Fails at its first reading, as often as there are deaths; while more than one is left it does not even start
-     * again.
-     */
+    /** A driver whose first run fails at its first reading. While more than one death is left, restarts fail, too. */
     private static Component<?, ?> mortal(List<Integer> deaths) {
-        var lives = new ArrayList<Integer>();
+        var runs = new ArrayList<Integer>();
         return BehaviourComponent.of("mortal", "dying", List.of(), () -> {
-            lives.add(lives.size());
-            if (lives.size() > 1 && deaths.size() > 1) {
+            runs.add(runs.size());
+            if (runs.size() > 1 && deaths.size() > 1) {
                 throw new IllegalStateException("dizzy for good");
             }
             return senses -> {
-                if (lives.size() == 1) {
+                if (runs.size() == 1) {
                     throw new IllegalStateException("dizzy");
                 }
                 return Optional.of(new Velocity(0.1, 0));

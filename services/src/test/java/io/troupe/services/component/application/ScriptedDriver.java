@@ -16,8 +16,8 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A component that wants one velocity for each ring of ranges, answers its control as a test says, and can drive
- * unasked.
+ * A component that outputs one fixed velocity for each sonar reading, answers control signals as scripted by a test,
+ * and can output the velocity without a reading.
  */
 final class ScriptedDriver {
     private final String name;
@@ -33,7 +33,7 @@ final class ScriptedDriver {
         this.wanted = wanted;
     }
 
-    /** An answer that the test gives later, or never. */
+    /** A promise that the test settles later, or never. */
     static Deferred<@Nullable Void> later() {
         return new Deferred<>();
     }
@@ -50,7 +50,7 @@ final class ScriptedDriver {
                 Buffering.STREAM);
     }
 
-    /** Wants its velocity without having been asked. */
+    /** Outputs the velocity without a reading. */
     void drive() {
         if (signals == null) {
             throw new IllegalStateException(name + " was not invoked");

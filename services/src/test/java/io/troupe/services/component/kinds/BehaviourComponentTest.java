@@ -15,7 +15,7 @@ import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentInterface;
-import io.troupe.services.component.Notes;
+import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.BehaviourComponent.Sense;
 import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.LaserReading;
@@ -34,7 +34,7 @@ import org.junit.jupiter.api.Test;
 class BehaviourComponentTest {
     private final TestSpace test = new TestSpace();
     private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
-    private final Notes notes = new Notes();
+    private final RecordingObserver notes = new RecordingObserver();
     private final BusPort user = bus.attach("user");
     private final List<Velocity> velocities = new ArrayList<>();
     private final List<String> colours = new ArrayList<>();
@@ -112,10 +112,10 @@ class BehaviourComponentTest {
     @Test
     void behaviourThatDoesNotAsk_hearsNeitherBlobsNorLaser() {
         var plain = BehaviourComponent.of("c", "driving", List.of(), () -> senses -> Optional.empty());
-        assertThat(plain.hears()).containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"));
+        assertThat(plain.subscribes()).containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"));
         var looking =
                 BehaviourComponent.of("c", "driving", List.of(), Set.of(Sense.BLOBS), () -> senses -> Optional.empty());
-        assertThat(looking.hears())
+        assertThat(looking.subscribes())
                 .containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"), RobotTopics.blobs("c"));
     }
 
@@ -152,22 +152,22 @@ class BehaviourComponentTest {
 
     @Test
     void lawThatThrows_standsStill_andTheComponentHasFailed() {
-        var face = start(() -> senses -> {
+        var provider = start(() -> senses -> {
             throw new IllegalStateException("dizzy");
         });
         ranges(0.1, 5);
         assertThat(velocities).containsExactly(Velocity.STOP);
-        assertThat(test.error(face.check())).hasMessage("here/driver has failed: dizzy");
+        assertThat(test.error(provider.check())).hasMessage("here/driver has failed: dizzy");
     }
 
     @Test
     void lawThatEndsInAnError_standsStill_andTheComponentHasFailed() {
-        var face = start(() -> senses -> {
+        var provider = start(() -> senses -> {
             throw new StackOverflowError("too deep");
         });
         ranges(0.1, 5);
         assertThat(velocities).containsExactly(Velocity.STOP);
-        assertThat(test.error(face.check())).hasMessage("here/driver has failed: too deep");
+        assertThat(test.error(provider.check())).hasMessage("here/driver has failed: too deep");
     }
 
     @Test
@@ -186,14 +186,14 @@ class BehaviourComponentTest {
     @Test
     void termination_standsStill_andTheNextLifeBeginsAnew() {
         var laws = new ArrayList<Integer>();
-        var face = start(() -> {
+        var provider = start(() -> {
             laws.add(laws.size());
             return senses -> Optional.of(new Velocity(1, 0));
         });
         ranges(0.1, 5);
-        test.get(face.stop().thenApply(ended -> true));
+        test.get(provider.stop().thenApply(ended -> true));
         assertThat(velocities).containsExactly(new Velocity(1, 0), Velocity.STOP);
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.start().thenApply(runs -> true));
         assertThat(laws).containsExactly(0, 1);
     }
 

@@ -12,7 +12,7 @@ import io.troupe.services.bus.BusPort;
 import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.component.ComponentInterface;
-import io.troupe.services.component.Notes;
+import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.ProcessComponent.TextLine;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -30,7 +30,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Real processes, so real threads and real time; every wait has an end that the process brings about. */
+/** Uses real processes, and so real threads and real time. Every wait is ended by an event of the process. */
 @Timeout(120)
 class ExternalProcessTest {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -40,7 +40,7 @@ class ExternalProcessTest {
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("processes"));
     private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(space));
     private final BusPort user = bus.attach("user");
-    private final Notes notes = new Notes();
+    private final RecordingObserver notes = new RecordingObserver();
     private final LinkedBlockingQueue<String> lines = new LinkedBlockingQueue<>();
 
     @TempDir
@@ -62,8 +62,8 @@ class ExternalProcessTest {
     }
 
     /**
-     * The processes of this test, which have its directory among their arguments. One that has ended has none,
-     * collected or not.
+     * The processes of this test, found by its directory in their arguments. A process that has ended has no arguments,
+     * whether reaped or not.
      */
     private List<ProcessHandle> alive() {
         return ProcessHandle.allProcesses()
@@ -75,7 +75,7 @@ class ExternalProcessTest {
         return alive().stream().anyMatch(each -> String.valueOf(each.pid()).equals(pid));
     }
 
-    /** A process has no command line for a moment when it becomes another program. */
+    /** A process has no command line for a moment while it executes another program. */
     private void awaitAlive(String pid) throws InterruptedException {
         while (!isAlive(pid)) {
             Thread.sleep(1);
@@ -105,7 +105,7 @@ class ExternalProcessTest {
                 directory.toString());
     }
 
-    /** A script that ends when it is asked to. */
+    /** A script that ends on request. */
     private ComponentInterface<?, ?> shell(String script) throws Exception {
         return shell(PATIENCE, PATIENCE, script);
     }
@@ -120,42 +120,42 @@ class ExternalProcessTest {
 
     @Test
     void process_runsFromItsFirstLine_andItsDataAreLines() throws Exception {
-        var face = shell("echo ready; while read line; do echo \"heard $line\"; done");
-        done(face.start());
+        var provider = shell("echo ready; while read line; do echo \"heard $line\"; done");
+        done(provider.start());
         assertThat(line()).isEqualTo("ready");
-        done(face.check());
+        done(provider.check());
         user.publish(ProcessComponent.input("script"), new TextLine("one"));
         user.publish(ProcessComponent.input("script"), new TextLine("two"));
         assertThat(line()).isEqualTo("heard one");
         assertThat(line()).isEqualTo("heard two");
-        done(face.stop());
-        assertThatThrownBy(() -> done(face.check())).hasMessage("here/script has been terminated");
+        done(provider.stop());
+        assertThatThrownBy(() -> done(provider.check())).hasMessage("here/script has been terminated");
     }
 
     @Test
     void processThatEndsByItself_hasFailed_withItsStatusAndItsLastErrors() throws Exception {
-        var face = shell("echo ready; read line; echo 'out of wheels' >&2; exit 7");
-        done(face.start());
+        var provider = shell("echo ready; read line; echo 'out of wheels' >&2; exit 7");
+        done(provider.start());
         assertThat(line()).isEqualTo("ready");
         user.publish(ProcessComponent.input("script"), new TextLine("go"));
         awaitNote("script has failed");
-        assertThatThrownBy(() -> done(face.check()))
+        assertThatThrownBy(() -> done(provider.check()))
                 .isInstanceOf(ProviderException.class)
                 .hasMessageContaining("ended with status 7; it said: out of wheels");
     }
 
     @Test
     void processThatEndsBeforeItsFirstLine_isNotStarted() throws Exception {
-        var face = shell("echo 'no such robot' >&2; exit 1");
-        assertThatThrownBy(() -> done(face.start()))
+        var provider = shell("echo 'no such robot' >&2; exit 1");
+        assertThatThrownBy(() -> done(provider.start()))
                 .hasMessageStartingWith("here/script has failed: ")
                 .hasMessageEndingWith("ended with status 1; it said: no such robot");
     }
 
     @Test
     void programThatDoesNotExist_isNamed() throws Exception {
-        var face = open(PATIENCE, PATIENCE, "no-such-program-anywhere");
-        assertThatThrownBy(() -> done(face.start()))
+        var provider = open(PATIENCE, PATIENCE, "no-such-program-anywhere");
+        assertThatThrownBy(() -> done(provider.start()))
                 .hasMessageContaining("\"no-such-program-anywhere\" cannot be started")
                 .message()
                 .doesNotEndWith(" ");
@@ -163,90 +163,94 @@ class ExternalProcessTest {
 
     @Test
     void processThatSaysNothing_isGivenUp_whenItHasEnded() throws Exception {
-        var face = shell(SHORT, SHORT, "trap '' TERM; SLEEP; SLEEP");
-        assertThatThrownBy(() -> done(face.start()))
+        var provider = shell(SHORT, SHORT, "trap '' TERM; SLEEP; SLEEP");
+        assertThatThrownBy(() -> done(provider.start()))
                 .hasMessageContaining("has written no line in PT0.2S, expected one when it is ready");
         assertThat(alive()).as("processes beside what is started instead").isEmpty();
     }
 
     @Test
     void startLimitOfEver_isNoError() throws Exception {
-        var face = shell(Duration.ofSeconds(Long.MAX_VALUE), Duration.ofSeconds(Long.MAX_VALUE), "echo ready; SLEEP");
-        done(face.start());
-        done(face.stop());
+        var provider =
+                shell(Duration.ofSeconds(Long.MAX_VALUE), Duration.ofSeconds(Long.MAX_VALUE), "echo ready; SLEEP");
+        done(provider.start());
+        done(provider.stop());
     }
 
-    /** A shell may start a program just before it is terminated: that one was not there when all were asked to end. */
+    /**
+     * A shell may start a program just before it ends. That program is not in the tree when the first requests to end
+     * are sent.
+     */
     @Test
     void programThatIsStartedAmidTheTermination_isTerminatedToo() throws Exception {
         assumeSessions();
         var ever = Duration.ofSeconds(Long.MAX_VALUE);
-        var face = shell(ever, ever, "trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait");
-        done(face.start());
-        done(face.stop());
+        var provider = shell(ever, ever, "trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait");
+        done(provider.start());
+        done(provider.stop());
         assertThat(alive()).isEmpty();
     }
 
     @Test
     void processThatIsDeafToTermination_isKilled() throws Exception {
-        var face = shell(PATIENCE, SHORT, "trap '' TERM; echo $$; while :; do SLEEP; done");
+        var provider = shell(PATIENCE, SHORT, "trap '' TERM; echo $$; while :; do SLEEP; done");
         for (int life = 0; life < 2; life++) {
-            done(face.start());
+            done(provider.start());
             var pid = line();
             awaitAlive(pid);
-            done(face.stop());
+            done(provider.stop());
             assertThat(isAlive(pid)).as("process %s has ended", pid).isFalse();
         }
     }
 
     @Test
     void programThatAScriptHasStarted_endsWithIt() throws Exception {
-        var face = shell("SLEEP & echo $!; wait");
-        done(face.start());
+        var provider = shell("SLEEP & echo $!; wait");
+        done(provider.start());
         var started = line();
         awaitAlive(started);
-        done(face.stop());
+        done(provider.stop());
         assertThat(isAlive(started)).isFalse();
     }
 
     @Test
     void programThatAScriptStartsAgainWhenItIsTerminated_endsWithIt() throws Exception {
-        var face = shell(PATIENCE, SHORT, "trap : TERM; while :; do SLEEP & echo $!; wait $!; done");
-        done(face.start());
+        var provider = shell(PATIENCE, SHORT, "trap : TERM; while :; do SLEEP & echo $!; wait $!; done");
+        done(provider.start());
         line();
-        done(face.stop());
+        done(provider.stop());
         assertThat(alive()).isEmpty();
     }
 
     @Test
     void processThatEndsBeforeItsChild_hasFailed_whenTheChildHasEnded() throws Exception {
         assumeSessions();
-        var face = shell("SLEEP & echo $!; read line; exit 7");
-        done(face.start());
+        var provider = shell("SLEEP & echo $!; read line; exit 7");
+        done(provider.start());
         var child = line();
         awaitAlive(child);
-        var livesBesideTheNext = face.whenEnded().handle((ended, error) -> isAlive(child));
+        var livesBesideTheNext = provider.whenEnded().handle((ended, error) -> isAlive(child));
         user.publish(ProcessComponent.input("script"), new TextLine("go"));
         assertThat(livesBesideTheNext.get(PATIENCE)).isFalse();
-        assertThatThrownBy(() -> done(face.check())).hasMessageContaining("ended with status 7");
+        assertThatThrownBy(() -> done(provider.check())).hasMessageContaining("ended with status 7");
         awaitNote("has ended with status 7, before processes that it had started; these are ended too: " + child);
     }
 
     @Test
     void healthOfAProcessThatHasEnded_isAnsweredWhenItsDeafChildHasEnded() throws Exception {
         assumeSessions();
-        var face = shell(PATIENCE, SHORT, "(trap '' TERM; exec SLEEP) & echo $!; read line; exit 7");
-        done(face.start());
+        var provider = shell(PATIENCE, SHORT, "(trap '' TERM; exec SLEEP) & echo $!; read line; exit 7");
+        done(provider.start());
         var child = line();
         awaitAlive(child);
         user.publish(ProcessComponent.input("script"), new TextLine("go"));
-        while (face.check().handle((well, error) -> error == null).get(PATIENCE)) {
+        while (provider.check().handle((well, error) -> error == null).get(PATIENCE)) {
             Thread.sleep(1);
         }
         assertThat(isAlive(child)).isFalse();
     }
 
-    /** Else a process whose parent has ended is not found. */
+    /** Without a session, a process whose parent has ended is not found. */
     private static void assumeSessions() {
         boolean found =
                 Stream.of("/usr/bin/setsid", "/bin/setsid").map(Path::of).anyMatch(Files::isExecutable);
@@ -256,8 +260,8 @@ class ExternalProcessTest {
     @Test
     void readersEnd_withTheChildThatHoldsTheirPipes() throws Exception {
         assumeSessions();
-        var face = shell("SLEEP & echo $!; read line; exit 7");
-        done(face.start());
+        var provider = shell("SLEEP & echo $!; read line; exit 7");
+        done(provider.start());
         user.publish(ProcessComponent.input("script"), new TextLine("go"));
         awaitNote("script has failed");
         while (Thread.getAllStackTraces().keySet().stream()
@@ -265,15 +269,15 @@ class ExternalProcessTest {
                 .anyMatch(name -> name.matches("std(out|err) of " + SHELL))) {
             Thread.sleep(1);
         }
-        assertThatThrownBy(() -> done(face.check())).hasMessageContaining("ended with status 7");
+        assertThatThrownBy(() -> done(provider.check())).hasMessageContaining("ended with status 7");
     }
 
     @Test
     void processThatStartsAnotherWhenItIsTerminated_endsWithIt_andTheCommonPoolIsFree() throws Exception {
-        var face = shell(PATIENCE, SHORT, "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait");
+        var provider = shell(PATIENCE, SHORT, "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait");
         for (int life = 0; life < 4; life++) {
-            done(face.start());
-            done(face.stop());
+            done(provider.start());
+            done(provider.stop());
         }
         for (int task = 0; task < ForkJoinPool.getCommonPoolParallelism(); task++) {
             assertThat(ForkJoinPool.commonPool().submit(() -> "done").get(60, TimeUnit.SECONDS))
@@ -285,9 +289,9 @@ class ExternalProcessTest {
     @Test
     void lineThatDoesNotEnd_isCut_andThisIsReported() throws Exception {
         int longest = ExternalProcess.LONGEST_LINE_CHARACTERS;
-        var face = shell("echo ready; head -c " + longest + " /dev/zero | tr '\\0' x; echo;"
+        var provider = shell("echo ready; head -c " + longest + " /dev/zero | tr '\\0' x; echo;"
                 + " head -c 1000000 /dev/zero | tr '\\0' y; echo; echo last; SLEEP");
-        done(face.start());
+        done(provider.start());
         assertThat(line()).isEqualTo("ready");
         assertThat(line()).isEqualTo("x".repeat(longest));
         assertThat(line()).isEqualTo("y".repeat(longest));
@@ -299,19 +303,19 @@ class ExternalProcessTest {
                 .asString()
                 .endsWith(" wrote a line of more than 65536 characters to its standard output; the rest of the line is"
                         + " lost");
-        done(face.stop());
+        done(provider.stop());
     }
 
     @Test
     void linesThatAProcessDoesNotRead_areTold() throws Exception {
-        var face = shell("exec <&-; echo ready; exec SLEEP");
-        done(face.start());
+        var provider = shell("exec <&-; echo ready; exec SLEEP");
+        done(provider.start());
         assertThat(line()).isEqualTo("ready");
         user.publish(ProcessComponent.input("script"), new TextLine("one"));
         awaitNote("reads its standard input no more");
         user.publish(ProcessComponent.input("script"), new TextLine("two"));
         awaitQuiet();
-        done(face.stop());
+        done(provider.stop());
         awaitNote("1 lines for");
     }
 
@@ -321,7 +325,7 @@ class ExternalProcessTest {
         }
     }
 
-    /** What was published before has come to the process. */
+    /** Waits until earlier published lines have reached the process. */
     private void awaitQuiet() throws Exception {
         for (int turn = 0; turn < 3; turn++) {
             var over = new CompletableFuture<Boolean>();

@@ -9,8 +9,8 @@ import io.troupe.services.bus.BusPort;
 import io.troupe.services.bus.BusSettings;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.component.ComponentInterface;
-import io.troupe.services.component.Lifecycle;
-import io.troupe.services.component.Notes;
+import io.troupe.services.component.ComponentState;
+import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.FakeRobots;
 import java.util.ArrayList;
@@ -25,14 +25,14 @@ class PlayerComponentTest {
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
     private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
-    private final Notes notes = new Notes();
+    private final RecordingObserver notes = new RecordingObserver();
     private final List<String> heard = new ArrayList<>();
     private final BusPort user = bus.attach("user");
-    private ComponentInterface<?, ?> face;
+    private ComponentInterface<?, ?> provider;
 
     @BeforeEach
     void twoRobots() {
-        test.run(() -> face = ComponentInterface.open(
+        test.run(() -> provider = ComponentInterface.open(
                 bus,
                 "robots",
                 PlayerComponent.of(new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(1, 2), true)),
@@ -41,7 +41,7 @@ class PlayerComponentTest {
 
     @AfterEach
     void nothingIsLeft() {
-        test.run(face::close);
+        test.run(provider::close);
         bus.close();
         test.crank();
         assertThat(robots.connections()).as("connections left open").isZero();
@@ -50,7 +50,7 @@ class PlayerComponentTest {
     }
 
     private void started() {
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.start().thenApply(runs -> true));
         notes.take();
     }
 
@@ -127,7 +127,7 @@ class PlayerComponentTest {
     void robotThatNobodyCommandsAnyMore_isStopped_andThisIsTold() {
         started();
         drive("robot1", 0.3, 0);
-        for (int reading = 1; reading < PlayerRobot.PATIENCE_READINGS; reading++) {
+        for (int reading = 1; reading < PlayerComponent.MAX_READINGS_WITHOUT_COMMAND; reading++) {
             robots.tick(100);
         }
         assertThat(robots.commands(0)).hasSize(1);
@@ -152,7 +152,7 @@ class PlayerComponentTest {
             heard.clear();
             robots.tick(steppedMillis);
             assertThat(heard).containsExactlyInAnyOrder("sonar", "position", "blobs");
-            for (int reading = 1; reading < PlayerRobot.PATIENCE_READINGS; reading++) {
+            for (int reading = 1; reading < PlayerComponent.MAX_READINGS_WITHOUT_COMMAND; reading++) {
                 robots.tick(100);
             }
             assertThat(robots.lastCommand(0))
@@ -174,7 +174,7 @@ class PlayerComponentTest {
         started();
         drive("robot1", 0.3, 0);
         test.run(robots::vanish);
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
     }
 
@@ -182,32 +182,32 @@ class PlayerComponentTest {
     void termination_stopsTheRobots_andDisconnects() {
         started();
         drive("robot1", 0.3, 0);
-        test.get(face.stop().thenApply(ended -> true));
+        test.get(provider.stop().thenApply(ended -> true));
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         assertThat(robots.connections()).isZero();
-        test.get(face.start().thenApply(runs -> true));
+        test.get(provider.start().thenApply(runs -> true));
         assertThat(robots.connections()).isEqualTo(1);
     }
 
     @Test
     void lostServer_isNamedByTheHealth() {
         started();
-        test.get(face.check().thenApply(well -> true));
+        test.get(provider.check().thenApply(well -> true));
         test.run(robots::vanish);
-        assertThat(face.state()).isEqualTo(Lifecycle.FAILED);
-        assertThat(test.error(face.check()))
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
+        assertThat(test.error(provider.check()))
                 .hasMessage("here/robots has failed: Player server localhost:7001: the server has gone");
     }
 
     @Test
     void missingRobot_isNamedByTheStart() {
-        test.run(face::close);
-        test.run(() -> face = ComponentInterface.open(
+        test.run(provider::close);
+        test.run(() -> provider = ComponentInterface.open(
                 bus,
                 "robots",
                 PlayerComponent.of(new PlayerComponent.Settings("localhost", FakeRobots.PORT, List.of(3), true)),
                 notes));
-        assertThat(test.error(face.start()))
+        assertThat(test.error(provider.start()))
                 .hasMessageContaining("here/robots has failed")
                 .hasMessageContaining("2");
     }

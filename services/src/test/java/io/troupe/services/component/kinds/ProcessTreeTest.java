@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Real processes; every wait has an end that a process brings about. */
+/** Uses real processes. Every wait is ended by an event of a process. */
 @Timeout(120)
 class ProcessTreeTest {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -35,7 +35,7 @@ class ProcessTreeTest {
     @TempDir
     private Path directory;
 
-    /** Ends a virtual machine in which a process runs, as Ctrl-C does; its first line is the number of that process. */
+    /** Main program: starts a process, prints its number on the first line, and exits as Ctrl-C would. */
     static final class Machine {
         private Machine() {}
 
@@ -43,7 +43,7 @@ class ProcessTreeTest {
             var process = new ExternalProcess(shell(Path.of("."), PATIENCE, "echo ready; exec sleep 1000"));
             var started = process.invoke(new Silent() {
                 @Override
-                public void tell(String what) {
+                public void info(String what) {
                     System.out.println(what.split("[ :]+")[1]);
                 }
             });
@@ -60,7 +60,7 @@ class ProcessTreeTest {
         public void failed(Throwable why) {}
 
         @Override
-        public void tell(String what) {}
+        public void info(String what) {}
     }
 
     @BeforeEach
@@ -108,7 +108,7 @@ class ProcessTreeTest {
         }
     }
 
-    /** In a container nothing may collect them. */
+    /** A zombie, which may never be reaped in a container without an init process. */
     @Test
     void zombie_isNotAlive() throws Exception {
         assumeTrue(hasSessions(), "there is no setsid on this machine");
@@ -117,7 +117,7 @@ class ProcessTreeTest {
             var child = firstLine(tree);
             while (!List.of(tree.root().info().arguments().orElse(new String[0]))
                     .equals(List.of("1000"))) {
-                Thread.sleep(1); // the shell would collect it
+                Thread.sleep(1); // until the shell has become sleep: a shell would reap the zombie
             }
             child.destroyForcibly();
             while (!Files.readString(Path.of("/proc/" + child.pid() + "/stat")).contains(") Z ")) {
@@ -245,7 +245,8 @@ class ProcessTreeTest {
         assertThatThrownBy(() -> process.invoke(new Silent()).get(PATIENCE))
                 .isInstanceOf(ProviderException.class)
                 .hasMessageEndingWith("cannot be started: a null character in the command");
-        assertThat(Runtime.getRuntime().removeShutdownHook(process.atShutdown)).isFalse();
+        assertThat(Runtime.getRuntime().removeShutdownHook(process.shutdownHook))
+                .isFalse();
     }
 
     @Test
@@ -254,7 +255,7 @@ class ProcessTreeTest {
         var process = new ExternalProcess(shell(directory, PATIENCE, "sleep 1000 & exit 7"));
         var started = process.invoke(new Silent() {
             @Override
-            public void tell(String what) {
+            public void info(String what) {
                 if (what.contains("has ended with status")) {
                     throw new IllegalStateException("no room for a message");
                 }

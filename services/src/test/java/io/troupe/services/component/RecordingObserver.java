@@ -4,12 +4,12 @@ import io.troupe.services.bus.Address;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Writes down what an observer of components hears. */
-public class Notes implements ComponentObserver {
-    private final List<String> notes = new ArrayList<>(); // guarded by this: a process tells from its own threads
+/** A component observer that records its notifications. */
+public class RecordingObserver implements ComponentObserver {
+    private final List<String> notes = new ArrayList<>(); // guarded by this: processes have threads
 
     @Override
-    public synchronized void changed(Address component, Lifecycle state) {
+    public synchronized void changed(Address component, ComponentState state) {
         notes.add(component.name() + " " + state);
     }
 
@@ -24,11 +24,11 @@ public class Notes implements ComponentObserver {
     }
 
     @Override
-    public synchronized void told(Address component, String what) {
+    public synchronized void info(Address component, String what) {
         notes.add(component.name() + " " + what);
     }
 
-    /** What has been noted since this was asked the last time. */
+    /** Returns the notes since the last call. */
     public synchronized List<String> take() {
         var taken = List.copyOf(notes);
         notes.clear();

@@ -16,17 +16,18 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Connects topics: of a user and its provider those that have the same last name and type.
+ * Forwards values between topics. A user and its provider are connected by those topics that have the same last name
+ * and type.
  *
- * <p><b>Role.</b> What the user's side publishes goes to the provider if that hears it, and what the provider publishes
- * to the user's side if that hears it.
+ * <p><b>Role.</b> A topic that the user's side publishes is connected with that of the provider if the provider
+ * subscribes to it, and a topic that the provider publishes with that of the user if the user's side subscribes to it.
  *
  * <p><b>Threads.</b> The application's space.
  */
-final class Wiring {
-    /** Why a topic is fed. */
+final class TopicWiring {
+    /** A wire that feeds its target topic, with the need that has claimed it, or null if the wire is declared. */
     private record Feed(Wire<?> wire, @Nullable Need need) {
-        String why() {
+        String reason() {
             return need == null
                     ? wire + " is declared"
                     : need.by() + " needs "
@@ -39,29 +40,30 @@ final class Wiring {
     private final Consumer<ApplicationEvent> observer;
     private final List<Feed> feeds = new ArrayList<>();
 
-    Wiring(BusPort port, Map<String, Component<?, ?>> components, Consumer<ApplicationEvent> observer) {
+    TopicWiring(BusPort port, Map<String, Component<?, ?>> components, Consumer<ApplicationEvent> observer) {
         this.port = port;
         this.components = new LinkedHashMap<>(components);
         this.observer = observer;
     }
 
-    void know(String name, Component<?, ?> component) {
+    void addComponent(String name, Component<?, ?> component) {
         components.put(name, component);
     }
 
     /**
-     * Lets a need, or the declaration itself, feed topics.
+     * Claims the target topics of wires for a need, or for the wires of the declaration.
      *
-     * @param need null for wires of the declaration, which may join several into one
-     * @throws ApplicationException if another feeds one already: a robot that two drive obeys none, and a control law
-     *     that hears two robots drives neither; or if values would go round in a circle
+     * @param need null for declared wires, several of which may feed one topic
+     * @throws ApplicationException if another claim feeds one of the topics, or if the wires would close a cycle. A
+     *     robot that two providers drive follows neither, and a control law that receives the readings of two robots
+     *     drives neither
      */
     void claim(@Nullable Need need, List<Wire<?>> wires) {
         for (var wire : wires) {
             for (var other : feeds) {
                 if (other.wire().to().equals(wire.to()) && (need != null || other.need() != null)) {
-                    throw new ApplicationException(wire.to().name() + " would be fed twice, because " + other.why()
-                            + " and because " + new Feed(wire, need).why() + ", expected once");
+                    throw new ApplicationException(wire.to().name() + " would be fed twice, because " + other.reason()
+                            + " and because " + new Feed(wire, need).reason() + ", expected once");
                 }
             }
         }
@@ -69,7 +71,7 @@ final class Wiring {
         feeds.forEach(feed -> all.add(feed.wire()));
         for (var wire : wires) {
             try {
-                ApplicationPlan.checkEnds(wire, all);
+                ApplicationPlan.checkAcyclic(wire, all);
             } catch (IllegalArgumentException circle) {
                 throw new ApplicationException(circle.getMessage());
             }
@@ -82,21 +84,21 @@ final class Wiring {
     }
 
     /**
-     * What is to be connected between a user and a provider; a provider that is no component of this application has no
-     * topics that are known here.
+     * The wires between a user and a provider. A provider that is not a component of this application has no known
+     * topics, and so no wires.
      */
-    List<Wire<?>> between(String user, String provider) {
+    List<Wire<?>> wiresBetween(String user, String provider) {
         Component<?, ?> serving = components.get(provider);
         if (serving == null || user.equals(provider)) {
             return List.of();
         }
         List<Wire<?>> wires = new ArrayList<>();
-        connect(wires, topicsOf(user, all(Component::publishes)), topicsOf(provider, serving.hears()));
-        connect(wires, topicsOf(provider, serving.publishes()), topicsOf(user, all(Component::hears)));
+        connect(wires, topicsOf(user, allTopics(Component::publishes)), topicsOf(provider, serving.subscribes()));
+        connect(wires, topicsOf(provider, serving.publishes()), topicsOf(user, allTopics(Component::subscribes)));
         return wires;
     }
 
-    private List<Topic<?>> all(Function<Component<?, ?>, List<Topic<?>>> topics) {
+    private List<Topic<?>> allTopics(Function<Component<?, ?>, List<Topic<?>>> topics) {
         return components.values().stream()
                 .flatMap(component -> topics.apply(component).stream())
                 .<Topic<?>>map(topic -> topic)
@@ -124,22 +126,22 @@ final class Wiring {
         return topic.name().substring(topic.name().indexOf('/') + 1);
     }
 
-    /** A wire between two topics, if they have one type. */
+    /** A wire between two topics; empty if their types differ. */
     static <T extends Record> Optional<Wire<?>> wire(Topic<T> from, Topic<?> to) {
         return from.type().equals(to.type())
                 ? Optional.of(new Wire<>(from, new Topic<>(to.name(), from.type())))
                 : Optional.empty();
     }
 
-    /** Lets values go over a wire until that is closed. */
+    /** Forwards values over a wire until the subscription is closed. */
     <T extends Record> BusPort.Subscription open(Wire<T> wire) {
         return port.subscribe(wire.from(), (value, publisher) -> {
-            observer.accept(new ApplicationEvent.Carried(wire, value));
+            observer.accept(new ApplicationEvent.Forwarded(wire, value));
             port.publish(wire.to(), value);
         });
     }
 
-    /** All of them. */
+    /** Forwards values over several wires. */
     List<BusPort.Subscription> open(List<Wire<?>> wires) {
         return wires.stream().<BusPort.Subscription>map(wire -> open(wire)).toList();
     }

@@ -4,7 +4,7 @@ import io.troupe.services.behaviour.SpaceWanderer;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
-import io.troupe.services.component.kinds.Kind.Parameter;
+import io.troupe.services.component.kinds.ComponentKind.Parameter;
 import io.troupe.services.subsumption.Colours;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,46 +12,46 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 
-/** The kinds of components that declarations can name; those of Troupe, and any others. */
-public final class Kinds {
-    private static final int LAST_PORT = 65_535;
-    private static final int MOST_ROBOTS = 10_000;
+/** Immutable catalogue of the kinds of components that application files can name. */
+public final class ComponentKinds {
+    private static final int MAX_PORT = 65_535;
+    private static final int MAX_ROBOTS = 10_000;
 
-    private final List<Kind> kinds;
+    private final List<ComponentKind> kinds;
 
-    private Kinds(List<Kind> kinds) {
+    private ComponentKinds(List<ComponentKind> kinds) {
         this.kinds = List.copyOf(kinds);
     }
 
-    /** Those that come with Troupe. */
-    public static Kinds standard() {
-        return new Kinds(List.of(player(), wallFollower(), spaceWanderer(), colourFinder(), process()));
+    /** The kinds that Troupe provides. */
+    public static ComponentKinds standard() {
+        return new ComponentKinds(List.of(player(), wallFollower(), spaceWanderer(), colourFinder(), process()));
     }
 
     /**
-     * These and one more.
+     * A copy with one more kind.
      *
-     * @throws IllegalArgumentException if there is one of that name
+     * @throws IllegalArgumentException if there already is a kind of that name
      */
-    public Kinds with(Kind kind) {
+    public ComponentKinds with(ComponentKind kind) {
         if (find(kind.name()).isPresent()) {
             throw new IllegalArgumentException("there is a kind " + kind.name() + " already");
         }
-        List<Kind> more = new ArrayList<>(kinds);
+        List<ComponentKind> more = new ArrayList<>(kinds);
         more.add(kind);
-        return new Kinds(more);
+        return new ComponentKinds(more);
     }
 
-    public List<Kind> all() {
+    public List<ComponentKind> all() {
         return kinds;
     }
 
-    public Optional<Kind> find(String name) {
+    public Optional<ComponentKind> find(String name) {
         return kinds.stream().filter(kind -> kind.name().equals(name)).findFirst();
     }
 
-    private static Kind player() {
-        return new Kind(
+    private static ComponentKind player() {
+        return new ComponentKind(
                 "player",
                 "the robots of a Player server: they say what they sense, and hear how to move",
                 List.of(
@@ -62,8 +62,8 @@ public final class Kinds {
                         new Parameter("laser", "yes or no: whether they have lasers, and scans are published", "no")),
                 (name, arguments) -> PlayerComponent.of(new PlayerComponent.Settings(
                         arguments.text("host"),
-                        arguments.integer("port", 1, LAST_PORT),
-                        arguments.integers("robots", 1, MOST_ROBOTS),
+                        arguments.integer("port", 1, MAX_PORT),
+                        arguments.integers("robots", 1, MAX_ROBOTS),
                         isYes(arguments, "camera"),
                         isYes(arguments, "laser"))));
     }
@@ -72,8 +72,8 @@ public final class Kinds {
         return arguments.oneOf(name, List.of("yes", "no"), word -> word).equals("yes");
     }
 
-    private static Kind wallFollower() {
-        return new Kind(
+    private static ComponentKind wallFollower() {
+        return new ComponentKind(
                 "wallFollower",
                 "follows the wall on the left",
                 List.of(new Parameter("corners", "forward or backward: which way it moves at a wall ahead", "forward")),
@@ -90,8 +90,8 @@ public final class Kinds {
                 });
     }
 
-    private static Kind spaceWanderer() {
-        return new Kind(
+    private static ComponentKind spaceWanderer() {
+        return new ComponentKind(
                 "spaceWanderer",
                 "drives where there is room",
                 List.of(),
@@ -99,8 +99,8 @@ public final class Kinds {
                         name, "spaceWanderer", List.of("drives", "wanders"), SpaceWanderer::behaviour));
     }
 
-    private static Kind colourFinder() {
-        return new Kind(
+    private static ComponentKind colourFinder() {
+        return new ComponentKind(
                 "colourFinder",
                 "says which colour has come into sight",
                 List.of(new Parameter("ignore", "colours that mean nothing", "black,orange")),
@@ -112,12 +112,12 @@ public final class Kinds {
                                 Colours::name))));
     }
 
-    private static Kind process() {
-        return new Kind(
+    private static ComponentKind process() {
+        return new ComponentKind(
                 "process",
                 "a program in any language; it runs from the first line it writes to its standard output",
                 List.of(new Parameter("run", "\"the command line\", words with blanks between them", "")),
-                Kinds::process);
+                ComponentKinds::process);
     }
 
     private static Component<?, ?> process(String name, Arguments arguments) {
