@@ -1,6 +1,6 @@
 package io.troupe.services.behaviour;
 
-/** Checks of what behaviours are made with. */
+/** Argument checks of the behaviours. */
 final class Limits {
     private Limits() {}
 

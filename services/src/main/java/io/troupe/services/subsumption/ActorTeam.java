@@ -7,7 +7,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/** The two asynchronous modes: services and arbitrator as actors on a space of their own. */
+/** Runs the two asynchronous modes: the robot services and the arbitrator are actors on a separate space. */
 final class ActorTeam implements AutoCloseable {
     private final ActorSpace space;
 
@@ -15,7 +15,7 @@ final class ActorTeam implements AutoCloseable {
         this.space = space;
     }
 
-    /** Returns when the services of the first state are in charge, or have failed to be. */
+    /** Returns when the services of the first state have started, or have failed to start. */
     static ActorTeam start(SubsumptionRun.Settings settings, Consumer<Throwable> failed) throws InterruptedException {
         var space = ActorSpace.create(SpaceSettings.named("robots")
                 .withClock(settings.clock())
@@ -43,7 +43,7 @@ final class ActorTeam implements AutoCloseable {
         begun.await();
     }
 
-    /** Rejected when a service fails. */
+    /** Starts the mode's arbitrator; the promise is rejected when a service fails. */
     private Promise<@Nullable Void> live(SubsumptionRun.Settings settings, RobotServices services) {
         if (settings.mode() == Mode.CALLBACK) {
             CallbackArbitrator arbitrator = space.spawn(

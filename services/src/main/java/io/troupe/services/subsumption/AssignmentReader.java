@@ -1,6 +1,8 @@
 package io.troupe.services.subsumption;
 
-/** Reads which robot gets which service: all in turn, or by their numbers. */
+/**
+ * Parses the services of a {@code state} statement: either one service per robot in order, or services by robot number.
+ */
 final class AssignmentReader {
     private final TableLine line;
     private final ServiceReader services;

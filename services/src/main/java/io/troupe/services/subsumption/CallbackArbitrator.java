@@ -8,16 +8,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * Decides which service drives which robot, by the colours that the robots see: the paper's main code in callback mode.
  *
- * <p><b>Role.</b> Spawn it, and send {@link #live} once; it calls itself from then on.
+ * <p><b>Role.</b> An actor: spawn it and send {@link #live} once. After each switch it sends {@link #live} to itself.
  *
- * <p><b>Order.</b> A colour finder sends whatever its robot sees, at every reading, and its service drives on. The
- * first colour to arrive that leads to another state ends the present one: all services are told to stop, and when they
- * have stopped, which is a promise here and a busy loop in the paper, those of the next state begin. That happens
- * between two readings, as in promise mode; what arrives meanwhile from services of the state before is counted and
- * ignored.
+ * <p><b>Order.</b> A colour finder sends every colour that its robot sees, at every reading, while its service keeps
+ * driving. The first colour that leads to another state ends the current one: the arbitrator stops all services, and
+ * starts those of the next state when all have stopped. It waits for a promise where the paper has a busy loop. All
+ * this happens between two readings, as in promise mode. Colours that arrive late, from services of an earlier state,
+ * are counted and ignored.
  *
- * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is
- * stopped, its services stop at their next reading.
+ * <p><b>Errors.</b> {@link #ended} is rejected when a service fails, or ends although it was not stopped. When this
+ * actor is stopped, its services stop at their next reading.
  *
  * <p><b>Source.</b> Paper, section 3.5, Figure 17.
  */
@@ -34,7 +34,7 @@ public class CallbackArbitrator extends Actor {
         this.present = new PresentState(services, table.first(), listener);
     }
 
-    /** Puts the services of the present state in charge. */
+    /** Starts the services of the current state. */
     public void live() {
         present.begins();
         for (int robot = 0; robot < present.state().services().size(); robot++) {
@@ -42,7 +42,7 @@ public class CallbackArbitrator extends Actor {
         }
     }
 
-    /** Rejected when a service fails; never fulfilled. */
+    /** Returns a promise that is rejected when a service fails, and never fulfilled. */
     public Promise<@Nullable Void> ended() {
         return present.failed();
     }

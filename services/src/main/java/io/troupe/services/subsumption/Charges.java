@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/** Which service is in charge of which robot, one at a time. <b>Threads.</b> The space's. */
+/** The running services, at most one per robot. <b>Threads.</b> The actor space's thread. */
 final class Charges implements AutoCloseable {
     private final ServiceObserver observer;
     private final ActorSpace space;
@@ -24,10 +24,10 @@ final class Charges implements AutoCloseable {
     }
 
     /**
-     * Puts a service in charge of a robot, as soon as the one before it has stopped.
+     * Starts a service for a robot, as soon as the robot's previous service has stopped.
      *
-     * @return settled when it has stopped
-     * @throws IllegalStateException if the one before it was not told to stop, or the reference belongs to another
+     * @return settled when the new service has stopped
+     * @throws IllegalStateException if the previous service is still set to run, or the reference belongs to another
      *     service
      */
     Promise<@Nullable Void> begin(
@@ -56,7 +56,7 @@ final class Charges implements AutoCloseable {
         RobotLink link = links.connect(robot);
         if (service.usesLaser()) {
             try {
-                link.devices().useLaser(); // the table need not have the service
+                link.devices().useLaser(); // a service outside the table is not covered by table.usesLaser
             } catch (PlayerException refused) {
                 links.serviceEnded(robot, true);
                 throw refused;
@@ -73,7 +73,7 @@ final class Charges implements AutoCloseable {
         });
     }
 
-    /** Makes the service of a reference notice that it has been cleared; answers as {@link RobotServices#stop} does. */
+    /** Wakes the service of a cleared reference. The result is that of {@link RobotServices#stop}. */
     Promise<@Nullable Void> stop(AtomicReference<Integer> reference) {
         ServiceLoop loop = byReference.get(reference);
         if (loop == null) {
@@ -83,7 +83,7 @@ final class Charges implements AutoCloseable {
         return loop.ended();
     }
 
-    /** Disconnects from all robots. */
+    /** Closes the connections with all robots. */
     @Override
     public void close() {
         links.closeAll();

@@ -7,10 +7,7 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The state in which the robots are, and the references of its services: what the arbitrators of both asynchronous
- * modes have in common.
- */
+/** The current state and the references of its running services. Shared code of both arbitrators. */
 final class PresentState {
     private final RobotServices services;
     private final Arbitrator.StateListener listener;
@@ -30,7 +27,7 @@ final class PresentState {
         return state;
     }
 
-    /** How many states there have been before this one; what is told with another number is about another state. */
+    /** The number of state changes so far. A message that was sent under another number belongs to an earlier state. */
     int changes() {
         return changes;
     }
@@ -39,12 +36,12 @@ final class PresentState {
         return state.services().get(robot);
     }
 
-    /** Its services are about to begin. */
+    /** Notifies the listener that the current state starts. */
     void begins() {
         listener.began(state, seenBy);
     }
 
-    /** The reference of the service that is about to drive a robot. */
+    /** Creates the reference of the service that is about to drive a robot. */
     AtomicReference<Integer> newReference(int robot) {
         var reference = new AtomicReference<>(ServiceLoop.RUN);
         references.put(robot, reference);
@@ -56,9 +53,9 @@ final class PresentState {
     }
 
     /**
-     * Tells all services to stop.
+     * Changes the state and stops all services.
      *
-     * @return fulfilled when they have, so that those of the next state can begin
+     * @return fulfilled when all have stopped, so that those of the next state can start
      */
     Promise<?> change(State next, int robot) {
         state = next;
@@ -69,7 +66,9 @@ final class PresentState {
         return Promise.all(stops);
     }
 
-    /** Nobody arbitrates any more: the services stop at their next reading. */
+    /**
+     * Clears all references, so that the services stop at their next reading. Called when the arbitrator is stopped.
+     */
     void abandon() {
         references.values().forEach(reference -> reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP));
     }
@@ -78,7 +77,7 @@ final class PresentState {
         failed.reject(error);
     }
 
-    /** Rejected when a service fails; never fulfilled. */
+    /** Returns a promise that is rejected when a service fails, and never fulfilled. */
     Promise<@Nullable Void> failed() {
         return failed;
     }

@@ -9,7 +9,8 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * The connections of a {@link RobotServices}: one for each robot, or one for each service. <b>Threads.</b> The space's.
+ * The connections of a {@link RobotServices}: one per robot, or one per service. <b>Threads.</b> The actor space's
+ * thread.
  */
 final class RobotLinks {
     private final RobotServices.Settings settings;
@@ -23,7 +24,7 @@ final class RobotLinks {
         this.space = space;
     }
 
-    /** The connection with a robot, made if there is none. */
+    /** Returns the connection with a robot; connects if there is none. */
     RobotLink connect(int robot) {
         return links.computeIfAbsent(
                 robot,
@@ -34,19 +35,20 @@ final class RobotLinks {
                         settings.table().usesLaser(index)));
     }
 
-    /** Whether the connection that has just been made replaces another. */
+    /** Whether the robot's new connection replaces an earlier one; true at most once per connection. */
     boolean takeReconnected(int robot) {
         return reconnecting.remove(robot);
     }
 
     /**
-     * A robot's service has ended. Where each has a connection of its own, or the connection has failed, that is closed
-     * when nothing is left to do, and so after the new one is there: in lock step a server behind a socket does not
-     * wait for a client that has left; one in this JVM would wait for the end of the turn.
+     * Called when a robot's service has ended. If each service has a separate connection, or the connection has failed,
+     * the connection is closed, but only when the space is idle and so after the next service has connected. In lock
+     * step a server behind a socket does not wait for a client that has left; the world would advance before the new
+     * connection exists. (A server in this JVM waits for the end of the turn.)
      */
     void serviceEnded(int robot, boolean connectionFailed) {
         RobotLink link = connectionFailed || settings.reconnects() ? links.remove(robot) : null;
-        if (link != null) { // null too if all are closed already
+        if (link != null) { // also null if all connections are closed already
             reconnecting.add(robot);
             leaving.add(link);
             space.onIdle(this::closeLeaving);

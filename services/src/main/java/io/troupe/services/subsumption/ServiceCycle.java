@@ -5,15 +5,24 @@ import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.Velocity;
 import java.util.function.BooleanSupplier;
 
-/** What a service that is in charge of a robot does about a reading; the same in all three modes. */
+/**
+ * The control cycle of a service: looks for colours, steps the behaviour, and commands the velocity. The same in all
+ * three modes.
+ */
 final class ServiceCycle {
-    /** What a robot's colour finder does with what it sees in a cycle. */
+    /** A robot's colour finder in one cycle. */
     @FunctionalInterface
     interface Finder {
-        /** For a reading that the service before has seen too. */
+        /**
+         * Finds nothing. Used in the first cycle of a service that takes over, because the previous service has already
+         * seen that reading.
+         */
         Finder LOOKS_AWAY = (devices, secondsInCharge) -> {};
 
-        /** Looks; it may end the service, and the behaviour has no say any more. */
+        /**
+         * Looks for colours in the newest reading. It may end the service; then the behaviour is not called in this
+         * cycle.
+         */
         void look(RobotDevices devices, double secondsInCharge);
     }
 
@@ -38,22 +47,22 @@ final class ServiceCycle {
     }
 
     /**
-     * The reading at hand is the one at which the service takes charge; without a call that is the one of its first
-     * cycle.
+     * Marks the newest reading as the one at which the service starts to drive the robot. If never called, that is the
+     * reading of the first cycle.
      */
     void takeCharge() {
         beganSeconds = devices.timeSeconds();
     }
 
-    /** Whether the cycle before is over; readings that come more often are passed over. */
+    /** Whether the previous cycle is over; readings that come more often are skipped. */
     boolean isDue() {
         return ReadingTime.isCycle(lastSeconds, devices.timeSeconds());
     }
 
     /**
-     * One cycle.
+     * Runs one cycle.
      *
-     * @param drives whether the service is still to drive when the finder has looked
+     * @param drives whether the service still drives the robot after the finder has run
      */
     void run(Finder finder, BooleanSupplier drives) {
         observer.cycleBegins(robot, service);

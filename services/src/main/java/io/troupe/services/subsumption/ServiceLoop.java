@@ -6,11 +6,12 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A service while it is in charge of a robot: one cycle for each new reading, as long as its reference says so. It
- * takes over with a cycle on the reading at hand, so that no robot stands still, or rolls on, between two services.
+ * A running service: one cycle for each new reading, until its reference is cleared. A service that takes over runs its
+ * first cycle on the newest reading at once, so that the robot neither stops nor keeps the old speed between two
+ * services.
  *
- * <p><b>Order.</b> The reference goes from {@value #RUN} (run) over {@value #STOP} (stop) to {@value #STOPPED}
- * (stopped): when it is {@value #STOPPED}, zero speed has been sent and no cycle follows.
+ * <p><b>Order.</b> The reference goes from {@value #RUN} (run) to {@value #STOP} (stop) to {@value #STOPPED} (stopped).
+ * When it is {@value #STOPPED}, zero speed has been sent and no cycle follows.
  *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6: starting and stopping by atomic reference; the third value is in
  * Figure 17.
@@ -31,9 +32,9 @@ final class ServiceLoop {
     private boolean firstRound = true;
 
     /**
-     * Begins.
+     * Starts the loop.
      *
-     * @param atFirstReading whether the service is in charge from its first reading on, instead of at once
+     * @param atFirstReading whether the service counts as started from its first reading on, instead of at once
      */
     ServiceLoop(
             ActorSpace space,
@@ -65,12 +66,12 @@ final class ServiceLoop {
         return reference.get() == RUN;
     }
 
-    /** Settled when the reference is at {@value #STOPPED}. */
+    /** Returns a promise that is settled when the reference is {@value #STOPPED}. */
     Promise<@Nullable Void> ended() {
         return ended;
     }
 
-    /** Makes it look at its reference now instead of at the next reading. */
+    /** Makes the loop check its reference now instead of at the next reading. */
     void wake() {
         link.wake();
     }
@@ -81,9 +82,9 @@ final class ServiceLoop {
     }
 
     /**
-     * Does a cycle, at once when it takes over, or at the first reading of a new connection. It drives then and does
-     * not look for colours, because two robots that each see the other's colour would else switch for ever, and never
-     * move.
+     * Runs one cycle: at once when the service takes over, otherwise at the next reading. The first cycle drives, but
+     * does not look for colours. Otherwise two robots that see each other's colours would switch at every reading and
+     * stand still.
      */
     private Promise<?> round() {
         boolean takesOver = firstRound && link.devices().hasData();

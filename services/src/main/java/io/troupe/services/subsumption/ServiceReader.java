@@ -9,7 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Supplier;
 
-/** Reads services: their declarations, and their names with {@code >} between layers. */
+/** Parses services in a table file: their declarations, and their names with {@code >} between layers. */
 final class ServiceReader {
     private final ServiceCatalogue catalogue;
     private final Map<String, Service> declared = new LinkedHashMap<>();
@@ -18,7 +18,7 @@ final class ServiceReader {
         this.catalogue = catalogue;
     }
 
-    /** {@code NAME = KIND(ARGUMENTS)}, perhaps with {@code colours} or {@code no colours}. */
+    /** {@code NAME = KIND(ARGUMENTS)}, optionally followed by {@code colours} or {@code no colours}. */
     Service declare(TableLine line) {
         int at = line.position();
         String name = line.word("the name of a service");
@@ -64,7 +64,7 @@ final class ServiceReader {
             throw located;
         } catch (IllegalArgumentException refused) {
             throw line.problem(kindAt, kind.name() + ": " + refused.getMessage());
-        } catch (RuntimeException | LinkageError thrown) { // a mistake of the kind, which need not be one of ours
+        } catch (RuntimeException | LinkageError thrown) { // a bug in the kind, which may come from a user's jar
             var problem = line.problem(
                     kindAt, "the kind of service " + kind.name() + " threw " + thrown + ", expected its behaviour");
             problem.initCause(thrown);

@@ -16,12 +16,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * The synchronous mode: one connection for all robots, and their services' cycles one after the other.
  *
- * <p><b>Threads.</b> One of its own does everything, so there is nothing to be atomic and no message to be sent.
- * <b>Order.</b> A colour that is seen changes the state at once, after that robot's cycle; nobody is told to stop, and
- * no zero speed is sent in between. A robot whose turn comes only after its speed has expired ({@link DriverLimits})
- * gets the same speed again meanwhile, so that it rolls on as long as this thread lives, and no longer.
+ * <p><b>Threads.</b> One separate thread does all work, so no atomics and no messages are needed. <b>Order.</b> A
+ * colour changes the state at once, after the cycle of the robot that saw it. The old services are not notified, and no
+ * zero speed is sent in between. If a robot's next cycle comes only after its speed command has expired
+ * ({@link DriverLimits}), the loop repeats the command meanwhile. So the robot keeps its speed as long as this thread
+ * lives, and no longer.
  *
- * <p><b>Errors.</b> What goes wrong stops all robots and is told to the one who started it.
+ * <p><b>Errors.</b> An error stops all robots and is passed to the {@code failed} consumer of {@link #start}.
  *
  * <p><b>Source.</b> Paper, section 3.4, Figure 14.
  */
@@ -34,7 +35,7 @@ final class SynchronousLoop implements AutoCloseable {
     private final Thread thread = new Thread(this::run, "robots");
     private volatile boolean closing;
 
-    // what only the thread touches
+    // confined to the thread
     private final List<RobotDevices> robots = new ArrayList<>();
     private final List<ServiceCycle> cycles = new ArrayList<>();
     private State state;
@@ -48,7 +49,7 @@ final class SynchronousLoop implements AutoCloseable {
         this.state = settings.table().first();
     }
 
-    /** Returns when the services of the first state are in charge, or have failed to be. */
+    /** Returns when the services of the first state have started, or have failed to start. */
     static SynchronousLoop start(SubsumptionRun.Settings settings, Consumer<Throwable> failed)
             throws InterruptedException {
         var loop = new SynchronousLoop(settings, failed);
@@ -92,7 +93,8 @@ final class SynchronousLoop implements AutoCloseable {
 
     private void drive(PlayerClient client) {
         try {
-            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // all robots' readings at a time
+            // in pull mode one frame holds the readings of all robots
+            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
             DriverLimits.watch(client);
             for (int robot = 0; robot < settings.table().robots(); robot++) {
                 robots.add(new RobotDevices(client, robot, settings.table().usesLaser(robot)));
@@ -104,7 +106,8 @@ final class SynchronousLoop implements AutoCloseable {
                 react();
             }
         } catch (RuntimeException | Error error) {
-            tell(error); // before the server learns that this client leaves, so that nobody goes on without knowing it
+            // before disconnecting: a world in lock step runs on once its client has left
+            tell(error);
         } finally {
             try {
                 halt();
@@ -124,7 +127,7 @@ final class SynchronousLoop implements AutoCloseable {
 
     private void react() {
         if (!robots.stream().allMatch(RobotDevices::hasData)) {
-            return; // the first reading of a slow sensor has not come yet
+            return; // a slow sensor has not sent its first reading yet
         }
         if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
             reactWithAll();
@@ -150,7 +153,7 @@ final class SynchronousLoop implements AutoCloseable {
         }
     }
 
-    /** The state that follows from what the robot sees, if one does. */
+    /** Runs the cycle of a robot; returns the next state if the robot sees a colour that leads to one. */
     private Optional<State> cycle(int robot) {
         var service = cycles.get(robot).service();
         var rule = service.findsColours() ? settings.table().ruleIn(state) : ColourRule.NONE;
@@ -187,7 +190,7 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void halt() {
-        Thread.interrupted(); // close() has done with it what it was for
+        Thread.interrupted(); // clear the interrupt that close() used to wake this thread
         try {
             cycles.forEach(ServiceCycle::halt);
         } catch (RuntimeException unreachable) {

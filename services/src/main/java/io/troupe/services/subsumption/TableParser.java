@@ -14,11 +14,11 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
- * Reads one text into a table: first its lines by their keywords, then colours and services, then the states that use
+ * Parses a table text: first sorts its lines by keyword, then reads colours and services, then the states that use
  * them.
  */
 final class TableParser {
-    /** A table is held in memory with a service for each robot and state. As many as the largest crowd has. */
+    /** The size of the largest crowd; a table keeps one service for each robot and state in memory. */
     private static final int MOST_ROBOTS = 20_000;
 
     private enum Keyword {
@@ -36,7 +36,7 @@ final class TableParser {
         }
     }
 
-    /** Where something was written. */
+    /** A position in the text. */
     private record Place(TableLine line, int position) {}
 
     private final String file;
@@ -54,7 +54,7 @@ final class TableParser {
     SubsumptionTable parse(String text) {
         List<String> lines = text.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
-            // files of some editors begin with a byte order mark
+            // some editors write a byte order mark
             String line = index == 0 && lines.getFirst().startsWith("\uFEFF")
                     ? lines.getFirst().substring(1)
                     : lines.get(index);
@@ -193,7 +193,7 @@ final class TableParser {
         });
     }
 
-    /** What a builder refuses was written here. */
+    /** Runs a builder action; an argument that the builder rejects is reported at the given position. */
     static void located(TableLine line, int position, Supplier<?> action) {
         try {
             action.get();

@@ -5,9 +5,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Finds the known name that somebody probably meant. */
+/** Finds the known name that is most similar to a misspelled one, for error messages. */
 public final class Suggestions {
-    /** Nobody means a longer name, and the comparison takes the product of both lengths. */
+    /** Longer names get no suggestion: the comparison takes time in proportion to the product of both lengths. */
     private static final int LONGEST = 100;
 
     private static final int FEW = 8;
@@ -15,11 +15,11 @@ public final class Suggestions {
     private Suggestions() {}
 
     /**
-     * The known name with the fewest slips in it: letters left out, added, changed, or swapped with their neighbour;
-     * upper and lower case count as the same.
+     * Returns the known name with the smallest edit distance. An edit omits, adds or changes a letter, or swaps two
+     * neighbours; case is ignored.
      *
-     * @return the first of those with the fewest; empty if even that has more slips than a third of the written letters
-     *     (one is always allowed)
+     * @return the first of the names with the smallest distance; empty if that is more than a third of the length of
+     *     the written name (an edit distance of 1 is always accepted)
      */
     public static Optional<String> nearest(String written, Collection<String> known) {
         if (written.length() > LONGEST) {
@@ -30,7 +30,7 @@ public final class Suggestions {
         String best = null;
         for (String name : known) {
             int slips = Math.abs(written.length() - name.length()) >= fewest
-                    ? fewest // it cannot be nearer, and need not be compared
+                    ? fewest // too different in length to be nearer
                     : slips(lower, name.toLowerCase(Locale.ROOT));
             if (slips < fewest) {
                 fewest = slips;
@@ -40,7 +40,7 @@ public final class Suggestions {
         return Optional.ofNullable(best);
     }
 
-    /** The end of an error message: the name that was probably meant, or else the first few there are. */
+    /** Returns the end of an error message: the most similar name, or else the first few known names. */
     public static String hint(String written, Collection<String> known) {
         if (known.isEmpty()) {
             return "there is none";
@@ -52,7 +52,7 @@ public final class Suggestions {
                         + (known.size() > FEW ? ", .." : ""));
     }
 
-    /** The optimal string alignment distance; three rows of its table are enough. */
+    /** The optimal string alignment distance, with three rows of the table in memory. */
     private static int slips(String from, String to) {
         int[] beforeLast = new int[to.length() + 1];
         int[] last = new int[to.length() + 1];

@@ -102,7 +102,7 @@ class ArbitratorTest {
         tick();
         assertThat(states).containsExactly("1 by null", "3 by 1", "1 by 0");
         assertInCharge(WF, SW);
-        tick(); // robot 2 still looks at red, and wanders again
+        tick(); // robot 2 still sees red, and wanders again
         assertThat(states).endsWith("2 by 1");
     }
 

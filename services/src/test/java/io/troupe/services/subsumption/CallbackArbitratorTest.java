@@ -184,7 +184,7 @@ class CallbackArbitratorTest {
         assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
     }
 
-    /** Its services end at once, whatever their references say. */
+    /** Services that end at once, whatever the value of their references. */
     static class Quitters extends RobotServices {
         Quitters() {
             super(Settings.ofThePaper());

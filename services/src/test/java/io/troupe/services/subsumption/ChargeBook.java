@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Writes down which services are in charge of which robot. */
+/** Records which services drive which robot. */
 final class ChargeBook implements ServiceObserver {
     private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
     private int most;
@@ -39,7 +39,7 @@ final class ChargeBook implements ServiceObserver {
         return List.copyOf(inCharge.getOrDefault(robot, List.of()));
     }
 
-    /** The most services a robot ever had at the same time. */
+    /** The maximum number of services that a robot had at the same time. */
     int most() {
         return most;
     }

@@ -15,10 +15,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/**
- * Tables made by chance, built by hand on one side and on the other read from a text that says the same in any of its
- * ways.
- */
+/** Random tables: each is built in code, and parsed from an equivalent text in one of its possible forms. */
 class RandomSubsumptionTableTest {
     private static final int TABLES = 2_000;
     private static final List<Integer> COLOURS = List.of(
@@ -40,7 +37,7 @@ class RandomSubsumptionTableTest {
         return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
     }
 
-    /** A table; {@link #lines} says the same. */
+    /** A random table; {@link #lines} is the equivalent text. */
     private SubsumptionTable table(long seed) {
         random = new Random(seed);
         lines.clear();
@@ -61,7 +58,7 @@ class RandomSubsumptionTableTest {
         lines.add("ignore " + name(ignored) + ": for a reason");
         for (int state = 0; state < states; state++) {
             int colour = colours.get(state);
-            // the first state uses all that is declared, and can end
+            // the first state uses every declared service, and can end
             List<Service> services = IntStream.range(0, robots)
                     .mapToObj(robot -> SERVICES.get(random.nextInt(SERVICES.size())))
                     .collect(Collectors.toCollection(ArrayList::new));
@@ -85,7 +82,7 @@ class RandomSubsumptionTableTest {
         return random.nextBoolean() ? Colours.name(colour) : random.nextBoolean() ? hex : hex.toLowerCase(Locale.ROOT);
     }
 
-    /** In turn, or by numbers in any order. */
+    /** The services in order, or by robot numbers in any order. */
     private String assignment(List<Service> services) {
         if (random.nextBoolean()) {
             return services.stream().map(Service::name).collect(Collectors.joining(random.nextBoolean() ? "," : " , "));
@@ -111,7 +108,7 @@ class RandomSubsumptionTableTest {
         return String.join(", ", parts);
     }
 
-    /** The lines with comments and blank lines among them; the statements are in any order but for the states. */
+    /** The lines in random order, except the states, with comments and blank lines between them. */
     private String text() {
         var states = lines.stream().filter(line -> line.startsWith("state")).iterator();
         var others = new ArrayList<>(
@@ -172,7 +169,7 @@ class RandomSubsumptionTableTest {
         assertThat(picked).isBetween(TABLES / 10, TABLES * 9 / 10);
     }
 
-    /** The words of the guide, patch by patch. */
+    /** A model of the colour rule, as the guide describes it, blob by blob. */
     private static OptionalInt byEye(SubsumptionTable table, State state, List<Blob> seen, double seconds) {
         Blob best = null;
         for (Blob each : seen) {

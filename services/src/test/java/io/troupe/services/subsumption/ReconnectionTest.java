@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** A connection for each service, as the paper has it: what that costs. */
+/** Tests a separate connection for each service, as in the paper, and what it costs. */
 class ReconnectionTest {
     private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
 
@@ -29,9 +29,9 @@ class ReconnectionTest {
                     .withReconnection(true)));
 
     /**
-     * The first state begins under the arbitrator of a mode.
+     * Starts the first state with the arbitrator of a mode.
      *
-     * @return the end of the arbitrator
+     * @return the promise of the arbitrator's end
      */
     private Promise<?> begin(Mode mode) {
         var table = SubsumptionTable.ofThePaper();

@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What a behaviour gets of blobs, laser and stall, and what is subscribed to for it. */
+/** Tests which blobs, laser scans and stalls a behaviour gets, and which devices are subscribed to for it. */
 class RobotSensesTest {
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);

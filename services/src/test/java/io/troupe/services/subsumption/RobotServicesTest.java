@@ -76,7 +76,7 @@ class RobotServicesTest {
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        test.get(services.stop(reference)); // again: nothing to do
+        test.get(services.stop(reference)); // a second stop has no effect
     }
 
     @Test
@@ -139,7 +139,7 @@ class RobotServicesTest {
         }
     }
 
-    /** A pause of three readings: less than the limit of a command. */
+    /** A pause of three readings is shorter than the command limit. */
     @Test
     void clockThatIsSetBackByLessThanACycle_goesOnWhenThatIsMadeUpFor() {
         services.wallFollower(0, running());
@@ -325,7 +325,7 @@ class RobotServicesTest {
                         .withTable(table)));
         Promise<Integer> colour = held.spaceWanderer(0, running(), running(), Colours.BLUE);
         test.crank();
-        robots.show(0, Colours.GREEN, Colours.RED); // green is the larger one
+        robots.show(0, Colours.GREEN, Colours.RED); // green has the larger blob
         for (int i = 0; i < 4; i++) {
             robots.tick(100);
             assertThat(colour.isDone()).as("after %d readings", i + 1).isFalse();

@@ -57,7 +57,7 @@ class SubsumptionTableWriterTest {
                 .hasMessageContaining("the service own cannot be written");
     }
 
-    /** Any table that the checks let pass. */
+    /** A random table that passes the checks. */
     private static SubsumptionTable table(Random random) {
         int robots = 1 + random.nextInt(12);
         var services = new ArrayList<>(List.of(

@@ -231,7 +231,7 @@ class SynchronousLoopTest {
             assertThat(states).endsWith("1 by 0");
             assertCommands(2, 1);
             robots.tickAndAwait(100);
-            assertCommands(3, 2); // robot 2 waits for its turn longer than usual: its speed is sent again
+            assertCommands(3, 2); // robot 2 waits longer than usual for its next cycle: its speed is sent again
             robots.tickAndAwait(100);
             assertCommands(3, 3);
             run.check();

@@ -12,10 +12,10 @@ class SuggestionsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "spaceWandrer, spaceWanderer", // left out
+        "spaceWandrer, spaceWanderer", // omitted
         "spaceWaanderer, spaceWanderer", // added
         "spaceWonderer, spaceWanderer", // changed
-        "paceWanderres, spaceWanderer", // left out and swapped with its neighbour, at both ends
+        "paceWanderres, spaceWanderer", // omitted at the start, swapped with its neighbour at the end
         "PLAYER, player",
         "mpa, map"
     })
