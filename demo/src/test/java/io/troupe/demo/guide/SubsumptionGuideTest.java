@@ -35,11 +35,11 @@ import org.junit.jupiter.api.io.TempDir;
 class SubsumptionGuideTest {
     private static final String FIFTY = """
             robots 50
-            ignore black : walls                                    # the reason is for people
-            colour lilac #C8A2C8                                    # a name of your own; it must be used
-            service patrol = goToGoal(1.5, -2; 3, 0; again) colours # "colours": its robots look for colours meanwhile
+            ignore black : walls                                    # the text after ':' is the reason
+            colour lilac #C8A2C8                                    # declares a name; it must be used
+            service patrol = goToGoal(1.5, -2; 3, 0; again) colours # "colours": its robots look for colours
             hold 2 s
-            state blue : * = spaceWanderer, 3..5 = wallFollower     # all of them; robots 3 to 5
+            state blue : * = spaceWanderer, 3..5 = wallFollower     # the default; robots 3 to 5
             state lilac priority 1 : * = avoid > patrol
             """;
 
@@ -88,7 +88,7 @@ class SubsumptionGuideTest {
         var clock = simulation.clock();
         var settings = new SubsumptionRun.Settings(Mode.CALLBACK, "localhost", 6665, table, clock, observer, listener);
         try (var run = SubsumptionRun.start(settings.withReconnection(true))) {
-            // move the world, and ask run.check() whether all is well
+            // advance the world; check() throws if a service has failed
             for (int i = 0; i < ticks; i++) {
                 simulation.tick();
                 run.check();
