@@ -11,8 +11,8 @@ import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -59,12 +59,12 @@ class SubsumptionGuideTest {
     static SubsumptionTable crowd(int robots) {
         Service avoid = new Service("avoid", false, Avoid.DEFAULT::behaviour);
         return SubsumptionTable.forRobots(robots)
-                .ignoring(Colours.BLACK, "walls")
+                .ignoring(NamedColours.BLACK, "walls")
                 .when(
-                        Colours.BLUE,
+                        NamedColours.BLUE,
                         Assignment.everyRobot(Service.SPACE_WANDERER).robots(3, 5, Service.WALL_FOLLOWER))
-                .when(Colours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
-                .priority(Colours.RED, 1)
+                .when(NamedColours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
+                .priority(NamedColours.RED, 1)
                 .hold(2)
                 .build();
     }
@@ -102,15 +102,15 @@ class SubsumptionGuideTest {
         var cycles = new LongAdder();
         var observer = new ServiceObserver() {
             @Override
-            public void began(int robot, Service service) {}
+            public void serviceStarted(int robot, Service service) {}
 
             @Override
-            public void cycled(int robot, Service service) {
+            public void cycleEnded(int robot, Service service) {
                 cycles.increment();
             }
 
             @Override
-            public void ended(int robot, Service service) {}
+            public void serviceEnded(int robot, Service service) {}
         };
         var states = new ArrayList<Integer>();
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(1))) {
@@ -133,7 +133,8 @@ class SubsumptionGuideTest {
 
     @Test
     void spin_hasNothingToSayAfterFiveSeconds_andTheWandererBelowDrives() {
-        Service layers = crowd(6).state(Colours.RED).orElseThrow().services().getFirst();
+        Service layers =
+                crowd(6).state(NamedColours.RED).orElseThrow().services().getFirst();
         assertThat(layers).hasToString("avoid > spin > spaceWanderer");
         Behaviour law = layers.behaviour().get();
         assertThat(law.step(senses(10))).hasValue(new Velocity(0, 0.5));

@@ -45,8 +45,8 @@ public record Avoid(double nearM, double farM, double turnRadps, double onwardSe
     public static final Memory START = new Memory.Idle();
 
     public Avoid {
-        Limits.requirePositive("the distance at which it turns in place", nearM, "m");
-        Limits.requirePositive("the turn rate", turnRadps, "rad/s");
+        Preconditions.requirePositive("the distance at which it turns in place", nearM, "m");
+        Preconditions.requirePositive("the turn rate", turnRadps, "rad/s");
         if (!(farM > nearM) || farM > SonarRing.MAX_M) {
             throw new IllegalArgumentException("the distance at which it slows down is " + farM
                     + " m, expected more than the " + nearM + " m at which it turns in place, and at most "

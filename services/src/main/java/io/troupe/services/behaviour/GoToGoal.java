@@ -48,8 +48,8 @@ public record GoToGoal(List<Goal> goals, double speedMps, double withinM, boolea
                         "the goal (" + goal.xM + ", " + goal.yM + "), expected finite metres");
             }
         }
-        Limits.requirePositive("the speed", speedMps, "m/s");
-        Limits.requirePositive("the distance at which a goal is reached", withinM, "m");
+        Preconditions.requirePositive("the speed", speedMps, "m/s");
+        Preconditions.requirePositive("the distance at which a goal is reached", withinM, "m");
     }
 
     /** Creates a behaviour that keeps the index of the next goal, starting with the first. */

@@ -22,7 +22,7 @@ final class ActorTeam implements AutoCloseable {
                 .withOnError((where, error) -> failed.accept(error)));
         var team = new ActorTeam(space);
         try {
-            team.begin(settings, failed);
+            team.startActors(settings, failed);
             return team;
         } catch (RuntimeException | InterruptedException impossible) {
             team.close();
@@ -30,32 +30,32 @@ final class ActorTeam implements AutoCloseable {
         }
     }
 
-    private void begin(SubsumptionRun.Settings settings, Consumer<Throwable> failed) throws InterruptedException {
-        var ofServices = new RobotServices.Settings(
+    private void startActors(SubsumptionRun.Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+        var serviceSettings = new RobotServices.Settings(
                 settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
-        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(ofServices));
-        live(settings, services).exceptionally(error -> {
+        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
+        startArbitrator(settings, services).exceptionally(error -> {
             failed.accept(error);
             return null;
         });
-        var begun = new CountDownLatch(1);
-        space.onIdle(begun::countDown);
-        begun.await();
+        var started = new CountDownLatch(1);
+        space.onIdle(started::countDown);
+        started.await();
     }
 
     /** Starts the mode's arbitrator; the promise is rejected when a service fails. */
-    private Promise<@Nullable Void> live(SubsumptionRun.Settings settings, RobotServices services) {
+    private Promise<@Nullable Void> startArbitrator(SubsumptionRun.Settings settings, RobotServices services) {
         if (settings.mode() == Mode.CALLBACK) {
             CallbackArbitrator arbitrator = space.spawn(
                     CallbackArbitrator.class,
                     () -> new CallbackArbitrator(services, settings.table(), settings.listener()));
             arbitrator.live();
-            return arbitrator.ended();
+            return arbitrator.failure();
         }
         Arbitrator arbitrator =
                 space.spawn(Arbitrator.class, () -> new Arbitrator(services, settings.table(), settings.listener()));
         arbitrator.live();
-        return arbitrator.ended();
+        return arbitrator.failure();
     }
 
     @Override

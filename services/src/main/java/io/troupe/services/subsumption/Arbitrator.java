@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * steps happen between two readings, so every robot always has exactly one service. If two robots see colours in the
  * same reading, the promise that is fulfilled first counts (the robot with the lower index).
  *
- * <p><b>Errors.</b> When a service's promise is rejected, {@link #ended} is rejected with the same error. When this
+ * <p><b>Errors.</b> When a service's promise is rejected, {@link #failure} is rejected with the same error. When this
  * actor is stopped, its services stop at their next reading.
  *
  * <p><b>Source.</b> Paper, section 3.6, Figure 20.
@@ -28,7 +28,7 @@ public class Arbitrator extends Actor {
          *
          * @param seenBy index of the robot that saw the state's colour; null for the first state
          */
-        void began(State state, @Nullable Integer seenBy);
+        void stateStarted(State state, @Nullable Integer seenBy);
 
         /** Called for each message with a colour that arrives, also if it has no effect. */
         default void colourReceived(int robot, int colour) {}
@@ -42,50 +42,50 @@ public class Arbitrator extends Actor {
     private final RobotServices services;
     private final SubsumptionTable table;
     private final StateListener listener;
-    private final PresentState present;
+    private final CurrentState current;
 
     public Arbitrator(RobotServices services, SubsumptionTable table, StateListener listener) {
         this.services = services;
         this.table = table;
         this.listener = listener;
-        this.present = new PresentState(services, table.first(), listener);
+        this.current = new CurrentState(services, table.first(), listener);
     }
 
     /** Starts the services of the current state. */
     public void live() {
-        present.begins();
-        for (int robot = 0; robot < present.state().services().size(); robot++) {
-            begin(robot);
+        current.notifyStarted();
+        for (int robot = 0; robot < current.state().services().size(); robot++) {
+            startService(robot);
         }
     }
 
     /** Returns a promise that is rejected when a service fails, and never fulfilled. */
-    public Promise<@Nullable Void> ended() {
-        return present.failed();
+    public Promise<@Nullable Void> failure() {
+        return current.failure();
     }
 
     @Override
     protected void stopped() {
-        present.abandon();
+        current.clearReferences();
     }
 
-    private void begin(int robot) {
-        int changesBefore = present.changes();
-        Service service = present.service(robot);
-        ColourRule rule = service.findsColours() ? table.ruleIn(present.state()) : ColourRule.NONE;
+    private void startService(int robot) {
+        int changesBefore = current.changes();
+        Service service = current.service(robot);
+        ColourRule rule = service.findsColours() ? table.ruleIn(current.state()) : ColourRule.NONE;
         Promise<?> end = services.serve(
-                        robot, service, present.newReference(robot), PresentState.newColourFinder(service), rule)
-                .thenAccept(colour -> colour.ifPresent(each -> received(robot, each, changesBefore)));
+                        robot, service, current.newRunReference(robot), CurrentState.newFinderReference(service), rule)
+                .thenAccept(colour -> colour.ifPresent(each -> onColour(robot, each, changesBefore)));
         end.exceptionally(error -> {
-            present.fail(error);
+            current.fail(error);
             return null;
         });
     }
 
-    private void received(int robot, int colour, int changesBefore) {
+    private void onColour(int robot, int colour, int changesBefore) {
         listener.colourReceived(robot, colour);
-        if (present.changes() == changesBefore) {
-            seen(robot, colour);
+        if (current.changes() == changesBefore) {
+            changeState(robot, colour);
         } else { // another robot saw a colour in the same reading, and the switch is under way
             listener.colourTooLate(robot, colour);
         }
@@ -95,10 +95,10 @@ public class Arbitrator extends Actor {
      * Handles the first colour that a robot sees in a state. A colour that leads to another state ends the current one;
      * otherwise the robot's service is started again.
      */
-    private void seen(int robot, int colour) {
-        table.next(present.state(), colour)
+    private void changeState(int robot, int colour) {
+        table.next(current.state(), colour)
                 .ifPresentOrElse(
-                        next -> present.change(next, robot).thenRun(() -> ((Arbitrator) self()).live()),
-                        () -> begin(robot));
+                        next -> current.changeTo(next, robot).thenRun(() -> ((Arbitrator) self()).live()),
+                        () -> startService(robot));
     }
 }

@@ -61,14 +61,14 @@ final class AssignmentReader {
         if (line.skips("*")) {
             line.expect("=", "and a service after '*'");
             Service service = services.layers(line);
-            TableParser.located(line, at, () -> assignment = assignment.others(service));
+            TableParser.atPosition(line, at, () -> assignment = assignment.others(service));
             return;
         }
         int first = robot("'*' or the number of a robot, 1 to ");
         int last = line.skips("..") ? robot("the number of a robot, 1 to ") : first;
         line.expect("=", "and a service after the numbers of robots");
         Service service = services.layers(line);
-        TableParser.located(line, at, () -> assignment = assignment.robots(first, last, service));
+        TableParser.atPosition(line, at, () -> assignment = assignment.robots(first, last, service));
     }
 
     private int robot(String expected) {

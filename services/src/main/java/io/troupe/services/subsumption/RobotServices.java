@@ -71,7 +71,7 @@ public class RobotServices extends Actor {
     private static final System.Logger LOG = System.getLogger(RobotServices.class.getName());
 
     private final Settings settings;
-    private @Nullable Charges charges;
+    private @Nullable RunningServices running;
 
     public RobotServices(Settings settings) {
         this.settings = settings;
@@ -84,7 +84,7 @@ public class RobotServices extends Actor {
      */
     public Promise<@Nullable Void> wallFollower(int robot, AtomicReference<Integer> reference) {
         var service = settings.table().service(Service.WALL_FOLLOWER.name()).orElse(Service.WALL_FOLLOWER);
-        return begin(robot, service, reference, ServiceCycle.Finder.LOOKS_AWAY);
+        return start(robot, service, reference, ServiceCycle.Finder.NONE);
     }
 
     /**
@@ -124,7 +124,7 @@ public class RobotServices extends Actor {
             AtomicReference<Integer> colourFinder,
             ColourRule rule) {
         var seen = new OptionalInt[] {OptionalInt.empty()};
-        return begin(robot, service, reference, (devices, secondsInCharge) -> {
+        return start(robot, service, reference, (devices, secondsInCharge) -> {
                     if (colourFinder.get() == ServiceLoop.RUN) {
                         seen[0] = rule.pick(devices.blobs(), secondsInCharge);
                         seen[0].ifPresent(colour -> {
@@ -196,7 +196,7 @@ public class RobotServices extends Actor {
         };
         Promise<@Nullable Void> end;
         try {
-            end = begin(robot, service, reference, finder);
+            end = start(robot, service, reference, finder);
         } catch (RuntimeException impossible) {
             end = Promise.failed(impossible);
         }
@@ -215,10 +215,11 @@ public class RobotServices extends Actor {
      * The colours to send, each once even if several blobs have it. Black is the colour of all walls, so it is sent
      * only if the table has a state for it.
      */
-    private IntStream coloursToSend(RobotDevices devices) {
+    private IntStream coloursToSend(PlayerDevices devices) {
         var table = settings.table();
         return ColourFinder.inOrder(devices.blobs(), table::priority)
-                .filter(colour -> colour != Colours.BLACK || table.state(colour).isPresent())
+                .filter(colour ->
+                        colour != NamedColours.BLACK || table.state(colour).isPresent())
                 .distinct();
     }
 
@@ -229,21 +230,21 @@ public class RobotServices extends Actor {
      */
     public Promise<@Nullable Void> stop(AtomicReference<Integer> reference) {
         reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP);
-        return charges == null ? Promise.done() : charges.stop(reference);
+        return running == null ? Promise.done() : running.stop(reference);
     }
 
     @Override
     protected void stopped() {
-        if (charges != null) {
-            charges.close();
+        if (running != null) {
+            running.close();
         }
     }
 
-    private Promise<@Nullable Void> begin(
+    private Promise<@Nullable Void> start(
             int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
-        if (charges == null) {
-            charges = new Charges(settings, space());
+        if (running == null) {
+            running = new RunningServices(settings, space());
         }
-        return charges.begin(robot, service, reference, finder);
+        return running.startAfterPrevious(robot, service, reference, finder);
     }
 }

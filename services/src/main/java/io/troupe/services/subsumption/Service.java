@@ -27,8 +27,8 @@ public record Service(String name, boolean findsColours, boolean usesLaser, Supp
     /** Paper, section 3.1. */
     public static final Service WALL_FOLLOWER = wallFollower(CornerStyle.FORWARD);
     /** Paper, section 3.2, with the colour finder. */
-    public static final Service SPACE_WANDERER =
-            new Service("spaceWanderer", true, new Definition("spaceWanderer", "", false, SpaceWanderer::behaviour));
+    public static final Service SPACE_WANDERER = new Service(
+            "spaceWanderer", true, new ServiceDefinition("spaceWanderer", "", false, SpaceWanderer::behaviour));
 
     /** Separates the names of layers. */
     static final String OVER = " > ";
@@ -51,7 +51,7 @@ public record Service(String name, boolean findsColours, boolean usesLaser, Supp
         return new Service(
                 "wallFollower",
                 false,
-                new Definition("wallFollower", arguments, false, () -> WallFollower.behaviour(cornerStyle)));
+                new ServiceDefinition("wallFollower", arguments, false, () -> WallFollower.behaviour(cornerStyle)));
     }
 
     /**
@@ -79,7 +79,7 @@ public record Service(String name, boolean findsColours, boolean usesLaser, Supp
      * Whether the behaviour is known to return a velocity in every cycle, so that a layer below it would never drive.
      */
     boolean neverYields() {
-        return behaviour instanceof Definition definition && !definition.yields();
+        return behaviour instanceof ServiceDefinition definition && !definition.yields();
     }
 
     /** Supplies a behaviour of new layers. */

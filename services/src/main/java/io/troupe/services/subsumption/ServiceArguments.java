@@ -31,10 +31,10 @@ public final class ServiceArguments {
     private final TableLine line;
     private final int start;
     private final List<List<Item>> groups = new ArrayList<>();
-    private final Set<String> asked = new LinkedHashSet<>();
-    private boolean tuplesAsked;
+    private final Set<String> requested = new LinkedHashSet<>();
+    private boolean tuplesRequested;
 
-    /** Parses the arguments if the line is at an opening parenthesis; otherwise there are none. */
+    /** Parses the arguments if the line is at an opening parenthesis; defaultValue there are none. */
     ServiceArguments(TableLine line) {
         this.line = line;
         this.start = line.position();
@@ -88,7 +88,7 @@ public final class ServiceArguments {
      * @param shape for error messages, such as {@code x, y}
      */
     public List<List<Double>> tuples(int size, String shape) {
-        tuplesAsked = true;
+        tuplesRequested = true;
         List<List<Double>> tuples = new ArrayList<>();
         for (var group : groups) {
             var numbers = group.stream()
@@ -111,21 +111,21 @@ public final class ServiceArguments {
     /**
      * Returns the number that follows a word.
      *
-     * @param otherwise the result if the word is absent
+     * @param defaultValue the result if the word is absent
      */
-    public double number(String name, double otherwise) {
-        asked.add(name);
+    public double number(String name, double defaultValue) {
+        requested.add(name);
         var item = named(name);
         Double number = item.map(Item::number).orElse(null);
         if (item.isPresent() && number == null) {
             throw line.problem(item.get().position, "'" + item.get() + "', expected a number after " + name);
         }
-        return number == null ? otherwise : number;
+        return number == null ? defaultValue : number;
     }
 
     /** Returns the word that follows a word; the first of the choices if the word is absent. */
     public String choice(String name, List<String> choices) {
-        asked.add(name);
+        requested.add(name);
         var item = named(name);
         if (item.isEmpty()) {
             return choices.getFirst();
@@ -141,7 +141,7 @@ public final class ServiceArguments {
 
     /** Whether a word is present, without a value. */
     public boolean flag(String name) {
-        asked.add(name);
+        requested.add(name);
         var item = named(name);
         if (item.isPresent() && (item.get().number != null || item.get().word != null)) {
             throw line.problem(item.get().position, "'" + item.get() + "', expected " + name + " alone");
@@ -150,18 +150,19 @@ public final class ServiceArguments {
     }
 
     /** Rejects arguments that the kind of service has not read. */
-    void requireAllAsked(String kind) {
+    void rejectUnused(String kind) {
         for (var group : groups) {
             for (Item item : group) {
-                if (item.name == null && !tuplesAsked) {
+                if (item.name == null && !tuplesRequested) {
                     throw line.problem(
-                            item.position, kind + " has the number " + item + TableLine.expected("words", "", asked));
+                            item.position,
+                            kind + " has the number " + item + TableLine.expected("words", "", requested));
                 }
-                if (item.name != null && !asked.contains(item.name)) {
+                if (item.name != null && !requested.contains(item.name)) {
                     throw line.problem(
                             item.position,
                             kind + " has the argument '" + item.name + "'"
-                                    + TableLine.expected("one of", item.name, asked));
+                                    + TableLine.expected("one of", item.name, requested));
                 }
             }
         }

@@ -17,24 +17,24 @@ final class ServiceCycle {
          * Finds nothing. Used in the first cycle of a service that takes over, because the previous service has already
          * seen that reading.
          */
-        Finder LOOKS_AWAY = (devices, secondsInCharge) -> {};
+        Finder NONE = (devices, secondsInCharge) -> {};
 
         /**
          * Looks for colours in the newest reading. It may end the service; then the behaviour is not called in this
          * cycle.
          */
-        void look(RobotDevices devices, double secondsInCharge);
+        void look(PlayerDevices devices, double secondsInCharge);
     }
 
     private final int robot;
     private final Service service;
-    private final RobotDevices devices;
+    private final PlayerDevices devices;
     private final Behaviour behaviour;
     private final ServiceObserver observer;
-    private double lastSeconds = Double.NEGATIVE_INFINITY;
-    private double beganSeconds = Double.NaN;
+    private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
+    private double startSeconds = Double.NaN;
 
-    ServiceCycle(int robot, Service service, RobotDevices devices, ServiceObserver observer) {
+    ServiceCycle(int robot, Service service, PlayerDevices devices, ServiceObserver observer) {
         this.robot = robot;
         this.service = service;
         this.devices = devices;
@@ -50,13 +50,13 @@ final class ServiceCycle {
      * Marks the newest reading as the one at which the service starts to drive the robot. If never called, that is the
      * reading of the first cycle.
      */
-    void takeCharge() {
-        beganSeconds = devices.timeSeconds();
+    void start() {
+        startSeconds = devices.timeSeconds();
     }
 
     /** Whether the previous cycle is over; readings that come more often are skipped. */
     boolean isDue() {
-        return ReadingTime.isCycle(lastSeconds, devices.timeSeconds());
+        return ReadingTime.isCycle(lastCycleSeconds, devices.timeSeconds());
     }
 
     /**
@@ -65,16 +65,16 @@ final class ServiceCycle {
      * @param drives whether the service still drives the robot after the finder has run
      */
     void run(Finder finder, BooleanSupplier drives) {
-        observer.cycleBegins(robot, service);
-        lastSeconds = devices.timeSeconds();
-        if (Double.isNaN(beganSeconds)) {
-            takeCharge();
+        observer.cycleStarted(robot, service);
+        lastCycleSeconds = devices.timeSeconds();
+        if (Double.isNaN(startSeconds)) {
+            start();
         }
-        finder.look(devices, lastSeconds - beganSeconds);
+        finder.look(devices, lastCycleSeconds - startSeconds);
         if (drives.getAsBoolean()) {
             devices.drive(behaviour.step(devices.senses(service.usesLaser())).orElse(Velocity.STOP));
         }
-        observer.cycled(robot, service);
+        observer.cycleEnded(robot, service);
     }
 
     /** Sends zero speed. */

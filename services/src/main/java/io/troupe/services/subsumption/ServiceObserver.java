@@ -9,19 +9,19 @@ public interface ServiceObserver {
      * A service has started to drive a robot. It is called when the service starts; on a new connection that replaces
      * an earlier one, it is called at the first reading.
      */
-    void began(int robot, Service service);
+    void serviceStarted(int robot, Service service);
 
     /** A new reading has arrived, and the service starts a cycle. */
-    default void cycleBegins(int robot, Service service) {}
+    default void cycleStarted(int robot, Service service) {}
 
     /** A service has finished a cycle. */
-    void cycled(int robot, Service service);
+    void cycleEnded(int robot, Service service);
 
     /**
      * A service no longer drives the robot, and has sent zero speed. In synchronous mode zero speed is not sent if
      * another service takes over.
      */
-    void ended(int robot, Service service);
+    void serviceEnded(int robot, Service service);
 
     /**
      * A robot's colour finder sends a colour to the arbitrator as a message. Never called in synchronous mode, which
@@ -32,12 +32,12 @@ public interface ServiceObserver {
     /** An observer that does nothing. */
     ServiceObserver NONE = new ServiceObserver() {
         @Override
-        public void began(int robot, Service service) {}
+        public void serviceStarted(int robot, Service service) {}
 
         @Override
-        public void cycled(int robot, Service service) {}
+        public void cycleEnded(int robot, Service service) {}
 
         @Override
-        public void ended(int robot, Service service) {}
+        public void serviceEnded(int robot, Service service) {}
     };
 }

@@ -42,13 +42,13 @@ final class ServiceReader {
                             + ", which is another kind, expected another name");
         }
         var arguments = new ServiceArguments(line);
-        boolean findsColours = line.skips("colours") || !isBlind(line) && kind.findsColours();
+        boolean findsColours = line.skips("colours") || !skipsNoColours(line) && kind.findsColours();
         var service = new Service(name, findsColours, kind.usesLaser(), define(line, kindAt, kind, arguments));
         declared.put(name, service);
         return service;
     }
 
-    private static boolean isBlind(TableLine line) {
+    private static boolean skipsNoColours(TableLine line) {
         if (!line.skips("no")) {
             return false;
         }
@@ -56,7 +56,7 @@ final class ServiceReader {
         return true;
     }
 
-    private static Definition define(TableLine line, int kindAt, Kind kind, ServiceArguments arguments) {
+    private static ServiceDefinition define(TableLine line, int kindAt, Kind kind, ServiceArguments arguments) {
         Supplier<Behaviour> maker;
         try {
             maker = requireNonNull(kind.maker().apply(arguments), "its maker answered nothing");
@@ -70,8 +70,8 @@ final class ServiceReader {
             problem.initCause(thrown);
             throw problem;
         }
-        arguments.requireAllAsked(kind.name());
-        return new Definition(kind.name(), arguments.text(), kind.yields(), maker);
+        arguments.rejectUnused(kind.name());
+        return new ServiceDefinition(kind.name(), arguments.text(), kind.yields(), maker);
     }
 
     /** {@code NAME > NAME > ..}, the highest layer first. */

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> Immutable. Build one with {@link #forRobots}, take the paper's with {@link #ofThePaper()}, or read
  * one from a file with {@link SubsumptionTableReader}. A run starts in the first state.
  *
- * <p><b>Order.</b> Colours without a state change nothing, whether they are declared as ignored or not.
+ * <p><b>Order.</b> NamedColours without a state change nothing, whether they are declared as ignored or not.
  *
  * <p><b>Source.</b> Paper, section 3.3, Tables 3 and 4 (Table 4 takes precedence over the list of rules); challenge v.
  */
@@ -48,11 +48,11 @@ public final class SubsumptionTable {
     public static SubsumptionTable ofThePaper(CornerStyle cornerStyle) {
         Service wallFollower = Service.wallFollower(cornerStyle);
         return forRobots(2)
-                .ignoring(Colours.BLACK, "walls and robot 2")
-                .ignoring(Colours.ORANGE, "robot 1")
-                .when(Colours.BLUE, wallFollower, Service.SPACE_WANDERER)
-                .when(Colours.RED, Service.SPACE_WANDERER, wallFollower)
-                .when(Colours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
+                .ignoring(NamedColours.BLACK, "walls and robot 2")
+                .ignoring(NamedColours.ORANGE, "robot 1")
+                .when(NamedColours.BLUE, wallFollower, Service.SPACE_WANDERER)
+                .when(NamedColours.RED, Service.SPACE_WANDERER, wallFollower)
+                .when(NamedColours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
                 .build();
     }
 
@@ -130,8 +130,10 @@ public final class SubsumptionTable {
         if (declared != null) {
             return declared;
         }
-        String known = Colours.name(colour);
-        return names.containsValue(known) ? Colours.hex(colour) : known; // the table uses that name for another colour
+        String known = NamedColours.name(colour);
+        return names.containsValue(known)
+                ? NamedColours.hex(colour)
+                : known; // the table uses that name for another colour
     }
 
     /**

@@ -76,7 +76,7 @@ public final class SubsumptionTableBuilder {
         requireColour(colour);
         if (!WORD.matcher(name).matches()) {
             throw new IllegalArgumentException(
-                    "the colour " + Colours.hex(colour) + " is called '" + name + "', expected a word");
+                    "the colour " + NamedColours.hex(colour) + " is called '" + name + "', expected a word");
         }
         if (names.containsValue(name)) {
             throw new IllegalArgumentException("the colour " + name + " is declared already");
@@ -84,7 +84,7 @@ public final class SubsumptionTableBuilder {
         String other = names.putIfAbsent(colour, name);
         if (other != null) {
             throw new IllegalArgumentException(
-                    "the colour " + Colours.hex(colour) + " is called " + other + " already, and not " + name);
+                    "the colour " + NamedColours.hex(colour) + " is called " + other + " already, and not " + name);
         }
         return this;
     }
@@ -188,11 +188,11 @@ public final class SubsumptionTableBuilder {
     }
 
     private String name(int colour) {
-        return names.getOrDefault(colour, Colours.name(colour));
+        return names.getOrDefault(colour, NamedColours.name(colour));
     }
 
     private static void requireColour(int colour) {
-        if (colour < 0 || colour > Colours.LAST) {
+        if (colour < 0 || colour > NamedColours.LAST) {
             throw new IllegalArgumentException(
                     String.format("the colour is 0x%X, expected 0x000000 to 0xFFFFFF", colour));
         }

@@ -23,8 +23,8 @@ import java.nio.file.Path;
  * allow final                                            # allows states in which no robot looks for colours
  * }
  *
- * <p>Colours are names ({@link Colours#names()}), or {@code #RRGGBB}. Services are those that the file declares, and
- * the kinds of the catalogue without arguments.
+ * <p>NamedColours are names ({@link NamedColours#names()}), or {@code #RRGGBB}. Services are those that the file
+ * declares, and the kinds of the catalogue without arguments.
  *
  * <p><b>Errors.</b> {@link SubsumptionTableException} for every error in a file, and if the file cannot be opened.
  */

@@ -32,7 +32,7 @@ public final class SubsumptionTableWriter {
         line("robots " + table.robots());
         table.declaredColours()
                 .forEach((colour, name) -> line("colour " + name
-                        + (Colours.named(name).orElse(-1) == colour ? "" : " " + Colours.hex(colour))));
+                        + (NamedColours.named(name).orElse(-1) == colour ? "" : " " + NamedColours.hex(colour))));
         table.ignored()
                 .forEach((colour, why) ->
                         line("ignore " + table.colourName(colour) + (why.isEmpty() ? "" : " : " + why)));
@@ -52,7 +52,7 @@ public final class SubsumptionTableWriter {
                 .flatMap(service -> service.layers().stream())
                 .distinct()
                 .forEach(service -> {
-                    if (!(service.behaviour() instanceof Definition definition)
+                    if (!(service.behaviour() instanceof ServiceDefinition definition)
                             || !service.name().matches(TableLine.WORD)) {
                         throw new IllegalArgumentException("the service " + service
                                 + " cannot be written, expected one that a catalogue made, and a word as its name");

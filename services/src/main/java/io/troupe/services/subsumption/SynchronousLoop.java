@@ -31,12 +31,12 @@ final class SynchronousLoop implements AutoCloseable {
 
     private final SubsumptionRun.Settings settings;
     private final Consumer<Throwable> failed;
-    private final CountDownLatch begun = new CountDownLatch(1);
+    private final CountDownLatch started = new CountDownLatch(1);
     private final Thread thread = new Thread(this::run, "robots");
     private volatile boolean closing;
 
     // confined to the thread
-    private final List<RobotDevices> robots = new ArrayList<>();
+    private final List<PlayerDevices> robots = new ArrayList<>();
     private final List<ServiceCycle> cycles = new ArrayList<>();
     private State state;
     private OptionalInt seen = OptionalInt.empty();
@@ -55,7 +55,7 @@ final class SynchronousLoop implements AutoCloseable {
         var loop = new SynchronousLoop(settings, failed);
         loop.thread.start();
         try {
-            loop.begun.await();
+            loop.started.await();
             return loop;
         } catch (InterruptedException e) {
             loop.close();
@@ -85,9 +85,9 @@ final class SynchronousLoop implements AutoCloseable {
         try {
             drive(new PlayerClient(settings.host(), settings.port()));
         } catch (RuntimeException | Error error) {
-            tell(error);
+            report(error);
         } finally {
-            begun.countDown();
+            started.countDown();
         }
     }
 
@@ -97,17 +97,17 @@ final class SynchronousLoop implements AutoCloseable {
             client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
             DriverLimits.watch(client);
             for (int robot = 0; robot < settings.table().robots(); robot++) {
-                robots.add(new RobotDevices(client, robot, settings.table().usesLaser(robot)));
+                robots.add(new PlayerDevices(client, robot, settings.table().usesLaser(robot)));
             }
-            putInCharge(null);
-            begun.countDown();
+            startServices(null);
+            started.countDown();
             while (!closing) {
                 client.readAll();
                 react();
             }
         } catch (RuntimeException | Error error) {
             // before disconnecting: a world in lock step runs on once its client has left
-            tell(error);
+            report(error);
         } finally {
             try {
                 halt();
@@ -117,7 +117,7 @@ final class SynchronousLoop implements AutoCloseable {
         }
     }
 
-    private void tell(Throwable error) {
+    private void report(Throwable error) {
         if (closing && error instanceof PlayerException) {
             LOG.log(Level.DEBUG, "closed", error);
         } else {
@@ -126,27 +126,27 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void react() {
-        if (!robots.stream().allMatch(RobotDevices::hasData)) {
+        if (!robots.stream().allMatch(PlayerDevices::hasData)) {
             return; // a slow sensor has not sent its first reading yet
         }
         if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
-            reactWithAll();
+            runAllServices();
         } else if (ReadingTime.isCycle(lastCycleSeconds, robots.get(turn).stampSeconds())) {
             lastCycleSeconds = robots.get(turn).stampSeconds();
             int robot = turn;
             turn = (turn + 1) % robots.size();
             cycle(robot).ifPresent(next -> change(next, robot));
-            robots.forEach(RobotDevices::renew);
+            robots.forEach(PlayerDevices::repeatCommand);
         }
     }
 
-    private void reactWithAll() {
+    private void runAllServices() {
         for (int robot = 0; robot < robots.size(); robot++) {
             if (cycles.get(robot).isDue()) {
                 var next = cycle(robot);
                 if (next.isPresent()) {
                     change(next.get(), robot);
-                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.LOOKS_AWAY, () -> true));
+                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.NONE, () -> true));
                     return;
                 }
             }
@@ -163,28 +163,28 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void change(State next, int seenBy) {
-        dismiss();
+        notifyServicesEnded();
         state = next;
         turn = 0;
-        putInCharge(seenBy);
+        startServices(seenBy);
     }
 
-    private void putInCharge(@Nullable Integer seenBy) {
-        settings.listener().began(state, seenBy);
+    private void startServices(@Nullable Integer seenBy) {
+        settings.listener().stateStarted(state, seenBy);
         for (int robot = 0; robot < robots.size(); robot++) {
             Service service = state.services().get(robot);
             var cycle = new ServiceCycle(robot, service, robots.get(robot), settings.observer());
             if (robots.get(robot).hasData()) {
-                cycle.takeCharge();
+                cycle.start();
             }
             cycles.add(cycle);
-            settings.observer().began(robot, service);
+            settings.observer().serviceStarted(robot, service);
         }
     }
 
-    private void dismiss() {
+    private void notifyServicesEnded() {
         for (int robot = 0; robot < cycles.size(); robot++) {
-            settings.observer().ended(robot, cycles.get(robot).service());
+            settings.observer().serviceEnded(robot, cycles.get(robot).service());
         }
         cycles.clear();
     }
@@ -194,9 +194,9 @@ final class SynchronousLoop implements AutoCloseable {
         try {
             cycles.forEach(ServiceCycle::halt);
         } catch (RuntimeException unreachable) {
-            tell(unreachable);
+            report(unreachable);
         } finally {
-            dismiss();
+            notifyServicesEnded();
         }
     }
 }

@@ -119,18 +119,19 @@ final class TableParser {
     private void colour(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         String name = line.word("the name of a colour");
-        OptionalInt value = line.atEnd() ? Colours.named(name) : line.literalColour();
+        OptionalInt value = line.atEnd() ? NamedColours.named(name) : line.literalColour();
         if (value.isEmpty()) {
             throw line.atEnd()
                     ? line.problem(
                             at,
                             "the colour '" + name + "' has no value"
-                                    + TableLine.expected("#RRGGBB after it, or a known name", name, Colours.names()))
+                                    + TableLine.expected(
+                                            "#RRGGBB after it, or a known name", name, NamedColours.names()))
                     : line.unexpected("a colour as #RRGGBB");
         }
         colours.put(name, value.getAsInt());
         written.put(new Subject.OfColour(value.getAsInt()), new Place(line, at));
-        located(line, at, () -> builder.colour(name, value.getAsInt()));
+        atPosition(line, at, () -> builder.colour(name, value.getAsInt()));
     }
 
     private void service(TableLine line, SubsumptionTableBuilder builder) {
@@ -144,7 +145,7 @@ final class TableParser {
         int at = line.position();
         int colour = colourName(line);
         String why = line.skips(":") ? line.rest() : "";
-        located(line, at, () -> builder.ignoring(colour, why));
+        atPosition(line, at, () -> builder.ignoring(colour, why));
     }
 
     private static void hold(TableLine line, SubsumptionTableBuilder builder) {
@@ -154,7 +155,7 @@ final class TableParser {
         if (!millis) {
             line.expect("s", "or 'ms' after the number");
         }
-        located(line, at, () -> builder.hold(millis ? number / 1000 : number));
+        atPosition(line, at, () -> builder.hold(millis ? number / 1000 : number));
     }
 
     private void state(TableLine line, SubsumptionTableBuilder builder) {
@@ -164,11 +165,11 @@ final class TableParser {
         if (line.skips("priority")) {
             written.put(new Subject.OfPriority(colour), new Place(line, at));
             int priority = line.whole("a whole number", Integer.MIN_VALUE, Integer.MAX_VALUE);
-            located(line, at, () -> builder.priority(colour, priority));
+            atPosition(line, at, () -> builder.priority(colour, priority));
         }
         line.expect(":", "before the services");
         Assignment assignment = new AssignmentReader(line, services, robots).read();
-        located(line, at, () -> builder.when(colour, assignment));
+        atPosition(line, at, () -> builder.when(colour, assignment));
     }
 
     private int colourName(TableLine line) {
@@ -182,8 +183,8 @@ final class TableParser {
         if (declared != null) {
             return declared;
         }
-        return Colours.named(name).orElseThrow(() -> {
-            var known = Stream.concat(colours.keySet().stream(), Colours.names().stream())
+        return NamedColours.named(name).orElseThrow(() -> {
+            var known = Stream.concat(colours.keySet().stream(), NamedColours.names().stream())
                     .distinct()
                     .toList();
             return line.problem(
@@ -194,7 +195,7 @@ final class TableParser {
     }
 
     /** Runs a builder action; an argument that the builder rejects is reported at the given position. */
-    static void located(TableLine line, int position, Supplier<?> action) {
+    static void atPosition(TableLine line, int position, Supplier<?> action) {
         try {
             action.get();
         } catch (IllegalArgumentException refused) {

@@ -8,9 +8,9 @@ import java.util.stream.Collectors;
 /** Finds the known name that is most similar to a misspelled one, for error messages. */
 public final class Suggestions {
     /** Longer names get no suggestion: the comparison takes time in proportion to the product of both lengths. */
-    private static final int LONGEST = 100;
+    private static final int MAX_LENGTH = 100;
 
-    private static final int FEW = 8;
+    private static final int MAX_LISTED = 8;
 
     private Suggestions() {}
 
@@ -22,18 +22,18 @@ public final class Suggestions {
      *     the written name (an edit distance of 1 is always accepted)
      */
     public static Optional<String> nearest(String written, Collection<String> known) {
-        if (written.length() > LONGEST) {
+        if (written.length() > MAX_LENGTH) {
             return Optional.empty();
         }
         String lower = written.toLowerCase(Locale.ROOT);
-        int fewest = Math.max(1, written.length() / 3) + 1;
+        int smallest = Math.max(1, written.length() / 3) + 1;
         String best = null;
         for (String name : known) {
-            int slips = Math.abs(written.length() - name.length()) >= fewest
-                    ? fewest // too different in length to be nearer
-                    : slips(lower, name.toLowerCase(Locale.ROOT));
-            if (slips < fewest) {
-                fewest = slips;
+            int distance = Math.abs(written.length() - name.length()) >= smallest
+                    ? smallest // too different in length to be nearer
+                    : distance(lower, name.toLowerCase(Locale.ROOT));
+            if (distance < smallest) {
+                smallest = distance;
                 best = name;
             }
         }
@@ -48,12 +48,12 @@ public final class Suggestions {
         return nearest(written, known)
                 .map(name -> "did you mean " + name + "?")
                 .orElseGet(() -> "there are "
-                        + known.stream().sorted().limit(FEW).collect(Collectors.joining(", "))
-                        + (known.size() > FEW ? ", .." : ""));
+                        + known.stream().sorted().limit(MAX_LISTED).collect(Collectors.joining(", "))
+                        + (known.size() > MAX_LISTED ? ", .." : ""));
     }
 
     /** The optimal string alignment distance, with three rows of the table in memory. */
-    private static int slips(String from, String to) {
+    private static int distance(String from, String to) {
         int[] beforeLast = new int[to.length() + 1];
         int[] last = new int[to.length() + 1];
         int[] row = new int[to.length() + 1];

@@ -33,10 +33,13 @@ class SensesTest {
 
     @Test
     void largestBlob_isTheLargestOfTheColour_ofEqualOnesTheLeftmost() {
-        var senses =
-                seeing(Patch.of(GREEN, 900, 0), Patch.of(RED, 50, 30), Patch.of(RED, 60, 40), Patch.of(RED, 60, 9));
-        assertThat(senses.largestBlob(RED)).hasValue(Patch.of(RED, 60, 9));
-        assertThat(seeing(Patch.of(GREEN, 900, 0)).largestBlob(RED)).isEmpty();
+        var senses = seeing(
+                TestBlobs.of(GREEN, 900, 0),
+                TestBlobs.of(RED, 50, 30),
+                TestBlobs.of(RED, 60, 40),
+                TestBlobs.of(RED, 60, 9));
+        assertThat(senses.largestBlob(RED)).hasValue(TestBlobs.of(RED, 60, 9));
+        assertThat(seeing(TestBlobs.of(GREEN, 900, 0)).largestBlob(RED)).isEmpty();
     }
 
     @Test

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
-import io.troupe.services.behaviour.Patch;
+import io.troupe.services.behaviour.TestBlobs;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -19,7 +19,14 @@ import org.junit.jupiter.api.Test;
 class RandomSubsumptionTableTest {
     private static final int TABLES = 2_000;
     private static final List<Integer> COLOURS = List.of(
-            Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK, 0xC8A2C8, 0x123456, 0xFFFFFF);
+            NamedColours.BLUE,
+            NamedColours.RED,
+            NamedColours.GREEN,
+            NamedColours.ORANGE,
+            NamedColours.BLACK,
+            0xC8A2C8,
+            0x123456,
+            0xFFFFFF);
     private static final Service PATROL = declared("patrol = goToGoal(1, 2; again) colours");
     private static final Service DODGE = declared("dodge = avoid(near 0.3)");
     private static final List<Service> SERVICES = List.of(
@@ -78,8 +85,10 @@ class RandomSubsumptionTableTest {
     }
 
     private String name(int colour) {
-        String hex = Colours.hex(colour);
-        return random.nextBoolean() ? Colours.name(colour) : random.nextBoolean() ? hex : hex.toLowerCase(Locale.ROOT);
+        String hex = NamedColours.hex(colour);
+        return random.nextBoolean()
+                ? NamedColours.name(colour)
+                : random.nextBoolean() ? hex : hex.toLowerCase(Locale.ROOT);
     }
 
     /** The services in order, or by robot numbers in any order. */
@@ -126,7 +135,7 @@ class RandomSubsumptionTableTest {
     }
 
     @Test
-    void text_isReadAsTheTableThatItSays() {
+    void text_isReadAsTheEquivalentTable() {
         for (long seed = 0; seed < TABLES; seed++) {
             SubsumptionTable built = table(seed);
             String text = text();
@@ -148,7 +157,7 @@ class RandomSubsumptionTableTest {
             State state = table.states().get(random.nextInt(table.states().size()));
             List<Blob> seen = IntStream.range(0, random.nextInt(6))
                     .mapToObj(left ->
-                            Patch.of(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
+                            TestBlobs.of(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
                     .collect(Collectors.toCollection(ArrayList::new));
             Collections.shuffle(seen, random);
             double seconds = random.nextInt(20) / 10.0;
@@ -158,7 +167,7 @@ class RandomSubsumptionTableTest {
                     .as("seed %d", seed)
                     .isEqualTo(expected);
             assertThat(ColourFinder.inOrder(seen, table::priority)
-                            .filter(colour -> colour != Colours.BLACK
+                            .filter(colour -> colour != NamedColours.BLACK
                                     || table.state(colour).isPresent())
                             .filter(colour -> table.next(state, colour, seconds).isPresent())
                             .findFirst())

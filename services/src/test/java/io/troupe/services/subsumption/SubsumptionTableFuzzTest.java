@@ -72,7 +72,7 @@ class SubsumptionTableFuzzTest {
     }
 
     @Test
-    void editedFile_isATable_orTheMistakeIsToldWithItsPlace() {
+    void editedFile_isATable_orTheMistakeIsReportedWithItsPosition() {
         int tables = 0;
         for (int seed = 0; seed < EDITED; seed++) {
             String text = edited(new Random(seed));

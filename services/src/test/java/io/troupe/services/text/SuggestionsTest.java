@@ -19,7 +19,7 @@ class SuggestionsTest {
         "PLAYER, player",
         "mpa, map"
     })
-    void name_withFewSlips_isFound(String written, String meant) {
+    void name_withFewEdits_isFound(String written, String meant) {
         assertThat(Suggestions.nearest(written, KNOWN)).contains(meant);
     }
 

@@ -5,7 +5,7 @@ import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.kinds.Kind.Parameter;
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -108,8 +108,13 @@ public final class Kinds {
                         name,
                         Set.copyOf(arguments.someOf(
                                 "ignore",
-                                List.of(Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK),
-                                Colours::name))));
+                                List.of(
+                                        NamedColours.BLUE,
+                                        NamedColours.RED,
+                                        NamedColours.GREEN,
+                                        NamedColours.ORANGE,
+                                        NamedColours.BLACK),
+                                NamedColours::name))));
     }
 
     private static Kind process() {

@@ -14,32 +14,32 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> Paper, Figure 7.
  */
-final class RobotLink implements AutoCloseable {
+final class RobotConnection implements AutoCloseable {
     private final PlayerClient client;
-    private final RobotDevices devices;
+    private final PlayerDevices devices;
     private @Nullable Deferred<Boolean> waiting;
     private @Nullable Promise<Boolean> reading;
 
-    private RobotLink(PlayerClient client, int robot, boolean usesLaser) {
+    private RobotConnection(PlayerClient client, int robot, boolean usesLaser) {
         this.client = client;
         // in pull mode one frame holds all readings of a tick, also over a socket
         client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
         DriverLimits.watch(client);
-        devices = new RobotDevices(client, robot, usesLaser);
+        devices = new PlayerDevices(client, robot, usesLaser);
         client.runThreaded(-1, -1);
     }
 
-    static RobotLink connect(String host, int port, int robot, boolean usesLaser) {
+    static RobotConnection connect(String host, int port, int robot, boolean usesLaser) {
         var client = new PlayerClient(host, port);
         try {
-            return new RobotLink(client, robot, usesLaser);
+            return new RobotConnection(client, robot, usesLaser);
         } catch (RuntimeException refused) {
             client.close();
             throw refused;
         }
     }
 
-    RobotDevices devices() {
+    PlayerDevices devices() {
         return devices;
     }
 

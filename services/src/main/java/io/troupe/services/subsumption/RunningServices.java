@@ -10,17 +10,17 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /** The running services, at most one per robot. <b>Threads.</b> The actor space's thread. */
-final class Charges implements AutoCloseable {
+final class RunningServices implements AutoCloseable {
     private final ServiceObserver observer;
     private final ActorSpace space;
-    private final RobotLinks links;
-    private final Map<Integer, ServiceLoop> inCharge = new HashMap<>();
+    private final RobotConnections connections;
+    private final Map<Integer, ServiceLoop> byRobot = new HashMap<>();
     private final Map<AtomicReference<Integer>, ServiceLoop> byReference = new IdentityHashMap<>();
 
-    Charges(RobotServices.Settings settings, ActorSpace space) {
+    RunningServices(RobotServices.Settings settings, ActorSpace space) {
         this.observer = settings.observer();
         this.space = space;
-        this.links = new RobotLinks(settings, space);
+        this.connections = new RobotConnections(settings, space);
     }
 
     /**
@@ -30,20 +30,20 @@ final class Charges implements AutoCloseable {
      * @throws IllegalStateException if the previous service is still set to run, or the reference belongs to another
      *     service
      */
-    Promise<@Nullable Void> begin(
+    Promise<@Nullable Void> startAfterPrevious(
             int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
-        ServiceLoop before = inCharge.get(robot);
-        if (before == null) {
+        ServiceLoop previous = byRobot.get(robot);
+        if (previous == null) {
             return start(robot, service, reference, finder);
         }
-        if (before.isToRun()) {
-            throw new IllegalStateException("robot " + (robot + 1) + " is in the charge of " + before.service()
+        if (previous.shouldRun()) {
+            throw new IllegalStateException("robot " + (robot + 1) + " is in the charge of " + previous.service()
                     + " and was to get " + service + ": set the reference of the first to 0 before");
         }
-        before.wake();
-        return before.ended()
+        previous.wake();
+        return previous.ended()
                 .handle((stopped, error) -> null)
-                .thenCompose(free -> begin(robot, service, reference, finder));
+                .thenCompose(free -> startAfterPrevious(robot, service, reference, finder));
     }
 
     private Promise<@Nullable Void> start(
@@ -53,23 +53,23 @@ final class Charges implements AutoCloseable {
             throw new IllegalStateException("the reference for " + service + " of robot " + (robot + 1) + " belongs to "
                     + other.service() + " of another robot: give each service a reference of its own");
         }
-        RobotLink link = links.connect(robot);
+        RobotConnection connection = connections.connect(robot);
         if (service.usesLaser()) {
             try {
-                link.devices().useLaser(); // a service outside the table is not covered by table.usesLaser
+                connection.devices().useLaser(); // a service outside the table is not covered by table.usesLaser
             } catch (PlayerException refused) {
-                links.serviceEnded(robot, true);
+                connections.serviceEnded(robot, true);
                 throw refused;
             }
         }
-        var loop =
-                new ServiceLoop(space, robot, service, link, reference, finder, observer, links.takeReconnected(robot));
-        inCharge.put(robot, loop);
+        var loop = new ServiceLoop(
+                space, robot, service, connection, reference, finder, observer, connections.takeReconnected(robot));
+        byRobot.put(robot, loop);
         byReference.put(reference, loop);
         return loop.ended().whenComplete((stopped, error) -> {
-            inCharge.remove(robot, loop);
+            byRobot.remove(robot, loop);
             byReference.remove(reference, loop);
-            links.serviceEnded(robot, error instanceof PlayerException);
+            connections.serviceEnded(robot, error instanceof PlayerException);
         });
     }
 
@@ -86,6 +86,6 @@ final class Charges implements AutoCloseable {
     /** Closes the connections with all robots. */
     @Override
     public void close() {
-        links.closeAll();
+        connections.closeAll();
     }
 }

@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> Paper, Figure 7.
  */
-final class RobotDevices {
+final class PlayerDevices {
     /**
      * Two cycles, half of {@link DriverLimits#COMMAND_LIMIT}, so that one reading may be late. Minus half a millisecond
      * of tolerance for rounding.
@@ -42,11 +42,11 @@ final class RobotDevices {
     private @Nullable PlayerBlobfinderData image;
     private List<Blob> blobs = List.of(); // converted from image
     private final ReadingTime time = new ReadingTime();
-    private Velocity told = Velocity.STOP;
-    private double toldAtSeconds;
+    private Velocity lastCommand = Velocity.STOP;
+    private double lastCommandSeconds;
 
     /** @param usesLaser whether to subscribe to the laser at once */
-    RobotDevices(PlayerClient client, int robot, boolean usesLaser) {
+    PlayerDevices(PlayerClient client, int robot, boolean usesLaser) {
         this.client = client;
         this.robot = robot;
         position = client.requestInterfacePosition2D(robot, PlayerConstants.PLAYER_OPEN_MODE);
@@ -122,15 +122,15 @@ final class RobotDevices {
     }
 
     void drive(Velocity velocity) {
-        told = velocity;
-        toldAtSeconds = timeSeconds();
+        lastCommand = velocity;
+        lastCommandSeconds = timeSeconds();
         position.setSpeed(velocity.forwardMps(), velocity.turnRadps());
     }
 
     /** Repeats the last speed command before it expires, for a robot whose next cycle comes later than that. */
-    void renew() {
-        if (!told.equals(Velocity.STOP) && timeSeconds() - toldAtSeconds >= RENEWAL_SECONDS) {
-            drive(told);
+    void repeatCommand() {
+        if (!lastCommand.equals(Velocity.STOP) && timeSeconds() - lastCommandSeconds >= RENEWAL_SECONDS) {
+            drive(lastCommand);
         }
     }
 }

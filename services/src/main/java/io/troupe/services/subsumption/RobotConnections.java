@@ -9,26 +9,26 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /**
- * The connections of a {@link RobotServices}: one per robot, or one per service. <b>Threads.</b> The actor space's
- * thread.
+ * The connections of a {@link RobotServices}: one per robot, or one per service. <b>Threads.</b> The actor
+ * space's thread.
  */
-final class RobotLinks {
+final class RobotConnections {
     private final RobotServices.Settings settings;
     private final ActorSpace space;
-    private final Map<Integer, RobotLink> links = new TreeMap<>();
+    private final Map<Integer, RobotConnection> connections = new TreeMap<>();
     private final Set<Integer> reconnecting = new HashSet<>();
-    private final List<RobotLink> leaving = new ArrayList<>();
+    private final List<RobotConnection> closing = new ArrayList<>();
 
-    RobotLinks(RobotServices.Settings settings, ActorSpace space) {
+    RobotConnections(RobotServices.Settings settings, ActorSpace space) {
         this.settings = settings;
         this.space = space;
     }
 
     /** Returns the connection with a robot; connects if there is none. */
-    RobotLink connect(int robot) {
-        return links.computeIfAbsent(
+    RobotConnection connect(int robot) {
+        return connections.computeIfAbsent(
                 robot,
-                index -> RobotLink.connect(
+                index -> RobotConnection.connect(
                         settings.host(),
                         settings.port(),
                         index,
@@ -47,22 +47,22 @@ final class RobotLinks {
      * connection exists. (A server in this JVM waits for the end of the turn.)
      */
     void serviceEnded(int robot, boolean connectionFailed) {
-        RobotLink link = connectionFailed || settings.reconnects() ? links.remove(robot) : null;
-        if (link != null) { // also null if all connections are closed already
+        RobotConnection connection = connectionFailed || settings.reconnects() ? connections.remove(robot) : null;
+        if (connection != null) { // also null if all connections are closed already
             reconnecting.add(robot);
-            leaving.add(link);
-            space.onIdle(this::closeLeaving);
+            closing.add(connection);
+            space.onIdle(this::closePending);
         }
     }
 
     void closeAll() {
-        leaving.addAll(links.values());
-        links.clear();
-        closeLeaving();
+        closing.addAll(connections.values());
+        connections.clear();
+        closePending();
     }
 
-    private void closeLeaving() {
-        leaving.forEach(RobotLink::close);
-        leaving.clear();
+    private void closePending() {
+        closing.forEach(RobotConnection::close);
+        closing.clear();
     }
 }

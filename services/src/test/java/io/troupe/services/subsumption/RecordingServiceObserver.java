@@ -6,23 +6,23 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /** Records which services drive which robot. */
-final class ChargeBook implements ServiceObserver {
+final class RecordingServiceObserver implements ServiceObserver {
     private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
     private int most;
     private int coloursSent;
 
     @Override
-    public void began(int robot, Service service) {
+    public void serviceStarted(int robot, Service service) {
         var services = inCharge.computeIfAbsent(robot, each -> new ArrayList<>());
         services.add(service);
         most = Math.max(most, services.size());
     }
 
     @Override
-    public void cycled(int robot, Service service) {}
+    public void cycleEnded(int robot, Service service) {}
 
     @Override
-    public void ended(int robot, Service service) {
+    public void serviceEnded(int robot, Service service) {
         inCharge.get(robot).remove(service);
     }
 

@@ -8,16 +8,16 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /** The current state and the references of its running services. Shared code of both arbitrators. */
-final class PresentState {
+final class CurrentState {
     private final RobotServices services;
     private final Arbitrator.StateListener listener;
     private final Map<Integer, AtomicReference<Integer>> references = new TreeMap<>();
-    private final Deferred<@Nullable Void> failed = new Deferred<>();
+    private final Deferred<@Nullable Void> failure = new Deferred<>();
     private State state;
     private @Nullable Integer seenBy;
     private int changes;
 
-    PresentState(RobotServices services, State first, Arbitrator.StateListener listener) {
+    CurrentState(RobotServices services, State first, Arbitrator.StateListener listener) {
         this.services = services;
         this.state = first;
         this.listener = listener;
@@ -37,18 +37,18 @@ final class PresentState {
     }
 
     /** Notifies the listener that the current state starts. */
-    void begins() {
-        listener.began(state, seenBy);
+    void notifyStarted() {
+        listener.stateStarted(state, seenBy);
     }
 
     /** Creates the reference of the service that is about to drive a robot. */
-    AtomicReference<Integer> newReference(int robot) {
+    AtomicReference<Integer> newRunReference(int robot) {
         var reference = new AtomicReference<>(ServiceLoop.RUN);
         references.put(robot, reference);
         return reference;
     }
 
-    static AtomicReference<Integer> newColourFinder(Service service) {
+    static AtomicReference<Integer> newFinderReference(Service service) {
         return new AtomicReference<>(service.findsColours() ? ServiceLoop.RUN : ServiceLoop.STOP);
     }
 
@@ -57,7 +57,7 @@ final class PresentState {
      *
      * @return fulfilled when all have stopped, so that those of the next state can start
      */
-    Promise<?> change(State next, int robot) {
+    Promise<?> changeTo(State next, int robot) {
         state = next;
         changes++;
         seenBy = robot;
@@ -69,16 +69,16 @@ final class PresentState {
     /**
      * Clears all references, so that the services stop at their next reading. Called when the arbitrator is stopped.
      */
-    void abandon() {
+    void clearReferences() {
         references.values().forEach(reference -> reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP));
     }
 
     void fail(Throwable error) {
-        failed.reject(error);
+        failure.reject(error);
     }
 
     /** Returns a promise that is rejected when a service fails, and never fulfilled. */
-    Promise<@Nullable Void> failed() {
-        return failed;
+    Promise<@Nullable Void> failure() {
+        return failure;
     }
 }

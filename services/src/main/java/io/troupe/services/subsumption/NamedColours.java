@@ -8,7 +8,7 @@ import java.util.OptionalInt;
  * Named colours as {@code 0x00RRGGBB}: those of the paper, and others that are easy to distinguish. Names and values
  * are those of X11 and of world files.
  */
-public final class Colours {
+public final class NamedColours {
     /** State 1, the default. */
     public static final int BLUE = 0x0000FF;
     /** State 2. */
@@ -50,7 +50,7 @@ public final class Colours {
             new Named("teal", 0x008080),
             new Named("silver", 0xC0C0C0));
 
-    private Colours() {}
+    private NamedColours() {}
 
     /** Returns the colour's name, or {@code #RRGGBB} if it has none. */
     public static String name(int colour) {

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param arguments in the table file's syntax, without the parentheses
  * @param yields whether the behaviour sometimes returns no velocity
  */
-record Definition(String kind, String arguments, boolean yields, Supplier<Behaviour> maker)
+record ServiceDefinition(String kind, String arguments, boolean yields, Supplier<Behaviour> maker)
         implements Supplier<Behaviour> {
     @Override
     public Behaviour get() {
@@ -20,7 +20,7 @@ record Definition(String kind, String arguments, boolean yields, Supplier<Behavi
 
     @Override
     public boolean equals(@Nullable Object other) {
-        return other instanceof Definition that && kind.equals(that.kind) && arguments.equals(that.arguments);
+        return other instanceof ServiceDefinition that && kind.equals(that.kind) && arguments.equals(that.arguments);
     }
 
     @Override
