@@ -1,6 +1,10 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -80,7 +84,7 @@ public final class SubsumptionRun implements AutoCloseable {
         Consumer<Throwable> failed = error -> failure.compareAndSet(null, error);
         Runnable closing = settings.mode() == Mode.SYNC
                 ? SynchronousLoop.start(settings, failed)::close
-                : ActorTeam.start(settings, failed)::close;
+                : ActorRun.start(settings, failed)::close;
         var run = new SubsumptionRun(failure, closing);
         try {
             run.check();
@@ -106,5 +110,62 @@ public final class SubsumptionRun implements AutoCloseable {
     @Override
     public void close() {
         closing.run();
+    }
+
+    /** Runs the two asynchronous modes: the robot services and the arbitrator are actors on a separate space. */
+    private static final class ActorRun implements AutoCloseable {
+        private final ActorSpace space;
+
+        private ActorRun(ActorSpace space) {
+            this.space = space;
+        }
+
+        /** Returns when the services of the first state have started, or have failed to start. */
+        static ActorRun start(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+            var space = ActorSpace.create(SpaceSettings.named("robots")
+                    .withClock(settings.clock())
+                    .withOnError((where, error) -> failed.accept(error)));
+            var run = new ActorRun(space);
+            try {
+                run.startActors(settings, failed);
+                return run;
+            } catch (RuntimeException | InterruptedException impossible) {
+                run.close();
+                throw impossible;
+            }
+        }
+
+        private void startActors(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+            var serviceSettings = new RobotServices.Settings(
+                    settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
+            RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
+            startArbitrator(settings, services).exceptionally(error -> {
+                failed.accept(error);
+                return null;
+            });
+            var started = new CountDownLatch(1);
+            space.onIdle(started::countDown);
+            started.await();
+        }
+
+        /** Starts the mode's arbitrator; the promise is rejected when a service fails. */
+        private Promise<@Nullable Void> startArbitrator(Settings settings, RobotServices services) {
+            if (settings.mode() == Mode.CALLBACK) {
+                CallbackArbitrator arbitrator = space.spawn(
+                        CallbackArbitrator.class,
+                        () -> new CallbackArbitrator(services, settings.table(), settings.listener()));
+                arbitrator.live();
+                return arbitrator.failure();
+            }
+            Arbitrator arbitrator = space.spawn(
+                    Arbitrator.class, () -> new Arbitrator(services, settings.table(), settings.listener()));
+            arbitrator.live();
+            return arbitrator.failure();
+        }
+
+        @Override
+        public void close() {
+            space.close();
+        }
     }
 }
