@@ -6,7 +6,7 @@ import java.util.Optional;
 /**
  * A control law with its memory, for one robot. A service creates a new one each time it starts to drive the robot.
  *
- * <p><b>Threads.</b> One at a time. <b>Order.</b> Called once for each reading, in order of time.
+ * <p><b>Threads.</b> One thread at a time. <b>Order.</b> Called once for each reading, in order of time.
  */
 @FunctionalInterface
 public interface Behaviour {

@@ -38,7 +38,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     private final TestSpace test;
     private final int robots;
     private final PlayerPorts.Registration port;
-    private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final List<Connection> connections = new CopyOnWriteArrayList<>();
     private final List<String> limits = new CopyOnWriteArrayList<>();
     private final Object answers = new Object();
     private final float[][] ranges;
@@ -103,8 +103,8 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
     /** The number of connections that have subscribed to a robot's laser. */
     public long laserSubscriptions(int robot) {
-        return lines.stream()
-                .flatMap(line -> line.subscribed.stream())
+        return connections.stream()
+                .flatMap(connection -> connection.subscribed.stream())
                 .filter(device -> device.interfaceCode() == Interfaces.LASER.code() && device.index() == robot)
                 .count();
     }
@@ -113,17 +113,17 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     public void tick(int millis) {
         long number = tick++;
         timeMillis += millis;
-        test.run(() -> List.copyOf(lines).forEach(line -> line.deliver(number)));
+        test.run(() -> List.copyOf(connections).forEach(connection -> connection.deliver(number)));
     }
 
     /** Does the same for clients on other threads: waits until all have answered, or have disconnected. */
     void tickAndAwait(int millis) throws InterruptedException {
         long number = tick++;
         timeMillis += millis;
-        List.copyOf(lines).forEach(line -> line.deliver(number));
+        List.copyOf(connections).forEach(connection -> connection.deliver(number));
         synchronized (answers) {
             long deadline = System.nanoTime() + ANSWER_LIMIT_NANOS;
-            while (lines.stream().anyMatch(line -> line.answered < number)) {
+            while (connections.stream().anyMatch(connection -> connection.answered < number)) {
                 long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
                 assertThat(leftMillis)
                         .as("milliseconds left to answer tick " + number)
@@ -136,7 +136,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     /** Waits until all clients have disconnected. */
     void awaitNoConnection() throws InterruptedException {
         synchronized (answers) {
-            while (!lines.isEmpty()) {
+            while (!connections.isEmpty()) {
                 answers.wait();
             }
         }
@@ -158,7 +158,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     }
 
     public int connections() {
-        return lines.size();
+        return connections.size();
     }
 
     int connectionsMade() {
@@ -171,7 +171,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     }
 
     public void vanish() {
-        List.copyOf(lines).forEach(line -> line.sink.lost("the server has gone"));
+        List.copyOf(connections).forEach(connection -> connection.sink.lost("the server has gone"));
     }
 
     @Override
@@ -190,17 +190,17 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
             throw new LineClosedException("no more clients");
         }
         connectionsMade++;
-        var line = new Line(sink);
-        lines.add(line);
-        return line;
+        var connection = new Connection(sink);
+        connections.add(connection);
+        return connection;
     }
 
-    private final class Line implements PlayerConnection {
+    private final class Connection implements PlayerConnection {
         private final DataSink sink;
         private final Set<DeviceAddress> subscribed = new LinkedHashSet<>();
         private long answered = NO_TICK;
 
-        Line(DataSink sink) {
+        Connection(DataSink sink) {
             this.sink = sink;
         }
 
@@ -305,7 +305,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         @Override
         public void close() {
             synchronized (answers) {
-                lines.remove(this);
+                connections.remove(this);
                 answers.notifyAll();
             }
         }
