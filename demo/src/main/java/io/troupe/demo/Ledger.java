@@ -56,17 +56,17 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     // ---- from the services
 
     @Override
-    public void began(int robot, Service service) {
+    public void serviceStarted(int robot, Service service) {
         robots.get(robot).began(service);
     }
 
     @Override
-    public void cycled(int robot, Service service) {
+    public void cycleEnded(int robot, Service service) {
         robots.get(robot).cycled(service);
     }
 
     @Override
-    public void ended(int robot, Service service) {
+    public void serviceEnded(int robot, Service service) {
         robots.get(robot).ended(service);
     }
 
@@ -86,7 +86,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     }
 
     @Override
-    public void began(State state, @Nullable Integer seenBy) {
+    public void stateStarted(State state, @Nullable Integer seenBy) {
         states.add(new StateChange(last == null ? 0 : last.timeMicros(), state, seenBy));
     }
 

@@ -24,8 +24,8 @@ import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -147,7 +147,7 @@ class DriverGoneTest {
             return Optional.of(TURNING);
         });
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, Assignment.everyRobot(hanging))
+                .when(NamedColours.BLUE, Assignment.everyRobot(hanging))
                 .allowFinal()
                 .build();
         var settings = new SubsumptionRun.Settings(

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -27,7 +27,7 @@ class FaultsInEveryModeTest {
 
     private static SubsumptionRun.Settings settings(Mode mode, Simulation simulation, Service ofRobot2, int port) {
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, Service.WALL_FOLLOWER, ofRobot2)
+                .when(NamedColours.BLUE, Service.WALL_FOLLOWER, ofRobot2)
                 .allowFinal()
                 .build();
         return new SubsumptionRun.Settings(

@@ -159,7 +159,7 @@ class ModesTest {
         }
 
         @Override
-        public void began(State state, @Nullable Integer seenBy) {
+        public void stateStarted(State state, @Nullable Integer seenBy) {
             note("state");
             states.incrementAndGet();
         }
@@ -175,22 +175,22 @@ class ModesTest {
         }
 
         @Override
-        public void began(int robot, Service service) {
+        public void serviceStarted(int robot, Service service) {
             note("began");
         }
 
         @Override
-        public void cycleBegins(int robot, Service service) {
+        public void cycleStarted(int robot, Service service) {
             note("cycle begins");
         }
 
         @Override
-        public void cycled(int robot, Service service) {
+        public void cycleEnded(int robot, Service service) {
             note("cycled");
         }
 
         @Override
-        public void ended(int robot, Service service) {
+        public void serviceEnded(int robot, Service service) {
             note("ended");
         }
 

@@ -8,7 +8,7 @@ import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.application.ApplicationEvent;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.sim.Snapshot;
 import java.io.PrintWriter;
 import java.util.List;
@@ -134,7 +134,7 @@ final class AppReport implements ComponentObserver {
 
     /** Something that a component says to whoever listens. */
     void saw(String component, ColourSeen seen) {
-        say("seen", component + " sees " + Colours.name(seen.colour()));
+        say("seen", component + " sees " + NamedColours.name(seen.colour()));
     }
 
     // ---- the end

@@ -46,7 +46,7 @@ final class CrowdTrial {
         private volatile int states;
 
         @Override
-        public void began(State state, @Nullable Integer seenBy) {
+        public void stateStarted(State state, @Nullable Integer seenBy) {
             servicesThread = Thread.currentThread().threadId();
             states = states + 1; // by one thread only
         }

@@ -68,17 +68,17 @@ final class LoopMeter implements Meter {
     }
 
     @Override
-    public void began(State state, @Nullable Integer seenBy) {}
+    public void stateStarted(State state, @Nullable Integer seenBy) {}
 
     @Override
-    public void began(int robot, Service service) {
+    public void serviceStarted(int robot, Service service) {
         beganNanos = time.nanos();
         lastEndNanos = beganNanos;
         tracks.forEach(track -> track.endedCycle = beganNanos);
     }
 
     @Override
-    public void cycleBegins(int robot, Service service) {
+    public void cycleStarted(int robot, Service service) {
         Track track = tracks.get(robot);
         if (processorBegan < 0) {
             processorBegan = threads.getCurrentThreadCpuTime();
@@ -95,7 +95,7 @@ final class LoopMeter implements Meter {
     }
 
     @Override
-    public void cycled(int robot, Service service) {
+    public void cycleEnded(int robot, Service service) {
         long computed = System.nanoTime();
         Track track = tracks.get(robot);
         long end = time.endOfCycleNanos();
@@ -115,7 +115,7 @@ final class LoopMeter implements Meter {
     }
 
     @Override
-    public void ended(int robot, Service service) {}
+    public void serviceEnded(int robot, Service service) {}
 
     @Override
     public void colourSent(int robot, int colour) {

@@ -37,7 +37,7 @@ final class SwitchMeter implements Meter {
     }
 
     @Override
-    public void began(State state, @Nullable Integer seenBy) {
+    public void stateStarted(State state, @Nullable Integer seenBy) {
         if (seenBy == null) {
             return;
         }
@@ -50,10 +50,10 @@ final class SwitchMeter implements Meter {
     }
 
     @Override
-    public void began(int robot, Service service) {}
+    public void serviceStarted(int robot, Service service) {}
 
     @Override
-    public void cycleBegins(int robot, Service service) {
+    public void cycleStarted(int robot, Service service) {
         var now = new Moment(System.nanoTime(), time.nanos());
         cycles.put(robot, now);
         if (awaited.remove(robot) && awaited.isEmpty() && seen != null) {
@@ -65,10 +65,10 @@ final class SwitchMeter implements Meter {
     }
 
     @Override
-    public void cycled(int robot, Service service) {}
+    public void cycleEnded(int robot, Service service) {}
 
     @Override
-    public void ended(int robot, Service service) {}
+    public void serviceEnded(int robot, Service service) {}
 
     @Override
     public void colourSent(int robot, int colour) {

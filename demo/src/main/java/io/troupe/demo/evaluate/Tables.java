@@ -1,6 +1,6 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 
@@ -14,14 +14,14 @@ final class Tables {
      */
     static SubsumptionTable oneState() {
         return SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
+                .when(NamedColours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
                 .build();
     }
 
     /** Robot 1 alone, for ever. */
     static SubsumptionTable alone(Service service) {
         return SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, service)
+                .when(NamedColours.BLUE, service)
                 .allowFinal()
                 .build();
     }

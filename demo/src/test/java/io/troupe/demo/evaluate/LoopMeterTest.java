@@ -31,17 +31,17 @@ class LoopMeterTest {
     private LoopMeter connected(Mode mode, int loops) {
         var meter = new LoopMeter(mode, STATE, loops, time);
         millis = 5000;
-        meter.began(FOLLOWER, STATE.services().get(FOLLOWER));
+        meter.serviceStarted(FOLLOWER, STATE.services().get(FOLLOWER));
         millis = 7000;
-        meter.began(WANDERER, STATE.services().get(WANDERER));
+        meter.serviceStarted(WANDERER, STATE.services().get(WANDERER));
         return meter;
     }
 
     private void cycles(LoopMeter meter, int robot, long... atMillis) {
         for (long at : atMillis) {
             millis = at;
-            meter.cycleBegins(robot, STATE.services().get(robot));
-            meter.cycled(robot, STATE.services().get(robot));
+            meter.cycleStarted(robot, STATE.services().get(robot));
+            meter.cycleEnded(robot, STATE.services().get(robot));
         }
     }
 

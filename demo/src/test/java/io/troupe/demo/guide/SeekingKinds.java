@@ -1,6 +1,6 @@
 package io.troupe.demo.guide;
 
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.ServiceArguments;
 import io.troupe.services.subsumption.ServiceCatalogue.Kind;
 import io.troupe.services.subsumption.ServiceKinds;
@@ -24,7 +24,7 @@ public final class SeekingKinds implements ServiceKinds {
     }
 
     private static int colour(ServiceArguments arguments) {
-        String name = arguments.choice("colour", List.copyOf(Colours.names()));
-        return Colours.named(name).orElseThrow();
+        String name = arguments.choice("colour", List.copyOf(NamedColours.names()));
+        return NamedColours.named(name).orElseThrow();
     }
 }

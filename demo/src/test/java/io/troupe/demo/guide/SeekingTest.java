@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -42,7 +42,7 @@ class SeekingTest {
 
     private static Snapshot run(Mode mode, String things, int seconds, Service... services) throws Exception {
         var table = SubsumptionTable.forRobots(services.length)
-                .when(Colours.BLUE, services)
+                .when(NamedColours.BLUE, services)
                 .allowFinal()
                 .build();
         var scenario = ScenarioReader.readText(ROBOTS + things, Path.of("worlds", "field.world"));
@@ -84,7 +84,7 @@ class SeekingTest {
                 """;
         var end = run(mode, world, 30, declared("light = seek(colour red)"));
         Pose pose = end.robots().getFirst().pose();
-        ColourBlob light = seen(end, 0, Colours.RED);
+        ColourBlob light = seen(end, 0, NamedColours.RED);
         assertThat(light.rangeM()).isCloseTo(NEAR_M, within(0.001));
         assertThat(light.left() + light.right() + 1)
                 .as("twice the middle column")
@@ -107,7 +107,7 @@ class SeekingTest {
         assertThat(ahead.x()).isCloseTo(1.3 + 40 * LEADER_MPS, within(0.1));
         // it drives as fast as its leader when 0.5 / s times what is above the gap is the leader's speed
         double steadyM = GAP_M + LEADER_MPS / 0.5;
-        assertThat(seen(end, 1, Colours.ORANGE).rangeM()).isCloseTo(steadyM, within(0.005));
+        assertThat(seen(end, 1, NamedColours.ORANGE).rangeM()).isCloseTo(steadyM, within(0.005));
         assertThat(ahead.x() - behind.x()).as("between the centres").isBetween(steadyM, steadyM + 0.35);
         assertThat(Math.abs(behind.y() - 0.3)).as("beside the leader's way").isLessThan(0.1);
     }

@@ -11,8 +11,8 @@ import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;
@@ -35,11 +35,11 @@ import org.junit.jupiter.api.io.TempDir;
 class SubsumptionGuideTest {
     private static final String FIFTY = """
             robots 50
-            ignore black : walls                                    # the reason is for people
-            colour lilac #C8A2C8                                    # a name of your own; it must be used
-            service patrol = goToGoal(1.5, -2; 3, 0; again) colours # "colours": its robots look for colours meanwhile
+            ignore black : walls                                    # the text after ':' is the reason
+            colour lilac #C8A2C8                                    # declares a name; it must be used
+            service patrol = goToGoal(1.5, -2; 3, 0; again) colours # "colours": its robots look for colours
             hold 2 s
-            state blue : * = spaceWanderer, 3..5 = wallFollower     # all of them; robots 3 to 5
+            state blue : * = spaceWanderer, 3..5 = wallFollower     # the default; robots 3 to 5
             state lilac priority 1 : * = avoid > patrol
             """;
 
@@ -59,12 +59,12 @@ class SubsumptionGuideTest {
     static SubsumptionTable crowd(int robots) {
         Service avoid = new Service("avoid", false, Avoid.DEFAULT::behaviour);
         return SubsumptionTable.forRobots(robots)
-                .ignoring(Colours.BLACK, "walls")
+                .ignoring(NamedColours.BLACK, "walls")
                 .when(
-                        Colours.BLUE,
+                        NamedColours.BLUE,
                         Assignment.everyRobot(Service.SPACE_WANDERER).robots(3, 5, Service.WALL_FOLLOWER))
-                .when(Colours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
-                .priority(Colours.RED, 1)
+                .when(NamedColours.RED, Assignment.everyRobot(avoid.over(spin()).over(Service.SPACE_WANDERER)))
+                .priority(NamedColours.RED, 1)
                 .hold(2)
                 .build();
     }
@@ -88,7 +88,7 @@ class SubsumptionGuideTest {
         var clock = simulation.clock();
         var settings = new SubsumptionRun.Settings(Mode.CALLBACK, "localhost", 6665, table, clock, observer, listener);
         try (var run = SubsumptionRun.start(settings.withReconnection(true))) {
-            // move the world, and ask run.check() whether all is well
+            // advance the world; check() throws if a service has failed
             for (int i = 0; i < ticks; i++) {
                 simulation.tick();
                 run.check();
@@ -102,15 +102,15 @@ class SubsumptionGuideTest {
         var cycles = new LongAdder();
         var observer = new ServiceObserver() {
             @Override
-            public void began(int robot, Service service) {}
+            public void serviceStarted(int robot, Service service) {}
 
             @Override
-            public void cycled(int robot, Service service) {
+            public void cycleEnded(int robot, Service service) {
                 cycles.increment();
             }
 
             @Override
-            public void ended(int robot, Service service) {}
+            public void serviceEnded(int robot, Service service) {}
         };
         var states = new ArrayList<Integer>();
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(1))) {
@@ -133,7 +133,8 @@ class SubsumptionGuideTest {
 
     @Test
     void spin_hasNothingToSayAfterFiveSeconds_andTheWandererBelowDrives() {
-        Service layers = crowd(6).state(Colours.RED).orElseThrow().services().getFirst();
+        Service layers =
+                crowd(6).state(NamedColours.RED).orElseThrow().services().getFirst();
         assertThat(layers).hasToString("avoid > spin > spaceWanderer");
         Behaviour law = layers.behaviour().get();
         assertThat(law.step(senses(10))).hasValue(new Velocity(0, 0.5));

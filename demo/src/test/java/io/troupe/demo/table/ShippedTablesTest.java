@@ -47,23 +47,23 @@ class ShippedTablesTest {
         }
 
         @Override
-        public void began(State state, @Nullable Integer seenBy) {
+        public void stateStarted(State state, @Nullable Integer seenBy) {
             states.add(state.number());
         }
 
         @Override
-        public void began(int robot, Service service) {
+        public void serviceStarted(int robot, Service service) {
             inCharge[robot]++;
             assertThat(inCharge[robot]).isEqualTo(1);
         }
 
         @Override
-        public void cycled(int robot, Service service) {
+        public void cycleEnded(int robot, Service service) {
             cycles.merge(service.name(), 1, Integer::sum);
         }
 
         @Override
-        public void ended(int robot, Service service) {
+        public void serviceEnded(int robot, Service service) {
             inCharge[robot]--;
         }
     }

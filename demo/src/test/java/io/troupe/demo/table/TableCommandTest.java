@@ -3,7 +3,7 @@ package io.troupe.demo.table;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.subsumption.Assignment;
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.io.ByteArrayInputStream;
@@ -158,8 +158,8 @@ class TableCommandTest {
     void statesThatNeverEnd_haveNoArrowsAway() {
         var table = SubsumptionTable.forRobots(1)
                 .allowFinal()
-                .when(Colours.BLUE, Service.SPACE_WANDERER)
-                .when(Colours.RED, Service.WALL_FOLLOWER)
+                .when(NamedColours.BLUE, Service.SPACE_WANDERER)
+                .when(NamedColours.RED, Service.WALL_FOLLOWER)
                 .build();
         assertThat(Diagram.ofStates(table).arrows()).containsExactly(new Diagram.Arrow(0, 1));
     }
@@ -168,7 +168,7 @@ class TableCommandTest {
     void names_areEscaped() throws Exception {
         var odd = new Service("a<\"b\\&c", true, () -> senses -> Optional.empty());
         var table = SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, Assignment.everyRobot(odd))
+                .when(NamedColours.BLUE, Assignment.everyRobot(odd))
                 .build();
         String svg = DiagramSvg.draw(Diagram.ofStates(table));
         assertThat(xml(svg).getElementsByTagName("text").item(1).getTextContent())

@@ -3,19 +3,19 @@ package io.troupe.services.behaviour;
 import java.util.Optional;
 
 /**
- * Turns away from what is in front, slowing down before it; has nothing to say while nothing is near.
+ * Obstacle avoidance: slows down and turns before an obstacle, and returns no velocity while nothing is near.
  *
- * <p><b>Role.</b> A pure function of a memory and a reading, made to lie over another behaviour. It turns to one side
- * until the way is free, so that it gets out of corners, and then drives straight on for a moment, so that the layer
- * below does not turn back at once.
+ * <p><b>Role.</b> A pure function of a memory and the senses, meant as a layer above another behaviour. It keeps
+ * turning to one side until the way is free, so that it gets out of corners. Then it drives straight on for a moment;
+ * otherwise the layer below could turn back at once.
  *
  * <p><b>Order.</b> It never drives forward while one of sonars 1 to 6 (50 degrees to both sides) reads less than
  * {@code nearM}.
  *
- * @param nearM turns in place when something is nearer
- * @param farM drives slower, and turns, when something is nearer
- * @param turnRadps how fast it turns
- * @param onwardSeconds how long it drives straight on when the way is free again
+ * @param nearM distance below which it turns in place
+ * @param farM distance below which it slows down and turns
+ * @param turnRadps turn rate
+ * @param onwardSeconds how long it drives straight on once the way is free
  */
 public record Avoid(double nearM, double farM, double turnRadps, double onwardSeconds) {
     /** Turns in place below 0.4 m and more slowly below 0.6 m, at 0.6 rad/s, then drives on for 2 s. */
@@ -26,27 +26,27 @@ public record Avoid(double nearM, double farM, double turnRadps, double onwardSe
     private static final int LAST_SONAR = 6;
     private static final int FIRST_ON_THE_RIGHT = 4;
 
-    /** What it is doing. */
+    /** The current phase. */
     public sealed interface Memory {
         /** Nothing is near. */
         record Idle() implements Memory {}
 
-        /** Something is near: turning to one side. */
+        /** An obstacle is near; the robot turns, always to the same side. */
         record Turning(boolean left) implements Memory {}
 
-        /** The way is free again. */
+        /** The way is free again; the robot drives straight on until that time. */
         record Onward(double untilSeconds) implements Memory {}
     }
 
-    /** What to do now, and what to remember for the next cycle. */
+    /** The result of one cycle: the velocity, or none, and the memory for the next cycle. */
     public record Step(Optional<Velocity> velocity, Memory memory) {}
 
-    /** The memory to begin with. */
+    /** The initial memory. */
     public static final Memory START = new Memory.Idle();
 
     public Avoid {
-        Limits.requirePositive("the distance at which it turns in place", nearM, "m");
-        Limits.requirePositive("the turn rate", turnRadps, "rad/s");
+        Preconditions.requirePositive("the distance at which it turns in place", nearM, "m");
+        Preconditions.requirePositive("the turn rate", turnRadps, "rad/s");
         if (!(farM > nearM) || farM > SonarRing.MAX_M) {
             throw new IllegalArgumentException("the distance at which it slows down is " + farM
                     + " m, expected more than the " + nearM + " m at which it turns in place, and at most "
@@ -57,7 +57,7 @@ public record Avoid(double nearM, double farM, double turnRadps, double onwardSe
         }
     }
 
-    /** The law with a memory of its own. */
+    /** Creates a behaviour that keeps the memory. */
     public Behaviour behaviour() {
         Memory[] memory = {START};
         return senses -> {
@@ -67,7 +67,7 @@ public record Avoid(double nearM, double farM, double turnRadps, double onwardSe
         };
     }
 
-    /** One cycle. */
+    /** Computes one control cycle. */
     public Step step(Memory memory, Senses senses) {
         double leftM = nearest(senses.sonar(), FIRST_SONAR, FIRST_ON_THE_RIGHT - 1);
         double rightM = nearest(senses.sonar(), FIRST_ON_THE_RIGHT, LAST_SONAR);

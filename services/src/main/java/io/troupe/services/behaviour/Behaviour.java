@@ -4,21 +4,22 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A control law with its memory, for one robot: made anew each time its service takes charge.
+ * A control law with its memory, for one robot. A service creates a new one each time it starts to drive the robot.
  *
- * <p><b>Threads.</b> One at a time. <b>Order.</b> Called once for each reading, in the order of their times.
+ * <p><b>Threads.</b> One thread at a time. <b>Order.</b> Called once for each reading, in order of time.
  */
 @FunctionalInterface
 public interface Behaviour {
-    /** What it wants the robot to do; empty if it has nothing to say now and leaves the robot to the layer below it. */
+    /** Returns the velocity for the robot; empty if this behaviour leaves the robot to the layer below it. */
     Optional<Velocity> step(Senses senses);
 
     /**
-     * Layers of control: the first that wants something drives the robot, and those below it are not asked.
+     * Combines layers of control. The first layer that returns a velocity drives the robot; the layers below it are not
+     * called in that cycle.
      *
      * <p><b>Source.</b> The subsumption architecture that the paper builds on (its reference 5).
      *
-     * @param highestFirst at least one
+     * @param highestFirst at least one layer
      */
     static Behaviour layers(List<Behaviour> highestFirst) {
         if (highestFirst.isEmpty()) {

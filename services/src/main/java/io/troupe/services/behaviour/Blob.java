@@ -8,18 +8,18 @@ import java.util.List;
  * A patch of one colour in a camera's image.
  *
  * <p><b>Units and shapes.</b> Pixels: columns count from 0 at the left, rows from 0 at the top. The Player protocol
- * does not say what angle the image covers, so a bearing needs the camera's field of view from the world file or the
- * data sheet; {@link #offset} does without.
+ * does not carry the angle that the image covers, so a bearing needs the camera's field of view from the world file or
+ * the data sheet; {@link #offset} needs no angle.
  *
  * @param colour {@code 0x00RRGGBB}
- * @param areaPx2 as the camera reports it
- * @param leftPx its first column
- * @param rightPx its last column
- * @param topPx its first row
- * @param bottomPx its last row; in our worlds, which have no third dimension, the row after it
+ * @param areaPx2 area as the camera reports it
+ * @param leftPx first column
+ * @param rightPx last column
+ * @param topPx first row
+ * @param bottomPx last row; in our worlds, which have no third dimension, the row after it
  * @param imageWidthPx columns of the whole image
  * @param imageHeightPx rows of the whole image
- * @param rangeM its mean distance from the camera in metres; 0 from a camera that does not measure it
+ * @param rangeM mean distance from the camera in metres; 0 if the camera does not measure it
  */
 public record Blob(
         int colour,
@@ -31,11 +31,11 @@ public record Blob(
         int imageWidthPx,
         int imageHeightPx,
         double rangeM) {
-    /** What a blobfinder of the Player client sees, in its order. */
+    /** Converts the data of a Player blobfinder, in the same order. */
     public static List<Blob> of(PlayerBlobfinderData image) {
         var seen = image.getBlobs();
         if (seen.length == 0) {
-            return List.of(); // mostly, and for many robots many times a second
+            return List.of(); // the usual case, so it does not allocate
         }
         List<Blob> blobs = new ArrayList<>(seen.length);
         for (var blob : seen) {
@@ -54,16 +54,16 @@ public record Blob(
     }
 
     /**
-     * Where its middle is across the image: 1 at the left edge, 0 in the middle, -1 at the right edge; 0 too if the
-     * camera does not report the width of its image.
+     * The horizontal position of the blob's centre: 1 at the left edge of the image, 0 in the middle, -1 at the right
+     * edge; also 0 if the camera does not report the width of its image.
      */
     public double offset() {
         return imageWidthPx <= 0 ? 0 : 1 - (leftPx + rightPx + 1.0) / imageWidthPx;
     }
 
     /**
-     * The direction of its middle from the camera's axis, left positive, for a camera whose columns cover equal angles,
-     * as those of our worlds do.
+     * The direction of the blob's centre from the camera's axis, left positive. Valid for a camera whose columns cover
+     * equal angles, as in our worlds.
      *
      * @param fieldOfViewRad angle from the left to the right edge of the image
      */

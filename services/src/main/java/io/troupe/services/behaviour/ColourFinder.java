@@ -8,33 +8,33 @@ import java.util.function.IntUnaryOperator;
 import java.util.stream.IntStream;
 
 /**
- * Picks the colour that a robot looks at.
+ * Selects colours from the blobs that a robot's camera sees.
  *
- * <p><b>Role.</b> A pure function of what the blobfinder sees.
+ * <p><b>Role.</b> Pure functions of the blobfinder's data.
  *
- * <p><b>Source.</b> Paper, section 3.2 (colour finder); which of several blobs counts is our rule: the largest, and of
- * equal ones the leftmost.
+ * <p><b>Source.</b> Paper, section 3.2 (colour finder). The paper does not define which of several blobs counts; our
+ * rule is the largest, and of equally large ones the leftmost.
  */
 public final class ColourFinder {
-    /** Anything smaller is taken for noise. */
+    /** Smaller blobs are treated as noise. */
     public static final int MIN_AREA_PX2 = 10;
 
     private ColourFinder() {}
 
-    /** The colour of the largest patch among those that are of interest. */
+    /** Returns the colour of the largest blob whose colour matches the predicate. */
     public static OptionalInt find(List<Blob> blobs, IntPredicate ofInterest) {
         return inOrder(blobs, colour -> 0).filter(ofInterest).findFirst();
     }
 
     /**
-     * The colours of all patches that are large enough, those of higher priority first; of equal ones the largest, of
-     * equally large ones the leftmost.
+     * Returns the colours of all blobs that are large enough: in descending order of priority, then of area, then from
+     * left to right. A colour appears once for each of its blobs.
      *
-     * @param priority of a colour
+     * @param priority maps a colour to its priority
      */
     public static IntStream inOrder(List<Blob> blobs, IntUnaryOperator priority) {
         if (blobs.isEmpty()) {
-            return IntStream.empty(); // mostly, and for many robots many times a second
+            return IntStream.empty(); // the usual case, so it does not sort
         }
         return blobs.stream()
                 .filter(blob -> blob.areaPx2() >= MIN_AREA_PX2)

@@ -4,24 +4,25 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Drives to points, one after the other, by odometry: turns towards the next one, and slows down before it.
+ * Drives to a list of points in turn, by odometry: turns towards the next point, and slows down before it.
  *
- * <p><b>Role.</b> A pure function of a pose and of which goal is next. It does not see obstacles: put {@link Avoid}
- * over it. It has nothing to say when it is at the last goal.
+ * <p><b>Role.</b> A pure function of a pose and the index of the next goal. It does not avoid obstacles: put
+ * {@link Avoid} above it. At the last goal it returns no velocity.
  *
- * <p><b>Source.</b> The usual proportional law for a differential drive: both speeds in proportion to what is left.
+ * <p><b>Source.</b> The usual proportional law for a differential drive: forward speed in proportion to the distance,
+ * turn rate in proportion to the angle.
  *
  * @param goals visited in turn, at least one
- * @param speedMps at most so fast
- * @param withinM it is at a goal when it is so near
- * @param again begins anew after the last goal
+ * @param speedMps maximum forward speed
+ * @param withinM distance at which a goal counts as reached
+ * @param again whether to start over after the last goal
  */
 public record GoToGoal(List<Goal> goals, double speedMps, double withinM, boolean again) {
     public static final double SPEED_MPS = 0.3;
     public static final double WITHIN_M = 0.1;
-    /** Forward speed for each metre that is left. */
+    /** Forward speed per metre of distance to the goal. */
     private static final double FORWARD_PER_S = 1;
-    /** Turn rate for each radian that is left. */
+    /** Turn rate per radian of angle to the goal. */
     private static final double TURN_PER_S = 1.5;
 
     private static final double MAX_TURN_RADPS = 0.8;
@@ -30,7 +31,7 @@ public record GoToGoal(List<Goal> goals, double speedMps, double withinM, boolea
     public record Goal(double xM, double yM) {}
 
     /**
-     * What to do now, and which goal is next.
+     * The result of one cycle: the velocity, or none, and the next goal.
      *
      * @param goal index into the goals
      */
@@ -47,11 +48,11 @@ public record GoToGoal(List<Goal> goals, double speedMps, double withinM, boolea
                         "the goal (" + goal.xM + ", " + goal.yM + "), expected finite metres");
             }
         }
-        Limits.requirePositive("the speed", speedMps, "m/s");
-        Limits.requirePositive("the distance at which a goal is reached", withinM, "m");
+        Preconditions.requirePositive("the speed", speedMps, "m/s");
+        Preconditions.requirePositive("the distance at which a goal is reached", withinM, "m");
     }
 
-    /** The law with a memory of its own, on the way to the first goal. */
+    /** Creates a behaviour that keeps the index of the next goal, starting with the first. */
     public Behaviour behaviour() {
         int[] next = {0};
         return senses -> {
@@ -61,7 +62,7 @@ public record GoToGoal(List<Goal> goals, double speedMps, double withinM, boolea
         };
     }
 
-    /** One cycle. */
+    /** Computes one control cycle. */
     public Step step(int goal, RobotPose pose) {
         int next = goal;
         for (int passed = 0; passed < goals.size(); passed++) {

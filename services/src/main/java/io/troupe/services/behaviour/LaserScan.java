@@ -3,13 +3,13 @@ package io.troupe.services.behaviour;
 import io.troupe.player.structures.laser.PlayerLaserData;
 
 /**
- * One scan of a laser: a range for each of its beams, from right to left.
+ * One scan of a laser: one range per beam, from right to left.
  *
- * <p><b>Units and shapes.</b> Metres; a beam that meets nothing reads {@link #maxRangeM}. Bearings are radians from the
+ * <p><b>Units and shapes.</b> Metres; a beam that hits nothing reads {@link #maxRangeM}. Bearings are radians from the
  * laser's axis, left positive; the axis is the robot's x axis unless the laser is mounted at an angle.
  */
 public final class LaserScan {
-    /** Without beams: what a behaviour gets that has not asked for the laser. */
+    /** A scan without beams, for services that do not use the laser. */
     public static final LaserScan EMPTY = new LaserScan(0, 0, 0, new float[0]);
 
     private final double minBearingRad;
@@ -25,11 +25,11 @@ public final class LaserScan {
     }
 
     /**
-     * Reads a scan, whose beams have equal angles between them.
+     * Creates a scan from ranges at equal angles.
      *
-     * @param minBearingRad of the first beam
-     * @param maxBearingRad of the last beam
-     * @param maxRangeM the farthest that the laser measures
+     * @param minBearingRad bearing of the first beam
+     * @param maxBearingRad bearing of the last beam
+     * @param maxRangeM the laser's maximum range
      * @throws IllegalArgumentException if a range is not a number
      */
     public static LaserScan of(double minBearingRad, double maxBearingRad, double maxRangeM, float[] rangesM) {
@@ -41,12 +41,12 @@ public final class LaserScan {
         return new LaserScan(minBearingRad, maxBearingRad, maxRangeM, rangesM.clone());
     }
 
-    /** A scan of the Player client. */
+    /** Converts a scan of the Player client. */
     public static LaserScan of(PlayerLaserData scan) {
         return of(scan.getMin_angle(), scan.getMax_angle(), scan.getMax_range(), scan.getRanges());
     }
 
-    /** How many beams it has. */
+    /** The number of beams. */
     public int size() {
         return rangesM.length;
     }
@@ -55,24 +55,24 @@ public final class LaserScan {
         return rangesM.length == 0;
     }
 
-    /** The farthest that the laser measures. */
+    /** The laser's maximum range. */
     public double maxRangeM() {
         return maxRangeM;
     }
 
-    /** The range of one beam, 0 for the rightmost. */
+    /** The range of a beam; beam 0 is the rightmost. */
     public double rangeM(int beam) {
         return rangesM[beam];
     }
 
-    /** The direction of one beam, 0 for the rightmost. */
+    /** The bearing of a beam; beam 0 is the rightmost. */
     public double bearingRad(int beam) {
         return rangesM.length < 2
                 ? (minBearingRad + maxBearingRad) / 2 // a single beam looks along the middle
                 : minBearingRad + beam * ((maxBearingRad - minBearingRad) / (rangesM.length - 1));
     }
 
-    /** The least range of the beams from one bearing to another; {@link #maxRangeM} if there is no beam. */
+    /** The smallest range of the beams between two bearings; {@link #maxRangeM} if there is no beam between them. */
     public double nearestM(double fromRad, double toRad) {
         double nearestM = maxRangeM;
         for (int beam = 0; beam < rangesM.length; beam++) {

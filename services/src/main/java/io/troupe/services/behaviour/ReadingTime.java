@@ -1,26 +1,26 @@
 package io.troupe.services.behaviour;
 
 /**
- * The time of one robot's readings, made so that it only goes on: what a robot's clock says may be set while services
- * run, by a person or by a time server.
+ * A monotonic time of one robot's readings. A robot's clock may be set back while services run, by a person or by a
+ * time server; this time never goes back.
  *
- * <p><b>Role.</b> A time stamp that is older than the newest by a cycle or more counts as the next cycle,
- * {@value #CYCLE_SECONDS} s later; by less, as time stamps that jitter are, it counts as the same time, which goes on
- * when the time stamps have made up for it. As long as no clock is set back it is the time stamp itself. A clock that
- * is set forward cannot be told from a gap in the readings, and counts as one.
+ * <p><b>Role.</b> While the clock is not set back, the time equals the time stamp. A time stamp that is older than the
+ * newest by a cycle or more counts as the next cycle, {@value #CYCLE_SECONDS} s later. One that is older by less is
+ * jitter: the time stands still until the time stamps have caught up. A clock that is set forward cannot be
+ * distinguished from a gap in the readings, and is treated as one.
  *
  * <p><b>Threads.</b> One thread at a time.
  */
 public final class ReadingTime {
-    /** How long a service's cycle takes. */
+    /** The length of a service's cycle. */
     public static final double CYCLE_SECONDS = 0.1;
-    /** Half a millisecond forgives rounding. */
+    /** Half a millisecond of tolerance for rounding. */
     private static final double LEAST_CYCLE_SECONDS = CYCLE_SECONDS - 0.0005;
 
     private double newestStampSeconds = Double.NEGATIVE_INFINITY;
-    private double aheadSeconds; // of the stamps
+    private double aheadSeconds; // how far the time is ahead of the time stamps
 
-    /** The time of the newest reading, by its time stamp; the same stamp again is the same time. */
+    /** Returns the time of a reading, given its time stamp. The same time stamp gives the same time. */
     public double at(double stampSeconds) {
         if (stampSeconds >= newestStampSeconds) {
             newestStampSeconds = stampSeconds;
@@ -32,8 +32,8 @@ public final class ReadingTime {
     }
 
     /**
-     * Whether a cycle is over between two times; also if the second lies before the first, by a clock that was set
-     * back.
+     * Whether two times are a cycle or more apart, in either direction: the second time is the earlier one if the clock
+     * was set back.
      */
     public static boolean isCycle(double fromSeconds, double toSeconds) {
         return Math.abs(toSeconds - fromSeconds) >= LEAST_CYCLE_SECONDS;

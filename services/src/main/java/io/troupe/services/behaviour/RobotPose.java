@@ -1,7 +1,7 @@
 package io.troupe.services.behaviour;
 
 /**
- * Where a robot believes it is.
+ * A robot's position and heading by its odometry.
  *
  * @param headingRad from the x axis, left positive
  */

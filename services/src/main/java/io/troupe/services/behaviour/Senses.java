@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a robot senses at one reading.
+ * The sensor data of one reading.
  *
- * @param timeSeconds when, on the robot's clock; it never goes back, even if that is set back ({@link ReadingTime})
- * @param pose by its odometry
- * @param stalled whether something holds it, so that it does not move as it was told to
- * @param blobs the patches of colour that its camera sees, in the camera's order; empty if there are none
- * @param laser {@link LaserScan#EMPTY} unless the service, or the component, asks for the laser
+ * @param timeSeconds time of the reading on the robot's clock, made monotonic by {@link ReadingTime}
+ * @param pose by odometry
+ * @param stalled whether the robot is blocked, so that it cannot move as commanded
+ * @param blobs colour patches that the camera sees, in the camera's order; may be empty
+ * @param laser {@link LaserScan#EMPTY} unless the service, or the component, uses the laser
  */
 public record Senses(
         double timeSeconds, SonarRing sonar, RobotPose pose, boolean stalled, List<Blob> blobs, LaserScan laser) {
@@ -19,13 +19,13 @@ public record Senses(
         blobs = List.copyOf(blobs);
     }
 
-    /** Without blobs and laser, and not stalled. */
+    /** Creates senses without blobs and laser, not stalled. */
     public Senses(double timeSeconds, SonarRing sonar, RobotPose pose) {
         this(timeSeconds, sonar, pose, false, List.of(), LaserScan.EMPTY);
     }
 
     /**
-     * The blob of a colour with the largest area; of equally large ones the leftmost.
+     * The largest blob of a colour; of equally large ones the leftmost.
      *
      * @param colour {@code 0x00RRGGBB}
      */

@@ -20,7 +20,7 @@ public final class SonarRing {
     }
 
     /**
-     * Reads a ring.
+     * Creates a ring from the readings of its sonars.
      *
      * @throws IllegalArgumentException if there are fewer than 8 readings, or one of the first 8 is not a number
      */
@@ -37,17 +37,17 @@ public final class SonarRing {
         return new SonarRing(readingsM);
     }
 
-    /** One sonar, 0 to 7. */
+    /** The range of a sonar, 0 to 7. */
     public double rangeM(int sonar) {
         return rangesM[sonar];
     }
 
-    /** The nearest thing on the left: sonars 0, 1 and 2. */
+    /** The smallest range on the left: sonars 0, 1 and 2. */
     public double leftM() {
         return StrictMath.min(rangesM[0], StrictMath.min(rangesM[1], rangesM[2]));
     }
 
-    /** The nearest thing ahead: sonars 3 and 4. */
+    /** The smallest range ahead: sonars 3 and 4. */
     public double frontM() {
         return StrictMath.min(rangesM[3], rangesM[4]);
     }

@@ -3,12 +3,12 @@ package io.troupe.services.behaviour;
 import java.util.Optional;
 
 /**
- * Drives where there is room, faster and straighter the more of it there is.
+ * Drives towards free space; the more free space, the faster and straighter.
  *
- * <p><b>Role.</b> A pure function of a reading.
+ * <p><b>Role.</b> A pure function of the sonar readings.
  *
- * <p><b>Source.</b> Paper, section 3.2; the sonar groups, thresholds and limits are those of the example program it
- * adapted.
+ * <p><b>Source.</b> Paper, section 3.2. Sonar groups, thresholds and speed limits are those of the example program that
+ * the paper adapted.
  */
 public final class SpaceWanderer {
     private static final double NEAR_M = 0.5;
@@ -18,12 +18,12 @@ public final class SpaceWanderer {
 
     private SpaceWanderer() {}
 
-    /** The law; it remembers nothing. */
+    /** Creates a behaviour; it has no memory. */
     public static Behaviour behaviour() {
         return senses -> Optional.of(steer(senses.sonar()));
     }
 
-    /** One cycle. */
+    /** Computes one control cycle. */
     public static Velocity steer(SonarRing sonar) {
         double left = (sonar.rangeM(1) + sonar.rangeM(2)) / 2 / 10;
         double right = (sonar.rangeM(5) + sonar.rangeM(6)) / 2 / 10;
@@ -34,7 +34,7 @@ public final class SpaceWanderer {
         return new Velocity(0, sonar.rangeM(0) < sonar.rangeM(7) ? -TURN_RADPS : TURN_RADPS);
     }
 
-    /** Whether three neighbouring sonars see nothing near. */
+    /** Whether three neighbouring sonars see nothing within {@link #NEAR_M}. */
     private static boolean isFree(SonarRing sonar, int first) {
         return sonar.rangeM(first) > NEAR_M && sonar.rangeM(first + 1) > NEAR_M && sonar.rangeM(first + 2) > NEAR_M;
     }

@@ -1,7 +1,7 @@
 package io.troupe.services.behaviour;
 
 /**
- * What a behaviour wants a robot to do.
+ * The velocity that a behaviour commands.
  *
  * @param forwardMps metres per second along the robot's x axis
  * @param turnRadps radians per second, left positive

@@ -3,17 +3,18 @@ package io.troupe.services.behaviour;
 import java.util.Optional;
 
 /**
- * Drives to a wall, turns until it is on the left, and follows it.
+ * Drives to a wall, turns until the wall is on the left, and follows it.
  *
- * <p><b>Role.</b> A pure function of a memory and a reading; the caller keeps the memory from one cycle to the next.
+ * <p><b>Role.</b> A pure function of a memory and the sonar readings; the caller keeps the memory from one cycle to the
+ * next.
  *
- * <p><b>Source.</b> Paper, section 3.1, Tables 1 and 2, read as in ADR 0005: metres instead of centimetres, and "drive
- * on while nothing is near".
+ * <p><b>Source.</b> Paper, section 3.1, Tables 1 and 2, with the corrections of ADR 0005: metres instead of
+ * centimetres, and "drive on while nothing is near".
  */
 public final class WallFollower {
-    /** Nearer than this in front, or farther on the left, makes it turn. */
+    /** The robot turns if the range in front is below this, or the range on the left above it. */
     public static final double MAX_WALL_M = 0.4;
-    /** Nearer than this on the left makes it turn away. */
+    /** The robot steers away from the wall if the range on the left is below this. */
     public static final double MIN_WALL_M = 0.3;
 
     private static final Velocity AHEAD = new Velocity(0.2, 0);
@@ -23,13 +24,13 @@ public final class WallFollower {
     private static final Velocity TOWARDS_WALL = new Velocity(0.1, 0.15);
 
     /**
-     * Which way the robot moves while a wall ahead makes it turn right; the one number in which the paper and its model
-     * differ.
+     * The direction of travel while the robot turns right at a wall ahead. It is the only number in which the paper and
+     * its model program differ.
      */
     public enum CornerStyle {
-        /** Table 2 of the paper: it drives on at 0.1 m/s. */
+        /** Table 2 of the paper: forward at 0.1 m/s. */
         FORWARD(0.1),
-        /** The Player client's example program, from which the paper's service comes: it backs off at 0.1 m/s. */
+        /** The Player client's example program, the model of the paper's service: backward at 0.1 m/s. */
         BACKWARD(-0.1);
 
         private final Velocity turn;
@@ -39,22 +40,22 @@ public final class WallFollower {
         }
     }
 
-    /** Where it stands: the paper's {@code temp} variable, and the last left reading. */
+    /** The current phase (the paper's {@code temp} variable), and the last left reading. */
     public sealed interface Memory {
-        /** Nothing is near yet. */
+        /** No wall has been near yet. */
         record Approaching() implements Memory {}
 
-        /** Turning right until the left sonar reads more than before. */
+        /** Turning right until the left sonar reads more than in the cycle before. */
         record Aligning(double previousLeftM) implements Memory {}
 
-        /** The wall is on the left, for good. */
+        /** The wall is on the left; this phase never ends. */
         record Following() implements Memory {}
     }
 
-    /** What to do now, and what to remember for the next cycle. */
+    /** The result of one cycle: the velocity, and the memory for the next cycle. */
     public record Step(Velocity velocity, Memory memory) {}
 
-    /** The memory to begin with. */
+    /** The initial memory. */
     public static final Memory START = new Memory.Approaching();
 
     private final CornerStyle cornerStyle;
@@ -63,7 +64,7 @@ public final class WallFollower {
         this.cornerStyle = cornerStyle;
     }
 
-    /** The law with a memory of its own. */
+    /** Creates a behaviour that keeps the memory. */
     public static Behaviour behaviour(CornerStyle cornerStyle) {
         return new Remembering(new WallFollower(cornerStyle));
     }
@@ -84,7 +85,7 @@ public final class WallFollower {
         }
     }
 
-    /** One cycle. */
+    /** Computes one control cycle. */
     public Step step(Memory memory, SonarRing sonar) {
         return switch (memory) {
             case Memory.Approaching approaching -> approach(sonar);

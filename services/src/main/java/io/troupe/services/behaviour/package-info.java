@@ -1,4 +1,4 @@
-/** Control laws as pure functions: readings in, velocity out. */
+/** Control laws as pure functions: sensor readings in, velocity out. */
 @NullMarked
 package io.troupe.services.behaviour;
 

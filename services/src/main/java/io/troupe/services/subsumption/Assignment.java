@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which robot gets which service, said in ranges: {@code Assignment.everyRobot(SPACE_WANDERER).robots(3, 5,
+ * Assigns a service to each robot, by robot number or range: {@code Assignment.everyRobot(SPACE_WANDERER).robots(3, 5,
  * WALL_FOLLOWER)}.
  *
  * <p><b>Role.</b> Immutable. <b>Units and shapes.</b> Robots are numbered from 1.
@@ -24,20 +24,20 @@ public final class Assignment {
         this.ranges = List.copyOf(ranges);
     }
 
-    /** Nobody has a service yet. */
+    /** An empty assignment. */
     public static Assignment none() {
         return EMPTY;
     }
 
-    /** All robots get this one, unless they are named. */
+    /** Assigns a service to all robots that have none by number. */
     public static Assignment everyRobot(Service service) {
         return EMPTY.others(service);
     }
 
     /**
-     * All robots that are not named get this one.
+     * Returns an assignment that gives a service to all robots that have none by number.
      *
-     * @throws IllegalArgumentException if they have one
+     * @throws IllegalArgumentException if there is such a service already
      */
     public Assignment others(Service service) {
         if (everyOther != null) {
@@ -47,16 +47,18 @@ public final class Assignment {
         return new Assignment(service, ranges);
     }
 
-    /** One robot gets this one. */
+    /** Returns an assignment that gives a service to one more robot. */
     public Assignment robot(int number, Service service) {
         return robots(number, number, service);
     }
 
     /**
-     * Robots from the first to the last get this one.
+     * Returns an assignment that gives a service to a range of robots.
      *
-     * @throws IllegalArgumentException if the first is less than 1 or more than the last, or one of them has a service
-     *     by its number
+     * @param first first robot of the range
+     * @param last last robot of the range, inclusive
+     * @throws IllegalArgumentException if {@code first} is less than 1 or more than {@code last}, or one of the robots
+     *     has a service by number already
      */
     public Assignment robots(int first, int last, Service service) {
         if (first < 1 || first > last) {
@@ -78,9 +80,9 @@ public final class Assignment {
             "expected one service, or layers (the upper one first) made with over(..) or '>'";
 
     /**
-     * One service for each of so many robots.
+     * Returns the services of robots 1 to {@code robots}, in this order.
      *
-     * @throws IllegalArgumentException if one has none, or one is named that there is not
+     * @throws IllegalArgumentException if a robot has no service, or a range goes beyond the last robot
      */
     public List<Service> services(int robots) {
         var services = new @Nullable Service[robots];

@@ -8,16 +8,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * Decides which service drives which robot, by the colours that the robots see: the paper's main code in callback mode.
  *
- * <p><b>Role.</b> Spawn it, and send {@link #live} once; it calls itself from then on.
+ * <p><b>Role.</b> An actor: spawn it and send {@link #live} once. After each switch it sends {@link #live} to itself.
  *
- * <p><b>Order.</b> A colour finder sends whatever its robot sees, at every reading, and its service drives on. The
- * first colour to arrive that leads to another state ends the present one: all services are told to stop, and when they
- * have stopped, which is a promise here and a busy loop in the paper, those of the next state begin. That happens
- * between two readings, as in promise mode; what arrives meanwhile from services of the state before is counted and
- * ignored.
+ * <p><b>Order.</b> A colour finder sends every colour that its robot sees, at every reading, while its service keeps
+ * driving. The first colour that leads to another state ends the current one: the arbitrator stops all services, and
+ * starts those of the next state when all have stopped. It waits for a promise where the paper has a busy loop. All
+ * this happens between two readings, as in promise mode. NamedColours that arrive late, from services of an earlier
+ * state, are counted and ignored.
  *
- * <p><b>Errors.</b> A service that fails, or ends without having been told, rejects {@link #ended}. If this actor is
- * stopped, its services stop at their next reading.
+ * <p><b>Errors.</b> {@link #failure} is rejected when a service fails, or ends although it was not stopped. When this
+ * actor is stopped, its services stop at their next reading.
  *
  * <p><b>Source.</b> Paper, section 3.5, Figure 17.
  */
@@ -25,61 +25,62 @@ public class CallbackArbitrator extends Actor {
     private final RobotServices services;
     private final SubsumptionTable table;
     private final Arbitrator.StateListener listener;
-    private final PresentState present;
+    private final CurrentState current;
 
     public CallbackArbitrator(RobotServices services, SubsumptionTable table, Arbitrator.StateListener listener) {
         this.services = services;
         this.table = table;
         this.listener = listener;
-        this.present = new PresentState(services, table.first(), listener);
+        this.current = new CurrentState(services, table.first(), listener);
     }
 
-    /** Puts the services of the present state in charge. */
+    /** Starts the services of the current state. */
     public void live() {
-        present.begins();
-        for (int robot = 0; robot < present.state().services().size(); robot++) {
-            begin(robot);
+        current.notifyStarted();
+        for (int robot = 0; robot < current.state().services().size(); robot++) {
+            startService(robot);
         }
     }
 
-    /** Rejected when a service fails; never fulfilled. */
-    public Promise<@Nullable Void> ended() {
-        return present.failed();
+    /** Returns a promise that is rejected when a service fails, and never fulfilled. */
+    public Promise<@Nullable Void> failure() {
+        return current.failure();
     }
 
     @Override
     protected void stopped() {
-        present.abandon();
+        current.clearReferences();
     }
 
-    private void begin(int robot) {
-        int changesBefore = present.changes();
-        Service service = present.service(robot);
+    private void startService(int robot) {
+        int changesBefore = current.changes();
+        Service service = current.service(robot);
         var reports = new Callback.Stream<ColourReport>(
-                report -> received(report, changesBefore), error -> serviceEnded(robot, service, changesBefore, error));
-        services.serve(reports, robot, service, present.newReference(robot), PresentState.newColourFinder(service));
+                report -> onColour(report, changesBefore), error -> serviceEnded(robot, service, changesBefore, error));
+        services.serve(
+                reports, robot, service, current.newRunReference(robot), CurrentState.newFinderReference(service));
     }
 
-    private void received(ColourReport report, int changesBefore) {
+    private void onColour(ColourReport report, int changesBefore) {
         listener.colourReceived(report.robot(), report.colour());
-        if (present.changes() == changesBefore) {
-            table.next(present.state(), report.colour(), report.secondsInCharge())
-                    .ifPresent(next -> change(next, report.robot()));
+        if (current.changes() == changesBefore) {
+            table.next(current.state(), report.colour(), report.secondsInCharge())
+                    .ifPresent(next -> changeState(next, report.robot()));
         } else {
             listener.colourTooLate(report.robot(), report.colour());
         }
     }
 
-    private void change(State next, int robot) {
-        present.change(next, robot).thenRun(() -> ((CallbackArbitrator) self()).live());
+    private void changeState(State next, int robot) {
+        current.changeTo(next, robot).thenRun(() -> ((CallbackArbitrator) self()).live());
     }
 
     private void serviceEnded(int robot, Service service, int changesBefore, @Nullable Throwable error) {
         if (error != null) {
-            present.fail(error);
-        } else if (present.changes() == changesBefore) {
-            present.fail(new IllegalStateException("robot " + (robot + 1) + ": " + service + " has ended in state "
-                    + present.state().number() + " though nothing told it to"));
+            current.fail(error);
+        } else if (current.changes() == changesBefore) {
+            current.fail(new IllegalStateException("robot " + (robot + 1) + ": " + service + " has ended in state "
+                    + current.state().number() + " though nothing told it to"));
         }
     }
 }

@@ -1,10 +1,10 @@
 package io.troupe.services.subsumption;
 
 /**
- * What a colour finder sends while its service drives on.
+ * The message that a colour finder sends for each colour it sees while its service runs.
  *
  * @param robot index of the robot that sees the colour
  * @param colour {@code 0x00RRGGBB}
- * @param secondsInCharge since the robot's service took charge, on the robot's clock
+ * @param secondsInCharge time since the robot's service started to drive it, on the robot's clock
  */
 public record ColourReport(int robot, int colour, double secondsInCharge) {}

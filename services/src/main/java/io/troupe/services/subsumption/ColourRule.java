@@ -4,16 +4,16 @@ import io.troupe.services.behaviour.Blob;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** Which of the colours that a robot sees is to end its state. A pure function. */
+/** Selects which of the colours that a robot sees ends its state. A pure function. */
 @FunctionalInterface
 public interface ColourRule {
-    /** None: for services without a colour finder. */
+    /** Selects no colour; for services without a colour finder. */
     ColourRule NONE = (blobs, secondsInCharge) -> OptionalInt.empty();
 
     /**
-     * Picks a colour.
+     * Returns the selected colour, or empty.
      *
-     * @param secondsInCharge since the robot's service took charge, on the robot's clock
+     * @param secondsInCharge time since the robot's service started to drive it, on the robot's clock
      */
     OptionalInt pick(List<Blob> blobs, double secondsInCharge);
 }

@@ -5,26 +5,30 @@ import io.troupe.player.Position2DInterface;
 import java.time.Duration;
 
 /**
- * What every service and component asks of a Player server, so that no robot is driven on by a program that is gone.
+ * Time limits that every service and component requests from a Player server, so that no robot keeps moving after its
+ * program has gone.
  */
 public final class DriverLimits {
     /**
-     * A robot that gets no speed from its service for so long, on the server's clock, is stopped by the server: four
-     * cycles, so that with the interval in which the last speed arrived a robot stands within half a second.
+     * The server stops a robot that gets no speed command for this long, on the server's clock. It is four cycles:
+     * together with the interval in which the last command arrived, the robot stands within half a second.
      */
     public static final Duration COMMAND_LIMIT = Duration.ofMillis(400);
 
-    /** A connected server that says nothing for so long, by our clock, and answers nothing, ends the service. */
+    /**
+     * A connected server that sends nothing for this long, on this program's clock, and does not answer a request
+     * either, ends the service.
+     */
     public static final Duration SILENCE_LIMIT = Duration.ofSeconds(5);
 
     private DriverLimits() {}
 
-    /** Asks once for each connection. */
+    /** Requests the silence limit; once per connection. */
     public static void watch(PlayerClient server) {
         server.setSilenceLimit(SILENCE_LIMIT);
     }
 
-    /** Asks for each robot that the connection drives. */
+    /** Requests the command limit; once for each robot that the connection drives. */
     public static void limit(Position2DInterface wheels) {
         wheels.setCommandLimit(COMMAND_LIMIT);
     }

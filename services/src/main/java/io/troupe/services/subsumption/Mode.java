@@ -6,9 +6,11 @@ import java.util.Locale;
 public enum Mode {
     /** One thread, one connection, the services' cycles one after the other (section 3.4, Figure 14). */
     SYNC,
-    /** Actors; every colour is sent to the arbitrator, which stops the services (section 3.5, Figure 17). */
+    /**
+     * Actors; every colour is sent to the arbitrator, and the arbitrator stops the services (section 3.5, Figure 17).
+     */
     CALLBACK,
-    /** Actors; one colour is sent, when the service that has seen it ends itself (section 3.6, Figure 20). */
+    /** Actors; a service that sees a colour ends itself and sends that one colour (section 3.6, Figure 20). */
     PROMISE;
 
     @Override

@@ -12,39 +12,40 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The actor as a service: offers wall following, space wandering, and whatever else a table names, to other actors.
+ * The robot services as an actor: wall following, space wandering, and all other services of a table.
  *
- * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when it is first asked to drive it
- * and keeps the connection until that fails, unless it is to reconnect: then the robot stands from the end of one
- * service until the first reading of the next, a tick in lock step.
+ * <p><b>Role.</b> Spawn it, and call it through its proxy. It connects to a robot when the first service for that robot
+ * starts. It keeps the connection until it fails. With {@link Settings#reconnects} each service has a separate
+ * connection; then the robot stands still from the end of one service until the first reading of the next, which is one
+ * tick in lock step.
  *
- * <p><b>Order.</b> A robot never has two services: one that is called while another is about to stop begins when that
- * has stopped.
+ * <p><b>Order.</b> A robot never has two services: a service that is called while the previous one is stopping starts
+ * when that one has stopped.
  *
  * <p><b>Units and shapes.</b> Robots by Player index, from 0. A reference is 1 = run, 0 = stop, 2 = stopped and zero
- * speed sent; whoever calls a service sets it to 1 before and to 0 to end it.
+ * speed sent. The caller sets it to 1 before it calls a service, and to 0 to end the service.
  *
- * <p><b>Errors.</b> A robot that does not exist, or whose service was not told to stop, rejects the promise; so does a
- * server that goes away. The next service connects anew.
+ * <p><b>Errors.</b> The promise is rejected if the robot does not exist, if the robot's previous service is still set
+ * to run, and if the server disconnects. The next service connects again.
  *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6, Figures 17 and 20.
  */
 public class RobotServices extends Actor {
     /**
-     * Where the robots are, and what they are to do.
+     * Where the robots are, and which table they use.
      *
-     * @param table the services and colours in play
-     * @param reconnects whether every service makes a connection of its own with its robot and closes it when it ends,
-     *     instead of one for all
+     * @param table the services and colours
+     * @param reconnects whether each service connects to its robot anew and closes that connection when it ends;
+     *     otherwise one connection per robot serves all
      */
     public record Settings(
             String host, int port, SubsumptionTable table, ServiceObserver observer, boolean reconnects) {
-        /** With one connection for all services of a robot. */
+        /** Creates settings with one connection per robot. */
         public Settings(String host, int port, SubsumptionTable table, ServiceObserver observer) {
             this(host, port, table, observer, false);
         }
 
-        /** The paper's: its table, the default port on this machine. */
+        /** The paper's settings: its table, and the default port on this machine. */
         public static Settings ofThePaper() {
             return new Settings("localhost", 6665, SubsumptionTable.ofThePaper(), ServiceObserver.NONE);
         }
@@ -61,7 +62,7 @@ public class RobotServices extends Actor {
             return new Settings(host, port, newTable, observer, reconnects);
         }
 
-        /** The same with a connection for each service, as the paper has it (section 3.5). */
+        /** Returns settings with or without a separate connection for each service (paper, section 3.5). */
         public Settings withReconnection(boolean newReconnects) {
             return new Settings(host, port, table, observer, newReconnects);
         }
@@ -70,29 +71,29 @@ public class RobotServices extends Actor {
     private static final System.Logger LOG = System.getLogger(RobotServices.class.getName());
 
     private final Settings settings;
-    private @Nullable Charges charges;
+    private @Nullable RunningServices running;
 
     public RobotServices(Settings settings) {
         this.settings = settings;
     }
 
     /**
-     * Lets a robot follow the wall on its left until the reference is cleared.
+     * Makes a robot follow the wall on its left until the reference is cleared.
      *
-     * @return fulfilled when it has stopped
+     * @return fulfilled when the service has stopped
      */
     public Promise<@Nullable Void> wallFollower(int robot, AtomicReference<Integer> reference) {
         var service = settings.table().service(Service.WALL_FOLLOWER.name()).orElse(Service.WALL_FOLLOWER);
-        return begin(robot, service, reference, ServiceCycle.Finder.LOOKS_AWAY);
+        return start(robot, service, reference, ServiceCycle.Finder.NONE);
     }
 
     /**
-     * Lets a robot wander until it sees a colour that ends the state by the table, its priorities and its hold time, or
-     * the reference is cleared.
+     * Makes a robot wander until it sees a colour that ends the state by the table, its priorities and its hold time,
+     * or until the reference is cleared.
      *
-     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
-     * @param stateColour the colour of the present state
-     * @return the colour seen; the state's own if the robot was stopped before it saw another
+     * @param colourFinder 1 = look for colours; set to 2 when the service has stopped
+     * @param stateColour the colour of the current state
+     * @return the colour seen; the state's own colour if the robot was stopped before it saw another
      */
     public Promise<Integer> spaceWanderer(
             int robot, AtomicReference<Integer> reference, AtomicReference<Integer> colourFinder, int stateColour) {
@@ -102,7 +103,7 @@ public class RobotServices extends Actor {
                 .thenApply(seen -> seen.orElse(stateColour));
     }
 
-    /** For a state that is not in the table: each of its colours leads somewhere else, at once. */
+    /** The rule for a state that is not in the table: every colour that has a state ends it at once. */
     private static ColourRule anyOf(SubsumptionTable table) {
         return (blobs, seconds) -> ColourFinder.inOrder(blobs, table::priority)
                 .filter(colour -> table.state(colour).isPresent())
@@ -110,11 +111,11 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets any service drive a robot, until its colour finder sees a colour that ends the state, or the reference is
+     * Runs a service on a robot until its colour finder sees a colour that ends the state, or until the reference is
      * cleared.
      *
-     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
-     * @return the colour seen, once; empty if the robot was stopped before it saw one
+     * @param colourFinder 1 = look for colours; set to 2 when the service has stopped
+     * @return the colour seen; empty if the robot was stopped before it saw one
      */
     public Promise<OptionalInt> serve(
             int robot,
@@ -123,7 +124,7 @@ public class RobotServices extends Actor {
             AtomicReference<Integer> colourFinder,
             ColourRule rule) {
         var seen = new OptionalInt[] {OptionalInt.empty()};
-        return begin(robot, service, reference, (devices, secondsInCharge) -> {
+        return start(robot, service, reference, (devices, secondsInCharge) -> {
                     if (colourFinder.get() == ServiceLoop.RUN) {
                         seen[0] = rule.pick(devices.blobs(), secondsInCharge);
                         seen[0].ifPresent(colour -> {
@@ -137,11 +138,11 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets a robot wander until the reference is cleared, and sends every colour that it sees meanwhile, whatever it
-     * means, but not black, unless a state of the table has it.
+     * Makes a robot wander until the reference is cleared, and sends every colour that it sees, also those that lead to
+     * no state. Black is not sent unless a state of the table has it.
      *
-     * @param colours is sent each colour at every reading, as a message of its own, and the end
-     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
+     * @param colours receives each colour at every reading, as a separate message, and the end
+     * @param colourFinder 1 = look for colours; set to 2 when the service has stopped
      */
     public void spaceWanderer(
             Callback<Integer> colours,
@@ -152,13 +153,13 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Lets any service drive a robot until the reference is cleared, and sends every colour that it sees meanwhile,
-     * whatever it means, but not black, unless a state of the table has it.
+     * Runs a service on a robot until the reference is cleared, and sends every colour that the robot sees, also those
+     * that lead to no state. Black is not sent unless a state of the table has it.
      *
-     * @param reports is sent each colour at every reading, as a message of its own, those of higher priority first and
-     *     of equal ones the largest; and the end. When nobody listens to it any more the service ends: a robot is not
-     *     driven on with nobody to stop it.
-     * @param colourFinder 1 = look for colours meanwhile; 2 when it has stopped
+     * @param reports receives each colour at every reading, as a separate message, in descending order of priority and
+     *     then of blob area, and the end. If this callback is cancelled the service stops: a robot must not keep
+     *     driving without an arbitrator that could stop it.
+     * @param colourFinder 1 = look for colours; set to 2 when the service has stopped
      */
     public void serve(
             Callback<ColourReport> reports,
@@ -195,7 +196,7 @@ public class RobotServices extends Actor {
         };
         Promise<@Nullable Void> end;
         try {
-            end = begin(robot, service, reference, finder);
+            end = start(robot, service, reference, finder);
         } catch (RuntimeException impossible) {
             end = Promise.failed(impossible);
         }
@@ -211,37 +212,39 @@ public class RobotServices extends Actor {
     }
 
     /**
-     * Each once, though there may be several patches of it. Black is walls everywhere, but a table may give it a state.
+     * The colours to send, each once even if several blobs have it. Black is the colour of all walls, so it is sent
+     * only if the table has a state for it.
      */
-    private IntStream coloursToSend(RobotDevices devices) {
+    private IntStream coloursToSend(PlayerDevices devices) {
         var table = settings.table();
         return ColourFinder.inOrder(devices.blobs(), table::priority)
-                .filter(colour -> colour != Colours.BLACK || table.state(colour).isPresent())
+                .filter(colour ->
+                        colour != NamedColours.BLACK || table.state(colour).isPresent())
                 .distinct();
     }
 
     /**
-     * Clears a reference and makes its service notice at once, instead of at the next reading.
+     * Clears a reference and wakes its service, so that the service stops at once instead of at the next reading.
      *
-     * @return fulfilled when the service has stopped; at once if none runs with that reference
+     * @return fulfilled when the service has stopped; at once if no service runs with that reference
      */
     public Promise<@Nullable Void> stop(AtomicReference<Integer> reference) {
         reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP);
-        return charges == null ? Promise.done() : charges.stop(reference);
+        return running == null ? Promise.done() : running.stop(reference);
     }
 
     @Override
     protected void stopped() {
-        if (charges != null) {
-            charges.close();
+        if (running != null) {
+            running.close();
         }
     }
 
-    private Promise<@Nullable Void> begin(
+    private Promise<@Nullable Void> start(
             int robot, Service service, AtomicReference<Integer> reference, ServiceCycle.Finder finder) {
-        if (charges == null) {
-            charges = new Charges(settings, space());
+        if (running == null) {
+            running = new RunningServices(settings, space());
         }
-        return charges.begin(robot, service, reference, finder);
+        return running.startAfterPrevious(robot, service, reference, finder);
     }
 }

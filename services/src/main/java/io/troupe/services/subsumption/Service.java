@@ -11,38 +11,39 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A behaviour that can be put in charge of a robot. A new one plugs in by being named in a {@link SubsumptionTable}.
+ * A named behaviour that can drive a robot. A new service is added by using it in a {@link SubsumptionTable}; no
+ * registration is needed.
  *
- * <p><b>Order.</b> Services that a {@link ServiceCatalogue} made are equal if they were made of the same words, and
- * layers if they are of equal services; others if they have the same supplier.
+ * <p><b>Order.</b> Equality: services of a {@link ServiceCatalogue} are equal if they have the same kind and arguments,
+ * and layers if their services are equal; other services if they have the same supplier.
  *
- * @param name as printed; one name in a table means one service
- * @param findsColours whether the robot looks for colours meanwhile, so that it can change the state
- * @param usesLaser whether its behaviour gets the scans of the robot's laser. The laser of a robot is subscribed to if
- *     any state of the table gives the robot such a service; a robot without a laser is an error then.
- * @param behaviour makes the control law, anew each time the service takes charge
+ * @param name as printed; unique within a table
+ * @param findsColours whether the robot looks for colours while the service runs, so that it can change the state
+ * @param usesLaser whether the behaviour gets the scans of the robot's laser. The connection subscribes to a robot's
+ *     laser if any state of the table gives the robot such a service; a robot without a laser is an error then.
+ * @param behaviour creates the control law, once each time the service starts to drive the robot
  */
 public record Service(String name, boolean findsColours, boolean usesLaser, Supplier<Behaviour> behaviour) {
     /** Paper, section 3.1. */
     public static final Service WALL_FOLLOWER = wallFollower(CornerStyle.FORWARD);
-    /** Paper, section 3.2, with its colour finder. */
-    public static final Service SPACE_WANDERER =
-            new Service("spaceWanderer", true, new Definition("spaceWanderer", "", false, SpaceWanderer::behaviour));
+    /** Paper, section 3.2, with the colour finder. */
+    public static final Service SPACE_WANDERER = new Service(
+            "spaceWanderer", true, new ServiceDefinition("spaceWanderer", "", false, SpaceWanderer::behaviour));
 
-    /** Between the names of layers. */
+    /** Separates the names of layers. */
     static final String OVER = " > ";
 
-    /** Without the laser. */
+    /** Creates a service that does not use the laser. */
     public Service(String name, boolean findsColours, Supplier<Behaviour> behaviour) {
         this(name, findsColours, false, behaviour);
     }
 
-    /** The same with the laser, so that {@link io.troupe.services.behaviour.Senses#laser} is not empty. */
+    /** Returns this service with the laser, so that {@link io.troupe.services.behaviour.Senses#laser} is not empty. */
     public Service withLaser() {
         return new Service(name, findsColours, true, behaviour);
     }
 
-    /** The paper's wall follower with another way round corners. */
+    /** The paper's wall follower with a choice of corner style. */
     public static Service wallFollower(CornerStyle cornerStyle) {
         String arguments = cornerStyle == CornerStyle.FORWARD
                 ? ""
@@ -50,12 +51,12 @@ public record Service(String name, boolean findsColours, boolean usesLaser, Supp
         return new Service(
                 "wallFollower",
                 false,
-                new Definition("wallFollower", arguments, false, () -> WallFollower.behaviour(cornerStyle)));
+                new ServiceDefinition("wallFollower", arguments, false, () -> WallFollower.behaviour(cornerStyle)));
     }
 
     /**
-     * This one as a layer above another: it drives when it wants to, else the other does. The robot looks for colours
-     * if one of them does.
+     * Returns a service with this one as a layer above another. In each cycle the lower service drives if this one
+     * returns no velocity. The robot looks for colours if one of the two does.
      */
     public Service over(Service lower) {
         return layered(Stream.concat(layers().stream(), lower.layers().stream()).toList());
@@ -69,17 +70,19 @@ public record Service(String name, boolean findsColours, boolean usesLaser, Supp
                 new Layers(highestFirst));
     }
 
-    /** What it consists of, the highest layer first; itself if it has no layers. */
+    /** The layers, highest first; only this service if it has no layers. */
     public List<Service> layers() {
         return behaviour instanceof Layers(List<Service> highestFirst) ? highestFirst : List.of(this);
     }
 
-    /** Whether it is known to want something in every cycle, so that nothing below it ever drives. */
+    /**
+     * Whether the behaviour is known to return a velocity in every cycle, so that a layer below it would never drive.
+     */
     boolean neverYields() {
-        return behaviour instanceof Definition definition && !definition.yields();
+        return behaviour instanceof ServiceDefinition definition && !definition.yields();
     }
 
-    /** The behaviours of layers, each made anew. */
+    /** Supplies a behaviour of new layers. */
     private record Layers(List<Service> highestFirst) implements Supplier<Behaviour> {
         @Override
         public Behaviour get() {

@@ -9,13 +9,13 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What stands between the brackets of a service in a table's file: tuples of numbers, and words with or without a
+ * The arguments of a service in a table file, between the parentheses: tuples of numbers, and words with or without a
  * value, as in {@code (1.5, -2; 3, 0; speed 0.3; again)}.
  *
- * <p><b>Errors.</b> {@link SubsumptionTableException} at the place of a wrong argument.
+ * <p><b>Errors.</b> {@link SubsumptionTableException} with the position of the wrong argument.
  */
 public final class ServiceArguments {
-    /** A number without a name, a word alone, or a word and its value. */
+    /** One argument: a number without a name, a word alone, or a word and its value. */
     private record Item(
             int position,
             @Nullable String name,
@@ -31,10 +31,10 @@ public final class ServiceArguments {
     private final TableLine line;
     private final int start;
     private final List<List<Item>> groups = new ArrayList<>();
-    private final Set<String> asked = new LinkedHashSet<>();
-    private boolean tuplesAsked;
+    private final Set<String> requested = new LinkedHashSet<>();
+    private boolean tuplesRequested;
 
-    /** Reads them if the line is at an opening bracket; else there are none. */
+    /** Parses the arguments if the line is at an opening parenthesis; defaultValue there are none. */
     ServiceArguments(TableLine line) {
         this.line = line;
         this.start = line.position();
@@ -82,13 +82,13 @@ public final class ServiceArguments {
     }
 
     /**
-     * The groups of plain numbers, in their order.
+     * Returns the groups of plain numbers, in their order.
      *
-     * @param size of each group
-     * @param shape for messages, such as {@code x, y}
+     * @param size numbers per group
+     * @param shape for error messages, such as {@code x, y}
      */
     public List<List<Double>> tuples(int size, String shape) {
-        tuplesAsked = true;
+        tuplesRequested = true;
         List<List<Double>> tuples = new ArrayList<>();
         for (var group : groups) {
             var numbers = group.stream()
@@ -108,20 +108,24 @@ public final class ServiceArguments {
         return tuples;
     }
 
-    /** The number that follows a word. */
-    public double number(String name, double otherwise) {
-        asked.add(name);
+    /**
+     * Returns the number that follows a word.
+     *
+     * @param defaultValue the result if the word is absent
+     */
+    public double number(String name, double defaultValue) {
+        requested.add(name);
         var item = named(name);
         Double number = item.map(Item::number).orElse(null);
         if (item.isPresent() && number == null) {
             throw line.problem(item.get().position, "'" + item.get() + "', expected a number after " + name);
         }
-        return number == null ? otherwise : number;
+        return number == null ? defaultValue : number;
     }
 
-    /** The word that follows a word; the first choice if it is not there. */
+    /** Returns the word that follows a word; the first of the choices if the word is absent. */
     public String choice(String name, List<String> choices) {
-        asked.add(name);
+        requested.add(name);
         var item = named(name);
         if (item.isEmpty()) {
             return choices.getFirst();
@@ -135,9 +139,9 @@ public final class ServiceArguments {
         return word;
     }
 
-    /** Whether a word is there, by itself. */
+    /** Whether a word is present, without a value. */
     public boolean flag(String name) {
-        asked.add(name);
+        requested.add(name);
         var item = named(name);
         if (item.isPresent() && (item.get().number != null || item.get().word != null)) {
             throw line.problem(item.get().position, "'" + item.get() + "', expected " + name + " alone");
@@ -145,19 +149,20 @@ public final class ServiceArguments {
         return item.isPresent();
     }
 
-    /** Refuses what nobody has asked for. */
-    void requireAllAsked(String kind) {
+    /** Rejects arguments that the kind of service has not read. */
+    void rejectUnused(String kind) {
         for (var group : groups) {
             for (Item item : group) {
-                if (item.name == null && !tuplesAsked) {
+                if (item.name == null && !tuplesRequested) {
                     throw line.problem(
-                            item.position, kind + " has the number " + item + TableLine.expected("words", "", asked));
+                            item.position,
+                            kind + " has the number " + item + TableLine.expected("words", "", requested));
                 }
-                if (item.name != null && !asked.contains(item.name)) {
+                if (item.name != null && !requested.contains(item.name)) {
                     throw line.problem(
                             item.position,
                             kind + " has the argument '" + item.name + "'"
-                                    + TableLine.expected("one of", item.name, asked));
+                                    + TableLine.expected("one of", item.name, requested));
                 }
             }
         }
@@ -167,7 +172,7 @@ public final class ServiceArguments {
         return start;
     }
 
-    /** In the one form in which they are written. */
+    /** The arguments in canonical form. */
     String text() {
         return String.join("; ", groups.stream().map(ServiceArguments::text).toList());
     }
@@ -176,7 +181,7 @@ public final class ServiceArguments {
         return String.join(", ", group.stream().map(Item::toString).toList());
     }
 
-    /** A number as a file has it. */
+    /** Formats a number as in a table file. */
     static String plain(double number) {
         return number == 0
                 ? "0"

@@ -18,9 +18,9 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The kinds of services that a table's file can name.
+ * The kinds of services that a table file can use.
  *
- * <p><b>Role.</b> Immutable: {@link #standard()}, and {@link #with} for kinds of one's own.
+ * <p><b>Role.</b> Immutable. Start with {@link #standard()}, and add your own kinds with {@link #with}.
  */
 public final class ServiceCatalogue {
     private static final ServiceCatalogue STANDARD = new ServiceCatalogue(Map.of())
@@ -33,12 +33,12 @@ public final class ServiceCatalogue {
      * A kind of service.
      *
      * @param name a word
-     * @param findsColours whether its robots look for colours, unless a table says otherwise
-     * @param yields whether it has nothing to say at times, so that a layer below it makes sense
-     * @param usesLaser whether its behaviour gets the robot's laser, see {@link Service#usesLaser}
-     * @param maker reads the arguments, once, and answers what makes the control law, anew each time the service takes
-     *     charge; what it does not ask for is refused, and so is what it refuses with an
-     *     {@link IllegalArgumentException}
+     * @param findsColours default for whether robots with such a service look for colours; a table can override it
+     * @param yields whether the behaviour sometimes returns no velocity, so that a layer below it makes sense
+     * @param usesLaser whether the behaviour gets the robot's laser, see {@link Service#usesLaser}
+     * @param maker reads the arguments, once, and returns a supplier that creates the control law each time the service
+     *     starts to drive a robot. Arguments that it does not read are rejected with their position. If it throws an
+     *     {@link IllegalArgumentException}, the message is reported with the position.
      */
     public record Kind(
             String name,
@@ -52,7 +52,7 @@ public final class ServiceCatalogue {
             }
         }
 
-        /** Without the laser. */
+        /** Creates a kind that does not use the laser. */
         public Kind(
                 String name,
                 boolean findsColours,
@@ -61,7 +61,7 @@ public final class ServiceCatalogue {
             this(name, findsColours, yields, false, maker);
         }
 
-        /** The same with the laser. */
+        /** Returns this kind with the laser. */
         public Kind withLaser() {
             return new Kind(name, findsColours, yields, true, maker);
         }
@@ -82,9 +82,9 @@ public final class ServiceCatalogue {
     }
 
     /**
-     * This one and a kind more.
+     * Returns this catalogue with one more kind.
      *
-     * @throws IllegalArgumentException if it has one of that name
+     * @throws IllegalArgumentException if the catalogue has a kind of that name
      */
     public ServiceCatalogue with(Kind kind) {
         if (kinds.containsKey(kind.name())) {

@@ -5,27 +5,36 @@ import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.Velocity;
 import java.util.function.BooleanSupplier;
 
-/** What a service that is in charge of a robot does about a reading; the same in all three modes. */
+/**
+ * The control cycle of a service: looks for colours, steps the behaviour, and commands the velocity. The same in all
+ * three modes.
+ */
 final class ServiceCycle {
-    /** What a robot's colour finder does with what it sees in a cycle. */
+    /** A robot's colour finder in one cycle. */
     @FunctionalInterface
     interface Finder {
-        /** For a reading that the service before has seen too. */
-        Finder LOOKS_AWAY = (devices, secondsInCharge) -> {};
+        /**
+         * Finds nothing. Used in the first cycle of a service that takes over, because the previous service has already
+         * seen that reading.
+         */
+        Finder NONE = (devices, secondsInCharge) -> {};
 
-        /** Looks; it may end the service, and the behaviour has no say any more. */
-        void look(RobotDevices devices, double secondsInCharge);
+        /**
+         * Looks for colours in the newest reading. It may end the service; then the behaviour is not called in this
+         * cycle.
+         */
+        void look(PlayerDevices devices, double secondsInCharge);
     }
 
     private final int robot;
     private final Service service;
-    private final RobotDevices devices;
+    private final PlayerDevices devices;
     private final Behaviour behaviour;
     private final ServiceObserver observer;
-    private double lastSeconds = Double.NEGATIVE_INFINITY;
-    private double beganSeconds = Double.NaN;
+    private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
+    private double startSeconds = Double.NaN;
 
-    ServiceCycle(int robot, Service service, RobotDevices devices, ServiceObserver observer) {
+    ServiceCycle(int robot, Service service, PlayerDevices devices, ServiceObserver observer) {
         this.robot = robot;
         this.service = service;
         this.devices = devices;
@@ -38,34 +47,34 @@ final class ServiceCycle {
     }
 
     /**
-     * The reading at hand is the one at which the service takes charge; without a call that is the one of its first
-     * cycle.
+     * Marks the newest reading as the one at which the service starts to drive the robot. If never called, that is the
+     * reading of the first cycle.
      */
-    void takeCharge() {
-        beganSeconds = devices.timeSeconds();
+    void start() {
+        startSeconds = devices.timeSeconds();
     }
 
-    /** Whether the cycle before is over; readings that come more often are passed over. */
+    /** Whether the previous cycle is over; readings that come more often are skipped. */
     boolean isDue() {
-        return ReadingTime.isCycle(lastSeconds, devices.timeSeconds());
+        return ReadingTime.isCycle(lastCycleSeconds, devices.timeSeconds());
     }
 
     /**
-     * One cycle.
+     * Runs one cycle.
      *
-     * @param drives whether the service is still to drive when the finder has looked
+     * @param drives whether the service still drives the robot after the finder has run
      */
     void run(Finder finder, BooleanSupplier drives) {
-        observer.cycleBegins(robot, service);
-        lastSeconds = devices.timeSeconds();
-        if (Double.isNaN(beganSeconds)) {
-            takeCharge();
+        observer.cycleStarted(robot, service);
+        lastCycleSeconds = devices.timeSeconds();
+        if (Double.isNaN(startSeconds)) {
+            start();
         }
-        finder.look(devices, lastSeconds - beganSeconds);
+        finder.look(devices, lastCycleSeconds - startSeconds);
         if (drives.getAsBoolean()) {
             devices.drive(behaviour.step(devices.senses(service.usesLaser())).orElse(Velocity.STOP));
         }
-        observer.cycled(robot, service);
+        observer.cycleEnded(robot, service);
     }
 
     /** Sends zero speed. */

@@ -15,15 +15,15 @@ import java.util.ServiceLoader;
 import java.util.jar.JarFile;
 
 /**
- * The kinds of services that a jar brings: those of each {@link ServiceKinds} that it names in
+ * A jar with kinds of services: those of each {@link ServiceKinds} provider that is listed in its
  * {@code META-INF/services}.
  *
- * <p><b>Role.</b> The jar has a class loader to itself, which sees the classes of Troupe but none of other jars. It
- * stays open as long as services of these kinds run, since their classes are loaded when they are first used; so close
- * it after the run.
+ * <p><b>Role.</b> Each jar has a separate class loader, which sees the classes of Troupe but not those of other jars.
+ * It must stay open as long as services of these kinds run, since classes are loaded at their first use; so close it
+ * after the run.
  *
- * <p><b>Errors.</b> {@link ServiceJarException}, which names the jar: there is no such file, it is no jar, names no
- * provider, a provider cannot be loaded or throws, or a kind has the name of another.
+ * <p><b>Errors.</b> {@link ServiceJarException}, which names the jar: the file does not exist, is not a jar, or lists
+ * no provider; a provider cannot be loaded or throws; or a kind has a name that is taken.
  */
 public final class ServiceJar implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(ServiceJar.class.getName());
@@ -40,9 +40,9 @@ public final class ServiceJar implements AutoCloseable {
     }
 
     /**
-     * Opens a jar, or a directory of classes, and asks its providers for their kinds.
+     * Opens a jar, or a directory of classes, and loads the kinds of its providers.
      *
-     * @throws ServiceJarException if that is impossible
+     * @throws ServiceJarException if that fails
      */
     public static ServiceJar open(Path jar) {
         check(jar);
@@ -59,7 +59,10 @@ public final class ServiceJar implements AutoCloseable {
         }
     }
 
-    /** A class loader ignores what is no jar, so that the message would be about a missing provider. */
+    /**
+     * Checks that the file is a jar. A class loader would ignore an unreadable file, and the error would then be about
+     * a missing provider.
+     */
     private static void check(Path jar) {
         if (!Files.exists(jar)) {
             throw new ServiceJarException(jar, "no such file, expected a jar with kinds of services");
@@ -93,7 +96,7 @@ public final class ServiceJar implements AutoCloseable {
                         ServiceLoader.load(ServiceKinds.class, loader).stream().iterator();
                 hasNext(providers); ) {
             var provider = providers.next();
-            if (provider.type().getClassLoader() == loader) { // not one on the class path of Troupe
+            if (provider.type().getClassLoader() == loader) { // not a provider on Troupe's class path
                 found = true;
                 all.addAll(kindsOf(provider));
             }
@@ -124,27 +127,29 @@ public final class ServiceJar implements AutoCloseable {
         }
     }
 
-    /** The text of the loader begins with the name of the interface; what went wrong in a class is its last cause. */
+    /**
+     * Converts an error of the service loader: removes the interface's name from its message, and adds the root cause.
+     */
     private ServiceJarException unusable(Throwable error) {
         String text = String.valueOf(error.getMessage()).replace(ServiceKinds.class.getName() + ": ", "");
         Throwable root = error;
         while (root.getCause() != null) {
-            root = root.getCause(); // what a constructor or a static initializer threw
+            root = root.getCause(); // thrown by a constructor or a static initializer
         }
         String cause = root == error ? "" : " (" + root + ")";
         return new ServiceJarException(
                 jar, text + cause + ", expected a public class that implements ServiceKinds and can be made", error);
     }
 
-    /** In the order of the file that names the providers. */
+    /** The kinds, in the order in which the jar lists their providers. */
     public List<Kind> kinds() {
         return kinds;
     }
 
     /**
-     * A catalogue with the kinds of the jar added.
+     * Returns a catalogue with the kinds of this jar added.
      *
-     * @throws ServiceJarException if it has a kind of that name already
+     * @throws ServiceJarException if the catalogue has a kind of that name already
      */
     public ServiceCatalogue addTo(ServiceCatalogue catalogue) {
         ServiceCatalogue more = catalogue;
@@ -158,7 +163,7 @@ public final class ServiceJar implements AutoCloseable {
         return more;
     }
 
-    /** No class of the jar can be loaded any more. */
+    /** Closes the class loader; no further class of the jar can be loaded. */
     @Override
     public void close() {
         try {

@@ -2,7 +2,10 @@ package io.troupe.services.subsumption;
 
 import java.nio.file.Path;
 
-/** A jar whose kinds of services cannot be used; the message begins with its path and says what was expected. */
+/**
+ * Thrown if the services of a jar cannot be used. The message begins with the jar's path and describes what was
+ * expected.
+ */
 public final class ServiceJarException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

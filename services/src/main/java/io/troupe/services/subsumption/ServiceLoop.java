@@ -6,11 +6,12 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A service while it is in charge of a robot: one cycle for each new reading, as long as its reference says so. It
- * takes over with a cycle on the reading at hand, so that no robot stands still, or rolls on, between two services.
+ * A running service: one cycle for each new reading, until its reference is cleared. A service that takes over runs its
+ * first cycle on the newest reading at once, so that the robot neither stops nor keeps the old speed between two
+ * services.
  *
- * <p><b>Order.</b> The reference goes from {@value #RUN} (run) over {@value #STOP} (stop) to {@value #STOPPED}
- * (stopped): when it is {@value #STOPPED}, zero speed has been sent and no cycle follows.
+ * <p><b>Order.</b> The reference goes from {@value #RUN} (run) to {@value #STOP} (stop) to {@value #STOPPED} (stopped).
+ * When it is {@value #STOPPED}, zero speed has been sent and no cycle follows.
  *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6: starting and stopping by atomic reference; the third value is in
  * Figure 17.
@@ -21,87 +22,87 @@ final class ServiceLoop {
     static final int STOPPED = 2;
     private final int robot;
     private final Service service;
-    private final RobotLink link;
+    private final RobotConnection connection;
     private final AtomicReference<Integer> reference;
     private final ServiceCycle cycle;
     private final ServiceCycle.Finder finder;
     private final ServiceObserver observer;
     private final Promise<@Nullable Void> ended;
-    private boolean inCharge;
-    private boolean firstRound = true;
+    private boolean started;
+    private boolean firstCycle = true;
 
     /**
-     * Begins.
+     * Starts the loop.
      *
-     * @param atFirstReading whether the service is in charge from its first reading on, instead of at once
+     * @param startsAtFirstReading whether the service counts as started from its first reading on, instead of at once
      */
     ServiceLoop(
             ActorSpace space,
             int robot,
             Service service,
-            RobotLink link,
+            RobotConnection connection,
             AtomicReference<Integer> reference,
             ServiceCycle.Finder finder,
             ServiceObserver observer,
-            boolean atFirstReading) {
+            boolean startsAtFirstReading) {
         this.robot = robot;
         this.service = service;
-        this.link = link;
+        this.connection = connection;
         this.reference = reference;
-        this.cycle = new ServiceCycle(robot, service, link.devices(), observer);
+        this.cycle = new ServiceCycle(robot, service, connection.devices(), observer);
         this.finder = finder;
         this.observer = observer;
-        if (!atFirstReading) {
-            takeCharge();
+        if (!startsAtFirstReading) {
+            notifyStarted();
         }
-        this.ended = space.repeatWhile(this::isToRun, this::round).whenComplete((done, error) -> halt(error));
+        this.ended = space.repeatWhile(this::shouldRun, this::nextCycle).whenComplete((done, error) -> halt(error));
     }
 
     Service service() {
         return service;
     }
 
-    boolean isToRun() {
+    boolean shouldRun() {
         return reference.get() == RUN;
     }
 
-    /** Settled when the reference is at {@value #STOPPED}. */
+    /** Returns a promise that is settled when the reference is {@value #STOPPED}. */
     Promise<@Nullable Void> ended() {
         return ended;
     }
 
-    /** Makes it look at its reference now instead of at the next reading. */
+    /** Makes the loop check its reference now instead of at the next reading. */
     void wake() {
-        link.wake();
+        connection.wake();
     }
 
-    private void takeCharge() {
-        inCharge = true;
-        observer.began(robot, service);
+    private void notifyStarted() {
+        started = true;
+        observer.serviceStarted(robot, service);
     }
 
     /**
-     * Does a cycle, at once when it takes over, or at the first reading of a new connection. It drives then and does
-     * not look for colours, because two robots that each see the other's colour would else switch for ever, and never
-     * move.
+     * Runs one cycle: at once when the service takes over, otherwise at the next reading. The first cycle drives, but
+     * does not look for colours. Otherwise two robots that see each other's colours would switch at every reading and
+     * stand still.
      */
-    private Promise<?> round() {
-        boolean takesOver = firstRound && link.devices().hasData();
-        firstRound = false;
+    private Promise<?> nextCycle() {
+        boolean takesOver = firstCycle && connection.devices().hasData();
+        firstCycle = false;
         if (takesOver) {
-            cycle.run(ServiceCycle.Finder.LOOKS_AWAY, this::isToRun);
+            cycle.run(ServiceCycle.Finder.NONE, this::shouldRun);
             return Promise.done();
         }
-        return link.nextData().thenAccept(this::react);
+        return connection.nextData().thenAccept(this::react);
     }
 
     private void react(boolean dataAreReady) {
-        if (dataAreReady && isToRun() && link.devices().hasData() && cycle.isDue()) {
-            boolean takesOver = !inCharge;
+        if (dataAreReady && shouldRun() && connection.devices().hasData() && cycle.isDue()) {
+            boolean takesOver = !started;
             if (takesOver) {
-                takeCharge();
+                notifyStarted();
             }
-            cycle.run(takesOver ? ServiceCycle.Finder.LOOKS_AWAY : finder, this::isToRun);
+            cycle.run(takesOver ? ServiceCycle.Finder.NONE : finder, this::shouldRun);
         }
     }
 
@@ -115,8 +116,8 @@ final class ServiceLoop {
             error.addSuppressed(unreachable);
         } finally {
             reference.set(STOPPED);
-            if (inCharge) {
-                observer.ended(robot, service);
+            if (started) {
+                observer.serviceEnded(robot, service);
             }
         }
     }

@@ -1,40 +1,43 @@
 package io.troupe.services.subsumption;
 
-/** Is told what the services do. Called on the thread that does it; robots are numbered by Player index, from 0. */
+/**
+ * Notified of what the services do. Called on the thread that runs the service. Robots are numbered by Player index,
+ * from 0.
+ */
 public interface ServiceObserver {
     /**
-     * A service has taken charge of a robot: at once when it begins, or, on a connection of its own that replaces
-     * another's, with its first reading.
+     * A service has started to drive a robot. It is called when the service starts; on a new connection that replaces
+     * an earlier one, it is called at the first reading.
      */
-    void began(int robot, Service service);
+    void serviceStarted(int robot, Service service);
 
-    /** A reading has come, and the service's cycle begins. */
-    default void cycleBegins(int robot, Service service) {}
+    /** A new reading has arrived, and the service starts a cycle. */
+    default void cycleStarted(int robot, Service service) {}
 
     /** A service has finished a cycle. */
-    void cycled(int robot, Service service);
+    void cycleEnded(int robot, Service service);
 
     /**
-     * A service is not in charge any more, and has sent zero speed, unless in synchronous mode another one takes its
-     * place.
+     * A service no longer drives the robot, and has sent zero speed. In synchronous mode zero speed is not sent if
+     * another service takes over.
      */
-    void ended(int robot, Service service);
+    void serviceEnded(int robot, Service service);
 
     /**
-     * A robot's colour finder sends a colour to the arbitrator, as a message of its own; never in synchronous mode,
-     * which has none.
+     * A robot's colour finder sends a colour to the arbitrator as a message. Never called in synchronous mode, which
+     * sends no messages.
      */
     default void colourSent(int robot, int colour) {}
 
-    /** Looks away. */
+    /** An observer that does nothing. */
     ServiceObserver NONE = new ServiceObserver() {
         @Override
-        public void began(int robot, Service service) {}
+        public void serviceStarted(int robot, Service service) {}
 
         @Override
-        public void cycled(int robot, Service service) {}
+        public void cycleEnded(int robot, Service service) {}
 
         @Override
-        public void ended(int robot, Service service) {}
+        public void serviceEnded(int robot, Service service) {}
     };
 }

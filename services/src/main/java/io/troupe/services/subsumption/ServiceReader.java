@@ -9,7 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.Supplier;
 
-/** Reads services: their declarations, and their names with {@code >} between layers. */
+/** Parses services in a table file: their declarations, and their names with {@code >} between layers. */
 final class ServiceReader {
     private final ServiceCatalogue catalogue;
     private final Map<String, Service> declared = new LinkedHashMap<>();
@@ -18,7 +18,7 @@ final class ServiceReader {
         this.catalogue = catalogue;
     }
 
-    /** {@code NAME = KIND(ARGUMENTS)}, perhaps with {@code colours} or {@code no colours}. */
+    /** {@code NAME = KIND(ARGUMENTS)}, optionally followed by {@code colours} or {@code no colours}. */
     Service declare(TableLine line) {
         int at = line.position();
         String name = line.word("the name of a service");
@@ -42,13 +42,13 @@ final class ServiceReader {
                             + ", which is another kind, expected another name");
         }
         var arguments = new ServiceArguments(line);
-        boolean findsColours = line.skips("colours") || !isBlind(line) && kind.findsColours();
+        boolean findsColours = line.skips("colours") || !skipsNoColours(line) && kind.findsColours();
         var service = new Service(name, findsColours, kind.usesLaser(), define(line, kindAt, kind, arguments));
         declared.put(name, service);
         return service;
     }
 
-    private static boolean isBlind(TableLine line) {
+    private static boolean skipsNoColours(TableLine line) {
         if (!line.skips("no")) {
             return false;
         }
@@ -56,7 +56,7 @@ final class ServiceReader {
         return true;
     }
 
-    private static Definition define(TableLine line, int kindAt, Kind kind, ServiceArguments arguments) {
+    private static ServiceDefinition define(TableLine line, int kindAt, Kind kind, ServiceArguments arguments) {
         Supplier<Behaviour> maker;
         try {
             maker = requireNonNull(kind.maker().apply(arguments), "its maker answered nothing");
@@ -64,14 +64,14 @@ final class ServiceReader {
             throw located;
         } catch (IllegalArgumentException refused) {
             throw line.problem(kindAt, kind.name() + ": " + refused.getMessage());
-        } catch (RuntimeException | LinkageError thrown) { // a mistake of the kind, which need not be one of ours
+        } catch (RuntimeException | LinkageError thrown) { // a bug in the kind, which may come from a user's jar
             var problem = line.problem(
                     kindAt, "the kind of service " + kind.name() + " threw " + thrown + ", expected its behaviour");
             problem.initCause(thrown);
             throw problem;
         }
-        arguments.requireAllAsked(kind.name());
-        return new Definition(kind.name(), arguments.text(), kind.yields(), maker);
+        arguments.rejectUnused(kind.name());
+        return new ServiceDefinition(kind.name(), arguments.text(), kind.yields(), maker);
     }
 
     /** {@code NAME > NAME > ..}, the highest layer first. */

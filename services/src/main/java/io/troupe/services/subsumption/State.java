@@ -3,10 +3,10 @@ package io.troupe.services.subsumption;
 import java.util.List;
 
 /**
- * One assignment of services to robots.
+ * A state of a table: one service for each robot.
  *
  * @param number from 1, in the order of the table
- * @param colour the colour that leads to it, {@code 0x00RRGGBB}
+ * @param colour the colour that leads to this state, {@code 0x00RRGGBB}
  * @param services one per robot
  */
 public record State(int number, int colour, List<Service> services) {

@@ -1,15 +1,19 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots of a table under their services, in one of the three modes, until it is closed.
+ * Runs the services of a table on its robots, in one of the three modes, until closed.
  *
- * <p><b>Threads.</b> One of its own does everything: an actor space, or in synchronous mode a plain thread. Observer
- * and listener are called there.
+ * <p><b>Threads.</b> All work is done on one separate thread: an actor space's, or a plain thread in synchronous mode.
+ * Observer and listener are called on it.
  *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
@@ -19,9 +23,9 @@ public final class SubsumptionRun implements AutoCloseable {
      *
      * @param host where the robots are, with {@code port}: a world in this JVM or a Player server
      * @param clock the robots' time
-     * @param reconnects whether each service makes a connection of its own with its robot (section 3.5); not in
+     * @param reconnects whether each service has a separate connection with its robot (section 3.5); not supported in
      *     synchronous mode, which connects once
-     * @param round what the synchronous mode does at a reading; of no effect in the others
+     * @param round what the synchronous mode does at a reading; ignored in the other modes
      */
     public record Settings(
             Mode mode,
@@ -40,7 +44,7 @@ public final class SubsumptionRun implements AutoCloseable {
             }
         }
 
-        /** As the paper has it, but without reconnection. */
+        /** Creates settings without reconnection, with the paper's synchronous round. */
         public Settings(
                 Mode mode,
                 String host,
@@ -70,17 +74,17 @@ public final class SubsumptionRun implements AutoCloseable {
     }
 
     /**
-     * Connects to the robots and puts the services of the first state in charge.
+     * Connects to the robots and starts the services of the first state.
      *
-     * @return when that has been done, so that the next reading is the first that they see
-     * @throws RuntimeException what makes it impossible, for example a {@link io.troupe.player.PlayerException}
+     * @return when they have started, so that the next reading is the first that they get
+     * @throws RuntimeException if that fails, for example a {@link io.troupe.player.PlayerException}
      */
     public static SubsumptionRun start(Settings settings) throws InterruptedException {
         var failure = new AtomicReference<@Nullable Throwable>();
         Consumer<Throwable> failed = error -> failure.compareAndSet(null, error);
         Runnable closing = settings.mode() == Mode.SYNC
                 ? SynchronousLoop.start(settings, failed)::close
-                : ActorTeam.start(settings, failed)::close;
+                : ActorRun.start(settings, failed)::close;
         var run = new SubsumptionRun(failure, closing);
         try {
             run.check();
@@ -91,7 +95,7 @@ public final class SubsumptionRun implements AutoCloseable {
         }
     }
 
-    /** Throws what has ended the run, if anything has; any thread may ask. */
+    /** Throws the error that has ended the run, if there is one. Any thread may call it. */
     public void check() {
         Throwable error = failure.get();
         if (error instanceof RuntimeException unchecked) {
@@ -102,9 +106,66 @@ public final class SubsumptionRun implements AutoCloseable {
         }
     }
 
-    /** Stops driving and disconnects. */
+    /** Stops the robots and disconnects. */
     @Override
     public void close() {
         closing.run();
+    }
+
+    /** Runs the two asynchronous modes: the robot services and the arbitrator are actors on a separate space. */
+    private static final class ActorRun implements AutoCloseable {
+        private final ActorSpace space;
+
+        private ActorRun(ActorSpace space) {
+            this.space = space;
+        }
+
+        /** Returns when the services of the first state have started, or have failed to start. */
+        static ActorRun start(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+            var space = ActorSpace.create(SpaceSettings.named("robots")
+                    .withClock(settings.clock())
+                    .withOnError((where, error) -> failed.accept(error)));
+            var run = new ActorRun(space);
+            try {
+                run.startActors(settings, failed);
+                return run;
+            } catch (RuntimeException | InterruptedException impossible) {
+                run.close();
+                throw impossible;
+            }
+        }
+
+        private void startActors(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+            var serviceSettings = new RobotServices.Settings(
+                    settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
+            RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
+            startArbitrator(settings, services).exceptionally(error -> {
+                failed.accept(error);
+                return null;
+            });
+            var started = new CountDownLatch(1);
+            space.onIdle(started::countDown);
+            started.await();
+        }
+
+        /** Starts the mode's arbitrator; the promise is rejected when a service fails. */
+        private Promise<@Nullable Void> startArbitrator(Settings settings, RobotServices services) {
+            if (settings.mode() == Mode.CALLBACK) {
+                CallbackArbitrator arbitrator = space.spawn(
+                        CallbackArbitrator.class,
+                        () -> new CallbackArbitrator(services, settings.table(), settings.listener()));
+                arbitrator.live();
+                return arbitrator.failure();
+            }
+            Arbitrator arbitrator = space.spawn(
+                    Arbitrator.class, () -> new Arbitrator(services, settings.table(), settings.listener()));
+            arbitrator.live();
+            return arbitrator.failure();
+        }
+
+        @Override
+        public void close() {
+            space.close();
+        }
     }
 }

@@ -11,14 +11,14 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Which colour puts which services in charge: any number of robots, services and colours.
+ * The table of states: which colour leads to which services, for any number of robots, services and colours.
  *
- * <p><b>Role.</b> Immutable; made by {@link #forRobots}, taken as the paper has it, {@link #ofThePaper()}, or read from
- * a file by {@link SubsumptionTableReader}. The first state is the one to begin with.
+ * <p><b>Role.</b> Immutable. Build one with {@link #forRobots}, take the paper's with {@link #ofThePaper()}, or read
+ * one from a file with {@link SubsumptionTableReader}. A run starts in the first state.
  *
- * <p><b>Order.</b> Colours that are in no state change nothing, whether they are named as ignored or not.
+ * <p><b>Order.</b> NamedColours without a state change nothing, whether they are declared as ignored or not.
  *
- * <p><b>Source.</b> Paper, section 3.3, Tables 3 and 4 (Table 4 wins over the list of rules); challenge v.
+ * <p><b>Source.</b> Paper, section 3.3, Tables 3 and 4 (Table 4 takes precedence over the list of rules); challenge v.
  */
 public final class SubsumptionTable {
     private final List<State> states;
@@ -39,39 +39,39 @@ public final class SubsumptionTable {
         finalAllowed = builder.finalAllowed();
     }
 
-    /** Table 4: blue, red and green for two robots. */
+    /** Table 4 of the paper: blue, red and green for two robots. */
     public static SubsumptionTable ofThePaper() {
         return ofThePaper(CornerStyle.FORWARD);
     }
 
-    /** Table 4 with another way round corners. */
+    /** Table 4 of the paper with a choice of the wall followers' corner style. */
     public static SubsumptionTable ofThePaper(CornerStyle cornerStyle) {
         Service wallFollower = Service.wallFollower(cornerStyle);
         return forRobots(2)
-                .ignoring(Colours.BLACK, "walls and robot 2")
-                .ignoring(Colours.ORANGE, "robot 1")
-                .when(Colours.BLUE, wallFollower, Service.SPACE_WANDERER)
-                .when(Colours.RED, Service.SPACE_WANDERER, wallFollower)
-                .when(Colours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
+                .ignoring(NamedColours.BLACK, "walls and robot 2")
+                .ignoring(NamedColours.ORANGE, "robot 1")
+                .when(NamedColours.BLUE, wallFollower, Service.SPACE_WANDERER)
+                .when(NamedColours.RED, Service.SPACE_WANDERER, wallFollower)
+                .when(NamedColours.GREEN, Service.SPACE_WANDERER, Service.SPACE_WANDERER)
                 .build();
     }
 
-    /** Begins a table for a number of robots. */
+    /** Returns a builder for a number of robots. */
     public static SubsumptionTableBuilder forRobots(int robots) {
         return new SubsumptionTableBuilder(robots);
     }
 
-    /** The state to begin with. */
+    /** The state in which a run starts. */
     public State first() {
         return states.getFirst();
     }
 
-    /** All states, by number. */
+    /** All states, in order of their numbers. */
     public List<State> states() {
         return states;
     }
 
-    /** The services that any state puts in charge, in the order in which the table names them. */
+    /** All services of all states, each once, in the order of the table. */
     public List<Service> services() {
         return states.stream()
                 .flatMap(state -> state.services().stream())
@@ -79,75 +79,80 @@ public final class SubsumptionTable {
                 .toList();
     }
 
-    /** The state that a colour leads to, if it leads to one. */
+    /** Returns the state that a colour leads to. */
     public Optional<State> state(int colour) {
         return Optional.ofNullable(byColour.get(colour));
     }
 
-    /** The service of a name, if any state puts it in charge. */
+    /** Returns the service with a name, if a state uses it. */
     public Optional<Service> service(String name) {
         return services().stream()
                 .filter(service -> service.name().equals(name))
                 .findFirst();
     }
 
-    /** How much a colour counts: 0 unless told otherwise. */
+    /** The priority of a colour; 0 by default. */
     public int priority(int colour) {
         return priorities.getOrDefault(colour, 0);
     }
 
-    /** The priorities that were given, by colour. */
+    /** The explicit priorities, by colour. */
     public Map<Integer, Integer> priorities() {
         return priorities;
     }
 
-    /** How long a state lasts before a colour that is not of higher priority ends it; 0 unless told otherwise. */
+    /**
+     * The minimum duration of a state in seconds; 0 by default. A colour with a higher priority than the state's own
+     * can end it earlier.
+     */
     public double holdSeconds() {
         return holdSeconds;
     }
 
-    /** The colours that are reserved, so that they lead to no state, and why, in the order in which they were named. */
+    /** The ignored colours, which lead to no state, with the reason for each, in the order of declaration. */
     public Map<Integer, String> ignored() {
         return ignored;
     }
 
-    /** The names that the table itself gives to colours, in the order in which it does. */
+    /** The colour names that the table declares, in the order of declaration. */
     public Map<Integer, String> declaredColours() {
         return names;
     }
 
-    /** Whether it may have states that never end. */
+    /** Whether the table may have states that never end. */
     public boolean allowsFinal() {
         return finalAllowed;
     }
 
-    /** What the table calls a colour: the name that it declares, else the known one, else {@code #RRGGBB}. */
+    /** Returns the name of a colour: the declared name, else the standard name, else {@code #RRGGBB}. */
     public String colourName(int colour) {
         String declared = names.get(colour);
         if (declared != null) {
             return declared;
         }
-        String known = Colours.name(colour);
-        return names.containsValue(known) ? Colours.hex(colour) : known; // the table calls another colour so
+        String known = NamedColours.name(colour);
+        return names.containsValue(known)
+                ? NamedColours.hex(colour)
+                : known; // the table uses that name for another colour
     }
 
     /**
-     * The state that follows when a robot sees a colour and the state has lasted long enough: another state, or
-     * nothing.
+     * Returns the state that follows if a robot sees a colour, regardless of the hold time; empty if the state does not
+     * change.
      */
     public Optional<State> next(State current, int seenColour) {
         return seenColour == current.colour() ? Optional.empty() : state(seenColour);
     }
 
-    /** The state that follows when a robot sees a colour: another state, or nothing. */
+    /** Returns the state that follows if a robot sees a colour; empty if the state does not change. */
     public Optional<State> next(State current, int seenColour, double secondsInState) {
         boolean mayEnd = secondsInState >= holdSeconds || priority(seenColour) > priority(current.colour());
         return mayEnd ? next(current, seenColour) : Optional.empty();
     }
 
     /**
-     * What the colour finders of a state look for: the colour of the highest priority that ends it, of equal ones the
-     * largest.
+     * Returns the rule of a state's colour finders: of the colours that end the state, the one with the highest
+     * priority; of equal priorities, the largest blob's.
      */
     public ColourRule ruleIn(State state) {
         return (blobs, secondsInCharge) -> ColourFinder.inOrder(blobs, this::priority)
@@ -159,14 +164,14 @@ public final class SubsumptionTable {
         return first().services().size();
     }
 
-    /** Whether any state gives a robot, by Player index, a service that uses its laser. */
+    /** Whether any state gives a robot, by Player index, a service that uses the laser. */
     boolean usesLaser(int robot) {
         return robot >= 0
                 && robot < robots()
                 && states.stream().anyMatch(state -> state.services().get(robot).usesLaser());
     }
 
-    /** The robots, by number from 1, that some state gives a service that uses the laser, so that they need one. */
+    /** The numbers, from 1, of the robots that need a laser, because a state gives them a service that uses it. */
     public List<Integer> robotsWithLaser() {
         return IntStream.rangeClosed(1, robots())
                 .filter(number -> usesLaser(number - 1))

@@ -10,12 +10,12 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
- * Collects the states of a {@link SubsumptionTable} and checks them.
+ * Builds a {@link SubsumptionTable} and checks it.
  *
- * <p><b>Role.</b> Made by {@link SubsumptionTable#forRobots}.
+ * <p><b>Role.</b> Created by {@link SubsumptionTable#forRobots}.
  *
- * <p><b>Errors.</b> What is wrong by itself is refused at once, with an {@link IllegalArgumentException}; what is wrong
- * with the table as a whole, by {@link #build}.
+ * <p><b>Errors.</b> A single wrong argument is rejected at once with an {@link IllegalArgumentException}; an error of
+ * the table as a whole is rejected by {@link #build}.
  */
 public final class SubsumptionTableBuilder {
     private static final Pattern WORD = Pattern.compile(TableLine.WORD);
@@ -45,7 +45,7 @@ public final class SubsumptionTableBuilder {
         return when(colour, List.of(services));
     }
 
-    /** Adds the next state, by ranges of robots. */
+    /** Adds the next state, with an assignment by ranges of robots. */
     public SubsumptionTableBuilder when(int colour, Assignment assignment) {
         return when(colour, assignment.services(robots));
     }
@@ -67,16 +67,16 @@ public final class SubsumptionTableBuilder {
     }
 
     /**
-     * Gives a colour a name, and says that it must have a state or be ignored.
+     * Declares a name for a colour. A declared colour must have a state or be ignored.
      *
      * @param name a word: a letter, then letters, digits, {@code -} and {@code _}
-     * @throws IllegalArgumentException if the colour has a name, or the name a colour
+     * @throws IllegalArgumentException if the colour has a name already, or the name a colour
      */
     public SubsumptionTableBuilder colour(String name, int colour) {
         requireColour(colour);
         if (!WORD.matcher(name).matches()) {
             throw new IllegalArgumentException(
-                    "the colour " + Colours.hex(colour) + " is called '" + name + "', expected a word");
+                    "the colour " + NamedColours.hex(colour) + " is called '" + name + "', expected a word");
         }
         if (names.containsValue(name)) {
             throw new IllegalArgumentException("the colour " + name + " is declared already");
@@ -84,21 +84,21 @@ public final class SubsumptionTableBuilder {
         String other = names.putIfAbsent(colour, name);
         if (other != null) {
             throw new IllegalArgumentException(
-                    "the colour " + Colours.hex(colour) + " is called " + other + " already, and not " + name);
+                    "the colour " + NamedColours.hex(colour) + " is called " + other + " already, and not " + name);
         }
         return this;
     }
 
-    /** Says that some state must use this service. */
+    /** Declares a service that at least one state must use. */
     public SubsumptionTableBuilder service(Service service) {
         declared.add(service);
         return this;
     }
 
     /**
-     * Reserves a colour: it leads to no state.
+     * Declares that a colour leads to no state.
      *
-     * @param why one line without {@code #}, for people; may be empty
+     * @param why the reason, one line without {@code #}; may be empty
      */
     public SubsumptionTableBuilder ignoring(int colour, String why) {
         requireColour(colour);
@@ -113,8 +113,8 @@ public final class SubsumptionTableBuilder {
     }
 
     /**
-     * Lets a colour count more (or less) than the others, which have 0: a robot that sees several reports the one that
-     * counts most.
+     * Sets the priority of a colour; the default is 0. A robot that sees several colours reports the one with the
+     * highest priority.
      */
     public SubsumptionTableBuilder priority(int colour, int priority) {
         Integer before = priorities.putIfAbsent(colour, priority);
@@ -125,7 +125,10 @@ public final class SubsumptionTableBuilder {
         return this;
     }
 
-    /** Lets each state last so long, unless a colour of higher priority than its own ends it. */
+    /**
+     * Sets the minimum duration of each state; only a colour with a higher priority than the state's own ends it
+     * earlier.
+     */
     public SubsumptionTableBuilder hold(double seconds) {
         if (!(seconds >= 0) || Double.isInfinite(seconds)) {
             throw new IllegalArgumentException("a state is held for " + seconds + " s, expected 0 or more");
@@ -134,18 +137,18 @@ public final class SubsumptionTableBuilder {
         return this;
     }
 
-    /** Accepts states that never end, because no robot in them looks for colours. */
+    /** Allows states that never end because no robot in them looks for colours. */
     public SubsumptionTableBuilder allowFinal() {
         finalAllowed = true;
         return this;
     }
 
     /**
-     * The table.
+     * Builds the table.
      *
-     * @throws IllegalStateException if something is missing in it, or contradicts itself: no state, a state that never
-     *     begins, or never ends although that was not allowed, an ignored colour with a state, a declared colour or
-     *     service without one, two services of one name, layers that never drive
+     * @throws IllegalStateException if the table is incomplete or contradictory: it has no state; a state never starts,
+     *     or never ends although that was not allowed; an ignored colour has a state; a declared colour or service has
+     *     none; two services have the same name; a layer never drives
      */
     public SubsumptionTable build() {
         finding().ifPresent(finding -> {
@@ -154,12 +157,12 @@ public final class SubsumptionTableBuilder {
         return new SubsumptionTable(this);
     }
 
-    /** What is wrong, if anything is. */
+    /** Returns the first error of the table as a whole, if there is one. */
     Optional<TableChecks.Finding> finding() {
         return new TableChecks(new SubsumptionTable(this), declared).first();
     }
 
-    /** Copies, in their order, for the table. */
+    /** The following accessors return copies, in order, for the table. */
     List<State> states() {
         return List.copyOf(states);
     }
@@ -185,11 +188,11 @@ public final class SubsumptionTableBuilder {
     }
 
     private String name(int colour) {
-        return names.getOrDefault(colour, Colours.name(colour));
+        return names.getOrDefault(colour, NamedColours.name(colour));
     }
 
     private static void requireColour(int colour) {
-        if (colour < 0 || colour > Colours.LAST) {
+        if (colour < 0 || colour > NamedColours.LAST) {
             throw new IllegalArgumentException(
                     String.format("the colour is 0x%X, expected 0x000000 to 0xFFFFFF", colour));
         }

@@ -1,8 +1,8 @@
 package io.troupe.services.subsumption;
 
 /**
- * A table's file that cannot be read; the message begins with {@code file:line:column} (with {@code file} if it cannot
- * be opened) and says what was expected.
+ * Thrown if a table file cannot be read. The message begins with {@code file:line:column} (with {@code file} if the
+ * file cannot be opened) and describes what was expected.
  */
 public final class SubsumptionTableException extends RuntimeException {
     private static final long serialVersionUID = 1L;

@@ -9,38 +9,38 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 
 /**
- * Reads tables from text files, one statement in a line, in any order; {@code #} and a blank begin a comment.
+ * Reads tables from text files. A line holds one statement; the order of the lines is free, but the first {@code state}
+ * is the state in which a run starts. A {@code #} followed by a blank begins a comment.
  *
  * {@snippet lang = "text":
  * robots 5
- * ignore black : walls                                   # it leads to no state; the reason is for people
- * colour lilac #C8A2C8                                   # a name of one's own; must be used
+ * ignore black : walls                                   # leads to no state; the text after ':' is the reason
+ * colour lilac #C8A2C8                                   # declares a colour name, which must be used
  * service patrol = goToGoal(1.5, -2; 3, 0) colours       # or 'no colours': whether its robots look for colours
  * hold 2 s
  * state blue : wallFollower, spaceWanderer, spaceWanderer, spaceWanderer, avoid > patrol
  * state lilac priority 2 : * = spaceWanderer, 3..5 = avoid > patrol
- * allow final                                            # states in which nobody looks for colours
+ * allow final                                            # allows states in which no robot looks for colours
  * }
  *
- * <p>The table begins with the first state. Colours are names ({@link Colours#names()}), or {@code #RRGGBB}. Services
- * are those that the file declares, and the kinds of the catalogue with nothing between their brackets.
+ * <p>NamedColours are names ({@link NamedColours#names()}), or {@code #RRGGBB}. Services are those that the file
+ * declares, and the kinds of the catalogue without arguments.
  *
- * <p><b>Errors.</b> {@link SubsumptionTableException} for everything that is wrong with a file, one that cannot be
- * opened included.
+ * <p><b>Errors.</b> {@link SubsumptionTableException} for every error in a file, and if the file cannot be opened.
  */
 public final class SubsumptionTableReader {
     private SubsumptionTableReader() {}
 
-    /** Reads a file, UTF-8. */
+    /** Reads a file in UTF-8, with the standard catalogue. */
     public static SubsumptionTable read(Path file) {
         return read(file, ServiceCatalogue.standard());
     }
 
-    /** Reads a file that may name services of this catalogue. */
+    /** Reads a file in UTF-8 that may use services of a catalogue. */
     public static SubsumptionTable read(Path file, ServiceCatalogue catalogue) {
         requireNonNull(catalogue, "catalogue");
         try {
-            // what is not UTF-8 becomes a replacement character, about which the parser can say where it is
+            // invalid UTF-8 becomes replacement characters, which the parser reports with their position
             var text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
             return new TableParser(file.toString(), catalogue).parse(text);
         } catch (NoSuchFileException missing) {
@@ -56,15 +56,15 @@ public final class SubsumptionTableReader {
     }
 
     /**
-     * Reads a text.
+     * Parses a text.
      *
-     * @param name of the text, for messages
+     * @param name of the text, for error messages
      */
     public static SubsumptionTable parse(String text, String name, ServiceCatalogue catalogue) {
         return new TableParser(name, catalogue).parse(text);
     }
 
-    /** Makes a service of its declaration, such as {@code patrol = goToGoal(1.5, -2; 3, 0) colours}. */
+    /** Parses the declaration of a service, such as {@code patrol = goToGoal(1.5, -2; 3, 0) colours}. */
     public static Service service(String declaration, ServiceCatalogue catalogue) {
         var line = new TableLine("service", 1, declaration);
         Service service = new ServiceReader(catalogue).declare(line);

@@ -6,9 +6,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Writes tables in the form that {@link SubsumptionTableReader} reads. */
+/** Writes tables in the format that {@link SubsumptionTableReader} reads. */
 public final class SubsumptionTableWriter {
-    /** Up to so many robots, their services are written in turn. */
+    /** Up to this number of robots, services are written one by one instead of in ranges. */
     private static final int FEW_ROBOTS = 4;
 
     private final SubsumptionTable table;
@@ -19,9 +19,10 @@ public final class SubsumptionTableWriter {
     }
 
     /**
-     * A text of which the reader makes an equal table.
+     * Returns a text that the reader parses to an equal table.
      *
-     * @throws IllegalArgumentException if a service cannot be written, because no {@link ServiceCatalogue} made it
+     * @throws IllegalArgumentException if a service was not made by a {@link ServiceCatalogue}, so that it cannot be
+     *     written
      */
     public static String write(SubsumptionTable table) {
         return new SubsumptionTableWriter(table).write();
@@ -31,7 +32,7 @@ public final class SubsumptionTableWriter {
         line("robots " + table.robots());
         table.declaredColours()
                 .forEach((colour, name) -> line("colour " + name
-                        + (Colours.named(name).orElse(-1) == colour ? "" : " " + Colours.hex(colour))));
+                        + (NamedColours.named(name).orElse(-1) == colour ? "" : " " + NamedColours.hex(colour))));
         table.ignored()
                 .forEach((colour, why) ->
                         line("ignore " + table.colourName(colour) + (why.isEmpty() ? "" : " : " + why)));
@@ -51,12 +52,12 @@ public final class SubsumptionTableWriter {
                 .flatMap(service -> service.layers().stream())
                 .distinct()
                 .forEach(service -> {
-                    if (!(service.behaviour() instanceof Definition definition)
+                    if (!(service.behaviour() instanceof ServiceDefinition definition)
                             || !service.name().matches(TableLine.WORD)) {
                         throw new IllegalArgumentException("the service " + service
                                 + " cannot be written, expected one that a catalogue made, and a word as its name");
                     }
-                    // whether its kind finds colours is for the catalogue to know, which may be another when it is read
+                    // always explicit: the default depends on the catalogue with which the text is read
                     boolean plain = service.equals(Service.WALL_FOLLOWER) || service.equals(Service.SPACE_WANDERER);
                     if (!plain) {
                         line("service " + service + " = " + definition
@@ -75,7 +76,7 @@ public final class SubsumptionTableWriter {
                         : byRanges(state.services())));
     }
 
-    /** The service of most robots first, then the others' in ranges. */
+    /** The most frequent service as the default, then the other services by ranges of robots. */
     private static String byRanges(List<Service> services) {
         Map<Service, Integer> counts = new LinkedHashMap<>();
         services.forEach(service -> counts.merge(service, 1, Integer::sum));

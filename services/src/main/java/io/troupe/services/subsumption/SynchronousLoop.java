@@ -16,12 +16,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * The synchronous mode: one connection for all robots, and their services' cycles one after the other.
  *
- * <p><b>Threads.</b> One of its own does everything, so there is nothing to be atomic and no message to be sent.
- * <b>Order.</b> A colour that is seen changes the state at once, after that robot's cycle; nobody is told to stop, and
- * no zero speed is sent in between. A robot whose turn comes only after its speed has expired ({@link DriverLimits})
- * gets the same speed again meanwhile, so that it rolls on as long as this thread lives, and no longer.
+ * <p><b>Threads.</b> One separate thread does all work, so no atomics and no messages are needed. <b>Order.</b> A
+ * colour changes the state at once, after the cycle of the robot that saw it. The old services are not notified, and no
+ * zero speed is sent in between. If a robot's next cycle comes only after its speed command has expired
+ * ({@link DriverLimits}), the loop repeats the command meanwhile. So the robot keeps its speed as long as this thread
+ * lives, and no longer.
  *
- * <p><b>Errors.</b> What goes wrong stops all robots and is told to the one who started it.
+ * <p><b>Errors.</b> An error stops all robots and is passed to the {@code failed} consumer of {@link #start}.
  *
  * <p><b>Source.</b> Paper, section 3.4, Figure 14.
  */
@@ -30,12 +31,12 @@ final class SynchronousLoop implements AutoCloseable {
 
     private final SubsumptionRun.Settings settings;
     private final Consumer<Throwable> failed;
-    private final CountDownLatch begun = new CountDownLatch(1);
+    private final CountDownLatch started = new CountDownLatch(1);
     private final Thread thread = new Thread(this::run, "robots");
     private volatile boolean closing;
 
-    // what only the thread touches
-    private final List<RobotDevices> robots = new ArrayList<>();
+    // confined to the thread
+    private final List<PlayerDevices> robots = new ArrayList<>();
     private final List<ServiceCycle> cycles = new ArrayList<>();
     private State state;
     private OptionalInt seen = OptionalInt.empty();
@@ -48,13 +49,13 @@ final class SynchronousLoop implements AutoCloseable {
         this.state = settings.table().first();
     }
 
-    /** Returns when the services of the first state are in charge, or have failed to be. */
+    /** Returns when the services of the first state have started, or have failed to start. */
     static SynchronousLoop start(SubsumptionRun.Settings settings, Consumer<Throwable> failed)
             throws InterruptedException {
         var loop = new SynchronousLoop(settings, failed);
         loop.thread.start();
         try {
-            loop.begun.await();
+            loop.started.await();
             return loop;
         } catch (InterruptedException e) {
             loop.close();
@@ -84,27 +85,29 @@ final class SynchronousLoop implements AutoCloseable {
         try {
             drive(new PlayerClient(settings.host(), settings.port()));
         } catch (RuntimeException | Error error) {
-            tell(error);
+            report(error);
         } finally {
-            begun.countDown();
+            started.countDown();
         }
     }
 
     private void drive(PlayerClient client) {
         try {
-            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL); // all robots' readings at a time
+            // in pull mode one frame holds the readings of all robots
+            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
             DriverLimits.watch(client);
             for (int robot = 0; robot < settings.table().robots(); robot++) {
-                robots.add(new RobotDevices(client, robot, settings.table().usesLaser(robot)));
+                robots.add(new PlayerDevices(client, robot, settings.table().usesLaser(robot)));
             }
-            putInCharge(null);
-            begun.countDown();
+            startServices(null);
+            started.countDown();
             while (!closing) {
                 client.readAll();
                 react();
             }
         } catch (RuntimeException | Error error) {
-            tell(error); // before the server learns that this client leaves, so that nobody goes on without knowing it
+            // before disconnecting: a world in lock step runs on once its client has left
+            report(error);
         } finally {
             try {
                 halt();
@@ -114,7 +117,7 @@ final class SynchronousLoop implements AutoCloseable {
         }
     }
 
-    private void tell(Throwable error) {
+    private void report(Throwable error) {
         if (closing && error instanceof PlayerException) {
             LOG.log(Level.DEBUG, "closed", error);
         } else {
@@ -123,34 +126,34 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void react() {
-        if (!robots.stream().allMatch(RobotDevices::hasData)) {
-            return; // the first reading of a slow sensor has not come yet
+        if (!robots.stream().allMatch(PlayerDevices::hasData)) {
+            return; // a slow sensor has not sent its first reading yet
         }
         if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
-            reactWithAll();
+            runAllServices();
         } else if (ReadingTime.isCycle(lastCycleSeconds, robots.get(turn).stampSeconds())) {
             lastCycleSeconds = robots.get(turn).stampSeconds();
             int robot = turn;
             turn = (turn + 1) % robots.size();
             cycle(robot).ifPresent(next -> change(next, robot));
-            robots.forEach(RobotDevices::renew);
+            robots.forEach(PlayerDevices::repeatCommand);
         }
     }
 
-    private void reactWithAll() {
+    private void runAllServices() {
         for (int robot = 0; robot < robots.size(); robot++) {
             if (cycles.get(robot).isDue()) {
                 var next = cycle(robot);
                 if (next.isPresent()) {
                     change(next.get(), robot);
-                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.LOOKS_AWAY, () -> true));
+                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.NONE, () -> true));
                     return;
                 }
             }
         }
     }
 
-    /** The state that follows from what the robot sees, if one does. */
+    /** Runs the cycle of a robot; returns the next state if the robot sees a colour that leads to one. */
     private Optional<State> cycle(int robot) {
         var service = cycles.get(robot).service();
         var rule = service.findsColours() ? settings.table().ruleIn(state) : ColourRule.NONE;
@@ -160,40 +163,40 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void change(State next, int seenBy) {
-        dismiss();
+        notifyServicesEnded();
         state = next;
         turn = 0;
-        putInCharge(seenBy);
+        startServices(seenBy);
     }
 
-    private void putInCharge(@Nullable Integer seenBy) {
-        settings.listener().began(state, seenBy);
+    private void startServices(@Nullable Integer seenBy) {
+        settings.listener().stateStarted(state, seenBy);
         for (int robot = 0; robot < robots.size(); robot++) {
             Service service = state.services().get(robot);
             var cycle = new ServiceCycle(robot, service, robots.get(robot), settings.observer());
             if (robots.get(robot).hasData()) {
-                cycle.takeCharge();
+                cycle.start();
             }
             cycles.add(cycle);
-            settings.observer().began(robot, service);
+            settings.observer().serviceStarted(robot, service);
         }
     }
 
-    private void dismiss() {
+    private void notifyServicesEnded() {
         for (int robot = 0; robot < cycles.size(); robot++) {
-            settings.observer().ended(robot, cycles.get(robot).service());
+            settings.observer().serviceEnded(robot, cycles.get(robot).service());
         }
         cycles.clear();
     }
 
     private void halt() {
-        Thread.interrupted(); // close() has done with it what it was for
+        Thread.interrupted(); // clear the interrupt that close() used to wake this thread
         try {
             cycles.forEach(ServiceCycle::halt);
         } catch (RuntimeException unreachable) {
-            tell(unreachable);
+            report(unreachable);
         } finally {
-            dismiss();
+            notifyServicesEnded();
         }
     }
 }

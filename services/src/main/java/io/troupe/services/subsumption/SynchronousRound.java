@@ -1,16 +1,16 @@
 package io.troupe.services.subsumption;
 
-/** How the synchronous mode shares the readings among the services. */
+/** How the synchronous mode distributes the readings among the services. */
 public enum SynchronousRound {
     /**
-     * Each service's cycle takes 100 ms and the next one waits for it, as in the paper: N robots take N readings a
-     * round. A switch is followed by the first robot's cycle on the next reading; until its turn comes a robot rolls on
-     * as it was last told.
+     * One service runs at each reading, as in the paper: its cycle takes 100 ms and the next service waits for it, so N
+     * robots take N readings per round. After a switch the first robot's cycle runs at the next reading. Until its next
+     * cycle a robot keeps its last commanded speed.
      */
     ONE_SERVICE_A_READING,
     /**
-     * Cycles take no time: all services react to every reading, one after the other, and those of a new state take over
-     * with the reading at hand.
+     * All services run at every reading, one after the other, as if cycles took no time. The services of a new state
+     * run on the newest reading at once.
      */
     ALL_SERVICES_A_READING
 }

@@ -10,9 +10,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** What can be wrong with a table as a whole: what it lacks, and where it contradicts itself. */
+/** Checks of a table as a whole, for missing and contradictory parts. */
 final class TableChecks {
-    /** What a finding is about, so that a reader can say where that was written. */
+    /** What a finding is about, so that the parser can report where it was written. */
     sealed interface Subject {
         record Whole() implements Subject {}
 
@@ -25,7 +25,7 @@ final class TableChecks {
         record OfService(String name) implements Subject {}
     }
 
-    /** Something wrong. */
+    /** An error in the table. */
     record Finding(Subject subject, String message) {}
 
     private final SubsumptionTable table;
@@ -36,7 +36,7 @@ final class TableChecks {
         this.declared = declared;
     }
 
-    /** The most important finding. */
+    /** Returns the first finding, in the order of the checks. */
     Optional<Finding> first() {
         return Stream.<java.util.function.Supplier<@Nullable Finding>>of(
                         this::noState,
@@ -134,7 +134,7 @@ final class TableChecks {
     private @Nullable Finding ambiguousName() {
         Map<String, Service> named = new HashMap<>();
         var all = allLayers();
-        all.addAll(table.services()); // the name of layers is a name too
+        all.addAll(table.services()); // the combined name of layers counts as well
         for (var service : all) {
             Service other = named.putIfAbsent(service.name(), service);
             if (other != null && !other.equals(service)) {

@@ -6,7 +6,7 @@ import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Reads one line of a table's file from left to right. */
+/** A tokenizer for one line of a table file. */
 final class TableLine {
     /** A name: a letter, then letters, digits, {@code -} and {@code _}. */
     static final String WORD = "\\p{L}[\\p{L}\\p{N}_-]*";
@@ -34,7 +34,10 @@ final class TableLine {
         skipBlanks();
     }
 
-    /** Where the comment begins: at a {@code #} that is not a colour; at the start of a line it always is a comment. */
+    /**
+     * Returns the start of the comment: the first {@code #} that does not begin a colour. A {@code #} at the start of a
+     * line always begins a comment.
+     */
     private static int commentStart(String line) {
         Matcher colour = COLOUR.matcher(line);
         for (int hash = line.indexOf('#'); hash >= 0; hash = line.indexOf('#', hash + 1)) {
@@ -58,12 +61,12 @@ final class TableLine {
         return at == text.length();
     }
 
-    /** For {@link #problem(int, String)}: where it reads now. */
+    /** The current position, for {@link #problem(int, String)}. */
     int position() {
         return at;
     }
 
-    /** Passes over this, if it comes next; a word only as a whole. */
+    /** Skips the expected text if it comes next; a word only as a whole. */
     boolean skips(String expected) {
         boolean whole = !Character.isLetter(expected.charAt(0)) || nextWord().equals(expected);
         if (!whole || !text.startsWith(expected, at)) {
@@ -74,7 +77,7 @@ final class TableLine {
         return true;
     }
 
-    /** Whether this comes next. */
+    /** Whether the text comes next. */
     boolean isAt(String expected) {
         return text.startsWith(expected, at);
     }
@@ -85,14 +88,14 @@ final class TableLine {
         }
     }
 
-    /** The end of the line must come. */
+    /** Requires the end of the line. */
     void end() {
         if (!atEnd()) {
             throw unexpected("the end of the line");
         }
     }
 
-    /** The next word; empty if something else comes. */
+    /** Returns the next word without consuming it; empty if the next token is not a word. */
     String nextWord() {
         Matcher word = NAME.matcher(text).region(at, text.length());
         return word.lookingAt() ? word.group() : "";
@@ -141,7 +144,7 @@ final class TableLine {
         throw unexpected(expected);
     }
 
-    /** A colour as {@code #RRGGBB}, if one comes next. */
+    /** Consumes a colour of the form {@code #RRGGBB}, if one comes next. */
     OptionalInt literalColour() {
         Matcher colour = COLOUR.matcher(text).region(at, text.length());
         if (!colour.lookingAt()) {
@@ -152,7 +155,7 @@ final class TableLine {
         return OptionalInt.of(value);
     }
 
-    /** All that is left. */
+    /** Consumes the rest of the line. */
     String rest() {
         String rest = text.substring(at);
         at = text.length();
@@ -164,7 +167,7 @@ final class TableLine {
         skipBlanks();
     }
 
-    /** What comes next is not what was expected. */
+    /** Creates the error for an unexpected token. */
     SubsumptionTableException unexpected(String expected) {
         return problem(at, found() + ", expected " + expected);
     }
@@ -181,19 +184,19 @@ final class TableLine {
         return anything.lookingAt() ? "'" + anything.group() + "'" : "'" + text.charAt(at) + "'";
     }
 
-    /** Which comment it ends at, if that may have been meant as a colour: {@code #12345}. */
+    /** Describes the comment at the end of the line if it may have been meant as a colour: {@code #12345}. */
     private String meantAsColour() {
         Matcher digits = NO_COLOUR.matcher(comment);
         return digits.lookingAt() ? " at the comment '" + digits.group() + "' (a colour is #RRGGBB)" : "";
     }
 
-    /** Something is wrong at a {@link #position}. */
+    /** Creates an error at a {@link #position}. */
     SubsumptionTableException problem(int position, String what) {
         int column = text.codePointCount(0, position) + 1;
         return new SubsumptionTableException(file, number, column, what);
     }
 
-    /** The end of a message about a name: what was expected, and which was meant. */
+    /** Returns the end of an error message about an unknown name: what was expected, and the most similar name. */
     static String expected(String what, String written, Collection<String> known) {
         String all = known.isEmpty() ? "none is known" : String.join(", ", known);
         return ", expected " + what + ": " + all

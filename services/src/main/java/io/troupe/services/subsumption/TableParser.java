@@ -14,11 +14,11 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 
 /**
- * Reads one text into a table: first its lines by their keywords, then colours and services, then the states that use
+ * Parses a table text: first sorts its lines by keyword, then reads colours and services, then the states that use
  * them.
  */
 final class TableParser {
-    /** A table is held in memory with a service for each robot and state. As many as the largest crowd has. */
+    /** The size of the largest crowd; a table keeps one service for each robot and state in memory. */
     private static final int MOST_ROBOTS = 20_000;
 
     private enum Keyword {
@@ -36,7 +36,7 @@ final class TableParser {
         }
     }
 
-    /** Where something was written. */
+    /** A position in the text. */
     private record Place(TableLine line, int position) {}
 
     private final String file;
@@ -54,7 +54,7 @@ final class TableParser {
     SubsumptionTable parse(String text) {
         List<String> lines = text.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
-            // files of some editors begin with a byte order mark
+            // some editors write a byte order mark
             String line = index == 0 && lines.getFirst().startsWith("\uFEFF")
                     ? lines.getFirst().substring(1)
                     : lines.get(index);
@@ -119,18 +119,19 @@ final class TableParser {
     private void colour(TableLine line, SubsumptionTableBuilder builder) {
         int at = line.position();
         String name = line.word("the name of a colour");
-        OptionalInt value = line.atEnd() ? Colours.named(name) : line.literalColour();
+        OptionalInt value = line.atEnd() ? NamedColours.named(name) : line.literalColour();
         if (value.isEmpty()) {
             throw line.atEnd()
                     ? line.problem(
                             at,
                             "the colour '" + name + "' has no value"
-                                    + TableLine.expected("#RRGGBB after it, or a known name", name, Colours.names()))
+                                    + TableLine.expected(
+                                            "#RRGGBB after it, or a known name", name, NamedColours.names()))
                     : line.unexpected("a colour as #RRGGBB");
         }
         colours.put(name, value.getAsInt());
         written.put(new Subject.OfColour(value.getAsInt()), new Place(line, at));
-        located(line, at, () -> builder.colour(name, value.getAsInt()));
+        atPosition(line, at, () -> builder.colour(name, value.getAsInt()));
     }
 
     private void service(TableLine line, SubsumptionTableBuilder builder) {
@@ -144,7 +145,7 @@ final class TableParser {
         int at = line.position();
         int colour = colourName(line);
         String why = line.skips(":") ? line.rest() : "";
-        located(line, at, () -> builder.ignoring(colour, why));
+        atPosition(line, at, () -> builder.ignoring(colour, why));
     }
 
     private static void hold(TableLine line, SubsumptionTableBuilder builder) {
@@ -154,7 +155,7 @@ final class TableParser {
         if (!millis) {
             line.expect("s", "or 'ms' after the number");
         }
-        located(line, at, () -> builder.hold(millis ? number / 1000 : number));
+        atPosition(line, at, () -> builder.hold(millis ? number / 1000 : number));
     }
 
     private void state(TableLine line, SubsumptionTableBuilder builder) {
@@ -164,11 +165,11 @@ final class TableParser {
         if (line.skips("priority")) {
             written.put(new Subject.OfPriority(colour), new Place(line, at));
             int priority = line.whole("a whole number", Integer.MIN_VALUE, Integer.MAX_VALUE);
-            located(line, at, () -> builder.priority(colour, priority));
+            atPosition(line, at, () -> builder.priority(colour, priority));
         }
         line.expect(":", "before the services");
-        Assignment assignment = new AssignmentReader(line, services, robots).read();
-        located(line, at, () -> builder.when(colour, assignment));
+        Assignment assignment = new AssignmentParser(line, services, robots).read();
+        atPosition(line, at, () -> builder.when(colour, assignment));
     }
 
     private int colourName(TableLine line) {
@@ -182,8 +183,8 @@ final class TableParser {
         if (declared != null) {
             return declared;
         }
-        return Colours.named(name).orElseThrow(() -> {
-            var known = Stream.concat(colours.keySet().stream(), Colours.names().stream())
+        return NamedColours.named(name).orElseThrow(() -> {
+            var known = Stream.concat(colours.keySet().stream(), NamedColours.names().stream())
                     .distinct()
                     .toList();
             return line.problem(
@@ -193,12 +194,90 @@ final class TableParser {
         });
     }
 
-    /** What a builder refuses was written here. */
-    static void located(TableLine line, int position, Supplier<?> action) {
+    /** Runs a builder action; an argument that the builder rejects is reported at the given position. */
+    private static void atPosition(TableLine line, int position, Supplier<?> action) {
         try {
             action.get();
         } catch (IllegalArgumentException refused) {
             throw line.problem(position, String.valueOf(refused.getMessage()));
+        }
+    }
+
+    /**
+     * Parses the services of a {@code state} statement: either one service per robot in order, or services by robot
+     * number.
+     */
+    private static final class AssignmentParser {
+        private final TableLine line;
+        private final ServiceReader services;
+        private final int robots;
+        private Assignment assignment = Assignment.none();
+
+        AssignmentParser(TableLine line, ServiceReader services, int robots) {
+            this.line = line;
+            this.services = services;
+            this.robots = robots;
+        }
+
+        Assignment read() {
+            if (isAtNumbers()) {
+                do {
+                    numbered();
+                } while (line.skips(","));
+            } else {
+                inTurn();
+            }
+            if (!line.atEnd()) {
+                throw line.unexpected("',', '>' or the end of the line");
+            }
+            return assignment;
+        }
+
+        private boolean isAtNumbers() {
+            return line.isAt("*") || line.isAtNumber();
+        }
+
+        /** {@code SERVICE, SERVICE, ..}. */
+        private void inTurn() {
+            int robot = 0;
+            do {
+                int at = line.position();
+                if (isAtNumbers()) {
+                    throw line.unexpected("the service of robot " + (robot + 1) + ", as for those before it");
+                }
+                Service service = services.layers(line);
+                robot++;
+                if (robot > robots) {
+                    throw line.problem(
+                            at,
+                            "'" + service + "' is for robot " + robot + ", expected services for " + robots
+                                    + " robots");
+                }
+                assignment = assignment.robot(robot, service);
+            } while (line.skips(","));
+            if (robot < robots) {
+                throw line.unexpected("',' and the service of robot " + (robot + 1) + " of " + robots);
+            }
+        }
+
+        /** {@code * = SERVICE}, {@code N = SERVICE} or {@code N..M = SERVICE}. */
+        private void numbered() {
+            int at = line.position();
+            if (line.skips("*")) {
+                line.expect("=", "and a service after '*'");
+                Service service = services.layers(line);
+                atPosition(line, at, () -> assignment = assignment.others(service));
+                return;
+            }
+            int first = robot("'*' or the number of a robot, 1 to ");
+            int last = line.skips("..") ? robot("the number of a robot, 1 to ") : first;
+            line.expect("=", "and a service after the numbers of robots");
+            Service service = services.layers(line);
+            atPosition(line, at, () -> assignment = assignment.robots(first, last, service));
+        }
+
+        private int robot(String expected) {
+            return line.whole(expected + robots, 1, robots);
         }
     }
 }

@@ -5,42 +5,42 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Finds the known name that somebody probably meant. */
+/** Finds the known name that is most similar to a misspelled one, for error messages. */
 public final class Suggestions {
-    /** Nobody means a longer name, and the comparison takes the product of both lengths. */
-    private static final int LONGEST = 100;
+    /** Longer names get no suggestion: the comparison takes time in proportion to the product of both lengths. */
+    private static final int MAX_LENGTH = 100;
 
-    private static final int FEW = 8;
+    private static final int MAX_LISTED = 8;
 
     private Suggestions() {}
 
     /**
-     * The known name with the fewest slips in it: letters left out, added, changed, or swapped with their neighbour;
-     * upper and lower case count as the same.
+     * Returns the known name with the smallest edit distance. An edit omits, adds or changes a letter, or swaps two
+     * neighbours; case is ignored.
      *
-     * @return the first of those with the fewest; empty if even that has more slips than a third of the written letters
-     *     (one is always allowed)
+     * @return the first of the names with the smallest distance; empty if that is more than a third of the length of
+     *     the written name (an edit distance of 1 is always accepted)
      */
     public static Optional<String> nearest(String written, Collection<String> known) {
-        if (written.length() > LONGEST) {
+        if (written.length() > MAX_LENGTH) {
             return Optional.empty();
         }
         String lower = written.toLowerCase(Locale.ROOT);
-        int fewest = Math.max(1, written.length() / 3) + 1;
+        int smallest = Math.max(1, written.length() / 3) + 1;
         String best = null;
         for (String name : known) {
-            int slips = Math.abs(written.length() - name.length()) >= fewest
-                    ? fewest // it cannot be nearer, and need not be compared
-                    : slips(lower, name.toLowerCase(Locale.ROOT));
-            if (slips < fewest) {
-                fewest = slips;
+            int distance = Math.abs(written.length() - name.length()) >= smallest
+                    ? smallest // too different in length to be nearer
+                    : distance(lower, name.toLowerCase(Locale.ROOT));
+            if (distance < smallest) {
+                smallest = distance;
                 best = name;
             }
         }
         return Optional.ofNullable(best);
     }
 
-    /** The end of an error message: the name that was probably meant, or else the first few there are. */
+    /** Returns the end of an error message: the most similar name, or else the first few known names. */
     public static String hint(String written, Collection<String> known) {
         if (known.isEmpty()) {
             return "there is none";
@@ -48,12 +48,12 @@ public final class Suggestions {
         return nearest(written, known)
                 .map(name -> "did you mean " + name + "?")
                 .orElseGet(() -> "there are "
-                        + known.stream().sorted().limit(FEW).collect(Collectors.joining(", "))
-                        + (known.size() > FEW ? ", .." : ""));
+                        + known.stream().sorted().limit(MAX_LISTED).collect(Collectors.joining(", "))
+                        + (known.size() > MAX_LISTED ? ", .." : ""));
     }
 
-    /** The optimal string alignment distance; three rows of its table are enough. */
-    private static int slips(String from, String to) {
+    /** The optimal string alignment distance, with three rows of the table in memory. */
+    private static int distance(String from, String to) {
         int[] beforeLast = new int[to.length() + 1];
         int[] last = new int[to.length() + 1];
         int[] row = new int[to.length() + 1];

@@ -1,4 +1,4 @@
-/** Words for people: what somebody probably meant. */
+/** Texts for error messages: suggestions for misspelled names. */
 @NullMarked
 package io.troupe.services.text;
 

@@ -38,7 +38,7 @@ class AvoidTest {
     @Test
     void somethingBetweenNearAndFar_slowsDownInProportion() {
         Velocity slow = step(Avoid.START, ring(4, 0.5)).velocity().orElseThrow();
-        assertThat(slow.forwardMps()).isCloseTo(0.1, within(1e-6)); // half of 0.2 m/s; the sonar counts in floats
+        assertThat(slow.forwardMps()).isCloseTo(0.1, within(1e-6)); // half of 0.2 m/s; sonar ranges are floats
         assertThat(slow.turnRadps()).isEqualTo(0.5);
     }
 

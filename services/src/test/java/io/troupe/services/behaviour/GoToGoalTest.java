@@ -38,7 +38,7 @@ class GoToGoalTest {
     void goalToTheSide_isTurnedTo_slowerTheFartherItIsAside() {
         Velocity left = velocity(to(new Goal(1, 1)), new RobotPose(0, 0, 0));
         assertThat(left.forwardMps()).isCloseTo(0.3 * Math.cos(Math.PI / 4), within(1e-12));
-        assertThat(left.turnRadps()).isEqualTo(0.8); // 1.5 * pi / 4 is more
+        assertThat(left.turnRadps()).isEqualTo(0.8); // 1.5 * pi / 4 would be more
         Velocity right = velocity(to(EAST), new RobotPose(0, 0, 0.2));
         assertThat(right.turnRadps()).isCloseTo(-0.3, within(1e-12));
     }
@@ -46,7 +46,7 @@ class GoToGoalTest {
     @Test
     void goalBehind_isTurnedToInPlace_theShorterWayRound() {
         Velocity turn = velocity(to(new Goal(-1, 0.1)), new RobotPose(0, 0, -3));
-        assertThat(turn.forwardMps()).isPositive(); // it is almost in front: the heading is just the other side of pi
+        assertThat(turn.forwardMps()).isPositive(); // the goal is almost in front: the angle wraps at pi
         assertThat(turn.turnRadps()).isNegative();
         assertThat(velocity(to(EAST), new RobotPose(0, 0, 3)).forwardMps()).isZero();
     }

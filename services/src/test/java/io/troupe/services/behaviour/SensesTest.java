@@ -33,17 +33,20 @@ class SensesTest {
 
     @Test
     void largestBlob_isTheLargestOfTheColour_ofEqualOnesTheLeftmost() {
-        var senses =
-                seeing(Patch.of(GREEN, 900, 0), Patch.of(RED, 50, 30), Patch.of(RED, 60, 40), Patch.of(RED, 60, 9));
-        assertThat(senses.largestBlob(RED)).hasValue(Patch.of(RED, 60, 9));
-        assertThat(seeing(Patch.of(GREEN, 900, 0)).largestBlob(RED)).isEmpty();
+        var senses = seeing(
+                TestBlobs.of(GREEN, 900, 0),
+                TestBlobs.of(RED, 50, 30),
+                TestBlobs.of(RED, 60, 40),
+                TestBlobs.of(RED, 60, 9));
+        assertThat(senses.largestBlob(RED)).hasValue(TestBlobs.of(RED, 60, 9));
+        assertThat(seeing(TestBlobs.of(GREEN, 900, 0)).largestBlob(RED)).isEmpty();
     }
 
     @Test
     void offset_goesFromOneAtTheLeftEdgeToMinusOneAtTheRight() {
         assertThat(columns(0, 79).offset()).isZero();
         assertThat(columns(39, 40).offset()).isZero();
-        // one column of 80 is a fortieth of the way from edge to edge; its middle is half of that from the edge
+        // from edge to edge the offset changes by 2, so a column of 80 is 1/40; its centre is 1/80 from the edge
         assertThat(columns(0, 0).offset()).isEqualTo(1 - 1 / 80.0);
         assertThat(columns(79, 79).offset()).isEqualTo(-1 + 1 / 80.0);
         assertThat(new Blob(RED, 100, 35, 45, 0, 0, 0, 0, 1).offset()).isZero();

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import org.junit.jupiter.api.Test;
 
 class SonarRingTest {
-    /** A ring that reads 5 m everywhere but where a test says otherwise. */
+    /** A ring whose sonars read 5 m, except those in the arguments: alternately a sonar and its range. */
     static SonarRing ring(Object... sonarAndRange) {
         var ranges = new float[16];
         java.util.Arrays.fill(ranges, 5f);

@@ -18,7 +18,7 @@ class ArbitratorTest {
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final ChargeBook charge = new ChargeBook();
+    private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final List<String> states = new ArrayList<>();
     private Arbitrator arbitrator;
 
@@ -65,7 +65,7 @@ class ArbitratorTest {
 
     @Test
     void red_swapsTheServices_betweenTwoReadings() {
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         tick();
         assertInCharge(SW, WF);
         assertThat(states).containsExactly("1 by null", "2 by 1");
@@ -73,21 +73,21 @@ class ArbitratorTest {
 
     @Test
     void wallFollower_doesNotSeeColours() {
-        robots.show(0, Colours.RED);
+        robots.show(0, NamedColours.RED);
         tick();
         assertInCharge(WF, SW);
     }
 
     @Test
     void allStates_inTurn_andBack() {
-        robots.show(1, Colours.GREEN);
+        robots.show(1, NamedColours.GREEN);
         tick();
         assertInCharge(SW, SW);
-        robots.show(1, Colours.BLACK);
-        robots.show(0, Colours.RED);
+        robots.show(1, NamedColours.BLACK);
+        robots.show(0, NamedColours.RED);
         tick();
         assertInCharge(SW, WF);
-        robots.show(0, Colours.BLUE);
+        robots.show(0, NamedColours.BLUE);
         tick();
         assertInCharge(WF, SW);
         assertThat(states).containsExactly("1 by null", "3 by 1", "2 by 0", "1 by 0");
@@ -95,21 +95,21 @@ class ArbitratorTest {
 
     @Test
     void twoColoursAtOnce_theRobotWithTheLowerIndexCounts_andOnlyOnce() {
-        robots.show(1, Colours.GREEN);
+        robots.show(1, NamedColours.GREEN);
         tick();
-        robots.show(0, Colours.BLUE);
-        robots.show(1, Colours.RED);
+        robots.show(0, NamedColours.BLUE);
+        robots.show(1, NamedColours.RED);
         tick();
         assertThat(states).containsExactly("1 by null", "3 by 1", "1 by 0");
         assertInCharge(WF, SW);
-        tick(); // robot 2 still looks at red, and wanders again
+        tick(); // robot 2 still sees red, and wanders again
         assertThat(states).endsWith("2 by 1");
     }
 
     @Test
     void robotsThatSeeEachOthersColours_switchAtEveryReading_butKeepMoving() {
-        robots.show(1, Colours.RED);
-        robots.show(0, Colours.BLUE);
+        robots.show(1, NamedColours.RED);
+        robots.show(0, NamedColours.BLUE);
         for (int i = 0; i < 10; i++) {
             tick();
             assertThat(robots.lastCommand(0).vx()).isPositive();
@@ -120,7 +120,9 @@ class ArbitratorTest {
 
     @Test
     void manySwitches_neverLeaveARobotWithoutAService() {
-        int[] colours = {Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK};
+        int[] colours = {
+            NamedColours.BLUE, NamedColours.RED, NamedColours.GREEN, NamedColours.ORANGE, NamedColours.BLACK
+        };
         var random = new java.util.Random(20260);
         for (int i = 0; i < 2_000; i++) {
             robots.show(0, colours[random.nextInt(colours.length)]);
@@ -134,7 +136,7 @@ class ArbitratorTest {
     void failingService_endsTheArbitrator() {
         tick();
         robots.vanish();
-        assertThat(test.error(arbitrator.ended())).isInstanceOf(PlayerException.class);
+        assertThat(test.error(arbitrator.failure())).isInstanceOf(PlayerException.class);
         test.takeProblems();
     }
 
@@ -153,10 +155,10 @@ class ArbitratorTest {
     @Test
     void colourThatLeadsNowhere_leavesTheRobotItsService() {
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, WF, SW)
-                .when(Colours.RED, SW, WF)
+                .when(NamedColours.BLUE, WF, SW)
+                .when(NamedColours.RED, SW, WF)
                 .build();
-        var book = new ChargeBook();
+        var book = new RecordingServiceObserver();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 2, FakeRobots.PORT + 1)) {
             RobotServices services = other.spawn(
@@ -169,7 +171,7 @@ class ArbitratorTest {
                     other.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
             partial.live();
             other.crank();
-            others.show(1, Colours.GREEN);
+            others.show(1, NamedColours.GREEN);
             others.tick(100);
             assertThat(book.of(1)).containsExactly(SW);
             others.tick(100);
@@ -191,7 +193,7 @@ class ArbitratorTest {
                 "robots 1\nstate red : spin\nstate blue : wallFollower\nallow final",
                 "named",
                 ServiceCatalogue.standard().with(spin));
-        var book = new ChargeBook();
+        var book = new RecordingServiceObserver();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 1, FakeRobots.PORT + 1)) {
             RobotServices services = other.spawn(
@@ -208,7 +210,7 @@ class ArbitratorTest {
             others.range(0, 3, 1.5);
             others.tick(100);
             assertThat(others.lastCommand(0).va()).isEqualTo(1.5);
-            others.show(0, Colours.BLUE);
+            others.show(0, NamedColours.BLUE);
             others.tick(100);
             assertThat(book.of(0)).containsExactly(WF);
             assertThat(others.lastCommand(0).vx()).isPositive();

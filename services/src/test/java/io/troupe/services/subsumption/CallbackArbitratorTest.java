@@ -21,7 +21,7 @@ class CallbackArbitratorTest {
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final ChargeBook charge = new ChargeBook();
+    private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final List<String> events = new ArrayList<>();
     private CallbackArbitrator arbitrator;
 
@@ -41,13 +41,13 @@ class CallbackArbitratorTest {
 
     private final class Events implements Arbitrator.StateListener {
         @Override
-        public void began(State state, @Nullable Integer seenBy) {
+        public void stateStarted(State state, @Nullable Integer seenBy) {
             events.add("state " + state.number() + " by " + seenBy);
         }
 
         @Override
         public void colourReceived(int robot, int colour) {
-            events.add(robot + " " + Colours.name(colour));
+            events.add(robot + " " + NamedColours.name(colour));
         }
 
         @Override
@@ -76,7 +76,7 @@ class CallbackArbitratorTest {
 
     @Test
     void orangeAndTheStatesOwn_areSentAtEveryReading_andChangeNothing_blackIsNotSent() {
-        robots.show(1, Colours.ORANGE, Colours.BLUE);
+        robots.show(1, NamedColours.ORANGE, NamedColours.BLUE);
         tick();
         tick();
         assertThat(events).containsExactly("state 1 by null", "1 orange", "1 blue", "1 orange", "1 blue");
@@ -87,8 +87,8 @@ class CallbackArbitratorTest {
     @Test
     void blackThatHasAState_leadsToIt() {
         var table = SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, SW)
-                .when(Colours.BLACK, SW)
+                .when(NamedColours.BLUE, SW)
+                .when(NamedColours.BLACK, SW)
                 .build();
         var services = test.spawn(
                 RobotServices.class,
@@ -107,14 +107,14 @@ class CallbackArbitratorTest {
 
     @Test
     void twoPatchesOfAColour_areOneMessage() {
-        robots.show(1, Colours.ORANGE, Colours.ORANGE);
+        robots.show(1, NamedColours.ORANGE, NamedColours.ORANGE);
         tick();
         assertThat(events).containsExactly("state 1 by null", "1 orange");
     }
 
     @Test
     void red_swapsTheServices_betweenTwoReadings_afterZeroSpeed() {
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         tick();
         assertInCharge(SW, WF);
         assertThat(events).containsExactly("state 1 by null", "1 red", "state 2 by 1");
@@ -125,7 +125,7 @@ class CallbackArbitratorTest {
 
     @Test
     void whatFollowsTheColourThatCounts_isTooLate() {
-        robots.show(1, Colours.RED, Colours.GREEN);
+        robots.show(1, NamedColours.RED, NamedColours.GREEN);
         tick();
         assertThat(events).containsExactly("state 1 by null", "1 red", "1 green", "too late", "state 2 by 1");
         assertInCharge(SW, WF);
@@ -133,10 +133,10 @@ class CallbackArbitratorTest {
 
     @Test
     void twoRobotsAtOnce_theOneWithTheLowerIndexCounts() {
-        robots.show(1, Colours.GREEN);
+        robots.show(1, NamedColours.GREEN);
         tick();
-        robots.show(0, Colours.ORANGE, Colours.BLUE);
-        robots.show(1, Colours.RED);
+        robots.show(0, NamedColours.ORANGE, NamedColours.BLUE);
+        robots.show(1, NamedColours.RED);
         tick();
         assertThat(events)
                 .containsExactly(
@@ -155,7 +155,7 @@ class CallbackArbitratorTest {
     void failingService_endsTheArbitrator() {
         tick();
         robots.vanish();
-        assertThat(test.error(arbitrator.ended()))
+        assertThat(test.error(arbitrator.failure()))
                 .isInstanceOf(PlayerException.class)
                 .hasMessage("the server has gone");
         assertThat(charge.of(0)).isEmpty();
@@ -165,7 +165,7 @@ class CallbackArbitratorTest {
     @Test
     void behaviourThatThrows_endsTheArbitrator_andItsRobotStands() {
         tick();
-        Promise<?> ended = arbitrator.ended();
+        Promise<?> ended = arbitrator.failure();
         robots.range(0, 3, Double.NaN);
         robots.tick(100);
         assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
@@ -184,7 +184,7 @@ class CallbackArbitratorTest {
         assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
     }
 
-    /** Its services end at once, whatever their references say. */
+    /** Services that end at once, whatever the value of their references. */
     static class Quitters extends RobotServices {
         Quitters() {
             super(Settings.ofThePaper());
@@ -208,7 +208,7 @@ class CallbackArbitratorTest {
                 CallbackArbitrator.class,
                 () -> new CallbackArbitrator(quitters, SubsumptionTable.ofThePaper(), new Events()));
         left.live();
-        assertThat(test.error(left.ended()))
+        assertThat(test.error(left.failure()))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("robot 1: wallFollower has ended in state 1 though nothing told it to");
     }

@@ -29,7 +29,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
-/** A Player server whose robots sense what a test says and remember what they were told. */
+/** A fake Player server. Tests set what its robots sense, and read the commands that they received. */
 public final class FakeRobots implements PlayerServer, AutoCloseable {
     public static final int PORT = 7001;
 
@@ -38,7 +38,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     private final TestSpace test;
     private final int robots;
     private final PlayerPorts.Registration port;
-    private final List<Line> lines = new CopyOnWriteArrayList<>();
+    private final List<Connection> connections = new CopyOnWriteArrayList<>();
     private final List<String> limits = new CopyOnWriteArrayList<>();
     private final Object answers = new Object();
     private final float[][] ranges;
@@ -70,29 +70,29 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     }
 
     /**
-     * From now on the robot sees a large blob of each of those colours, the first the largest; black stands for the
-     * walls and is always there.
+     * Sets the colours that the robot sees, as large blobs in descending order of area. Black stands for the walls and
+     * is always added.
      */
     public void show(int robot, int... shown) {
         colours[robot] = shown;
     }
 
-    /** From now on one of the robot's sonars reads so much. */
+    /** Sets the range that one of the robot's sonars reads. */
     public void range(int robot, int sonar, double rangeM) {
         ranges[robot][sonar] = (float) rangeM;
     }
 
-    /** From now on something holds the robot. */
+    /** Blocks the robot, so that it reports a stall. */
     public void stall(int robot) {
         stalled.add(robot);
     }
 
-    /** The robot has a laser of three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
+    /** Gives the robot a laser with three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
     public void giveLaser(int robot) {
         withLaser.add(robot);
     }
 
-    /** From now on the robot's laser publishes nothing, or, if it is not slow, publishes again. */
+    /** Sets whether the robot's laser is slow, that is, publishes nothing. */
     void setLaserSlow(int robot, boolean slow) {
         if (slow) {
             slowLasers.add(robot);
@@ -101,32 +101,29 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         }
     }
 
-    /** How many connections have subscribed to a robot's laser. */
+    /** The number of connections that have subscribed to a robot's laser. */
     public long laserSubscriptions(int robot) {
-        return lines.stream()
-                .flatMap(line -> line.subscribed.stream())
+        return connections.stream()
+                .flatMap(connection -> connection.subscribed.stream())
                 .filter(device -> device.interfaceCode() == Interfaces.LASER.code() && device.index() == robot)
                 .count();
     }
 
-    /**
-     * Delivers the readings of the next moment, so many milliseconds after the last, to all clients in one turn of the
-     * space.
-     */
+    /** Advances the clock and delivers the next readings to all clients in one turn of the space. */
     public void tick(int millis) {
         long number = tick++;
         timeMillis += millis;
-        test.run(() -> List.copyOf(lines).forEach(line -> line.deliver(number)));
+        test.run(() -> List.copyOf(connections).forEach(connection -> connection.deliver(number)));
     }
 
-    /** The same for clients on threads of their own: waits until all have answered, or have left. */
+    /** Does the same for clients on other threads: waits until all have answered, or have disconnected. */
     void tickAndAwait(int millis) throws InterruptedException {
         long number = tick++;
         timeMillis += millis;
-        List.copyOf(lines).forEach(line -> line.deliver(number));
+        List.copyOf(connections).forEach(connection -> connection.deliver(number));
         synchronized (answers) {
             long deadline = System.nanoTime() + ANSWER_LIMIT_NANOS;
-            while (lines.stream().anyMatch(line -> line.answered < number)) {
+            while (connections.stream().anyMatch(connection -> connection.answered < number)) {
                 long leftMillis = (deadline - System.nanoTime()) / 1_000_000;
                 assertThat(leftMillis)
                         .as("milliseconds left to answer tick " + number)
@@ -136,10 +133,10 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         }
     }
 
-    /** Waits until all clients have left. */
+    /** Waits until all clients have disconnected. */
     void awaitNoConnection() throws InterruptedException {
         synchronized (answers) {
-            while (!lines.isEmpty()) {
+            while (!connections.isEmpty()) {
                 answers.wait();
             }
         }
@@ -147,7 +144,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
     private long timeMillis;
 
-    /** What clients have asked for, to be stopped or to stop in time. */
+    /** The command limits and silence limits that clients have requested. */
     public List<String> limits() {
         return limits;
     }
@@ -161,20 +158,20 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     }
 
     public int connections() {
-        return lines.size();
+        return connections.size();
     }
 
     int connectionsMade() {
         return connectionsMade;
     }
 
-    /** From now on nobody can connect any more. */
+    /** Refuses all further connections. */
     void refuse() {
         refuses = true;
     }
 
     public void vanish() {
-        List.copyOf(lines).forEach(line -> line.sink.lost("the server has gone"));
+        List.copyOf(connections).forEach(connection -> connection.sink.lost("the server has gone"));
     }
 
     @Override
@@ -193,17 +190,17 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
             throw new LineClosedException("no more clients");
         }
         connectionsMade++;
-        var line = new Line(sink);
-        lines.add(line);
-        return line;
+        var connection = new Connection(sink);
+        connections.add(connection);
+        return connection;
     }
 
-    private final class Line implements PlayerConnection {
+    private final class Connection implements PlayerConnection {
         private final DataSink sink;
         private final Set<DeviceAddress> subscribed = new LinkedHashSet<>();
         private long answered = NO_TICK;
 
-        Line(DataSink sink) {
+        Connection(DataSink sink) {
             this.sink = sink;
         }
 
@@ -308,7 +305,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         @Override
         public void close() {
             synchronized (answers) {
-                lines.remove(this);
+                connections.remove(this);
                 answers.notifyAll();
             }
         }

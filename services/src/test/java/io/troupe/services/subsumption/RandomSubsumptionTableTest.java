@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
-import io.troupe.services.behaviour.Patch;
+import io.troupe.services.behaviour.TestBlobs;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -15,14 +15,18 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 
-/**
- * Tables made by chance, built by hand on one side and on the other read from a text that says the same in any of its
- * ways.
- */
+/** Random tables: each is built in code, and parsed from an equivalent text in one of its possible forms. */
 class RandomSubsumptionTableTest {
     private static final int TABLES = 2_000;
     private static final List<Integer> COLOURS = List.of(
-            Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK, 0xC8A2C8, 0x123456, 0xFFFFFF);
+            NamedColours.BLUE,
+            NamedColours.RED,
+            NamedColours.GREEN,
+            NamedColours.ORANGE,
+            NamedColours.BLACK,
+            0xC8A2C8,
+            0x123456,
+            0xFFFFFF);
     private static final Service PATROL = declared("patrol = goToGoal(1, 2; again) colours");
     private static final Service DODGE = declared("dodge = avoid(near 0.3)");
     private static final List<Service> SERVICES = List.of(
@@ -40,7 +44,7 @@ class RandomSubsumptionTableTest {
         return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
     }
 
-    /** A table; {@link #lines} says the same. */
+    /** A random table; {@link #lines} is the equivalent text. */
     private SubsumptionTable table(long seed) {
         random = new Random(seed);
         lines.clear();
@@ -61,7 +65,7 @@ class RandomSubsumptionTableTest {
         lines.add("ignore " + name(ignored) + ": for a reason");
         for (int state = 0; state < states; state++) {
             int colour = colours.get(state);
-            // the first state uses all that is declared, and can end
+            // the first state uses every declared service, and can end
             List<Service> services = IntStream.range(0, robots)
                     .mapToObj(robot -> SERVICES.get(random.nextInt(SERVICES.size())))
                     .collect(Collectors.toCollection(ArrayList::new));
@@ -81,11 +85,13 @@ class RandomSubsumptionTableTest {
     }
 
     private String name(int colour) {
-        String hex = Colours.hex(colour);
-        return random.nextBoolean() ? Colours.name(colour) : random.nextBoolean() ? hex : hex.toLowerCase(Locale.ROOT);
+        String hex = NamedColours.hex(colour);
+        return random.nextBoolean()
+                ? NamedColours.name(colour)
+                : random.nextBoolean() ? hex : hex.toLowerCase(Locale.ROOT);
     }
 
-    /** In turn, or by numbers in any order. */
+    /** The services in order, or by robot numbers in any order. */
     private String assignment(List<Service> services) {
         if (random.nextBoolean()) {
             return services.stream().map(Service::name).collect(Collectors.joining(random.nextBoolean() ? "," : " , "));
@@ -111,7 +117,7 @@ class RandomSubsumptionTableTest {
         return String.join(", ", parts);
     }
 
-    /** The lines with comments and blank lines among them; the statements are in any order but for the states. */
+    /** The lines in random order, except the states, with comments and blank lines between them. */
     private String text() {
         var states = lines.stream().filter(line -> line.startsWith("state")).iterator();
         var others = new ArrayList<>(
@@ -129,7 +135,7 @@ class RandomSubsumptionTableTest {
     }
 
     @Test
-    void text_isReadAsTheTableThatItSays() {
+    void text_isReadAsTheEquivalentTable() {
         for (long seed = 0; seed < TABLES; seed++) {
             SubsumptionTable built = table(seed);
             String text = text();
@@ -151,7 +157,7 @@ class RandomSubsumptionTableTest {
             State state = table.states().get(random.nextInt(table.states().size()));
             List<Blob> seen = IntStream.range(0, random.nextInt(6))
                     .mapToObj(left ->
-                            Patch.of(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
+                            TestBlobs.of(COLOURS.get(random.nextInt(COLOURS.size())), 8 + random.nextInt(5), left * 10))
                     .collect(Collectors.toCollection(ArrayList::new));
             Collections.shuffle(seen, random);
             double seconds = random.nextInt(20) / 10.0;
@@ -161,7 +167,7 @@ class RandomSubsumptionTableTest {
                     .as("seed %d", seed)
                     .isEqualTo(expected);
             assertThat(ColourFinder.inOrder(seen, table::priority)
-                            .filter(colour -> colour != Colours.BLACK
+                            .filter(colour -> colour != NamedColours.BLACK
                                     || table.state(colour).isPresent())
                             .filter(colour -> table.next(state, colour, seconds).isPresent())
                             .findFirst())
@@ -172,7 +178,7 @@ class RandomSubsumptionTableTest {
         assertThat(picked).isBetween(TABLES / 10, TABLES * 9 / 10);
     }
 
-    /** The words of the guide, patch by patch. */
+    /** A model of the colour rule, as the guide describes it, blob by blob. */
     private static OptionalInt byEye(SubsumptionTable table, State state, List<Blob> seen, double seconds) {
         Blob best = null;
         for (Blob each : seen) {

@@ -14,13 +14,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** A connection for each service, as the paper has it: what that costs. */
+/** Tests a separate connection for each service, as in the paper, and what it costs. */
 class ReconnectionTest {
     private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final ChargeBook charge = new ChargeBook();
+    private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final RobotServices services = test.spawn(
             RobotServices.class,
             () -> new RobotServices(RobotServices.Settings.ofThePaper()
@@ -29,9 +29,9 @@ class ReconnectionTest {
                     .withReconnection(true)));
 
     /**
-     * The first state begins under the arbitrator of a mode.
+     * Starts the first state with the arbitrator of a mode.
      *
-     * @return the end of the arbitrator
+     * @return the promise of the arbitrator's end
      */
     private Promise<?> begin(Mode mode) {
         var table = SubsumptionTable.ofThePaper();
@@ -40,12 +40,12 @@ class ReconnectionTest {
             Arbitrator arbitrator =
                     test.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
             arbitrator.live();
-            ended = arbitrator.ended();
+            ended = arbitrator.failure();
         } else {
             CallbackArbitrator arbitrator = test.spawn(
                     CallbackArbitrator.class, () -> new CallbackArbitrator(services, table, (state, seenBy) -> {}));
             arbitrator.live();
-            ended = arbitrator.ended();
+            ended = arbitrator.failure();
         }
         test.crank();
         return ended;
@@ -63,7 +63,7 @@ class ReconnectionTest {
     @EnumSource(names = {"PROMISE", "CALLBACK"})
     void switchOfServices_leavesTheRobotsStandingWithoutAServiceUntilTheNextReading(Mode mode) {
         begin(mode);
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         robots.tick(100);
         assertThat(charge.of(0)).isEmpty();
         assertThat(charge.of(1)).isEmpty();
@@ -80,8 +80,8 @@ class ReconnectionTest {
     @EnumSource(names = {"PROMISE", "CALLBACK"})
     void robotsThatSeeEachOthersColours_driveBetweenTheSwitches(Mode mode) {
         begin(mode);
-        robots.show(1, Colours.RED);
-        robots.show(0, Colours.BLUE);
+        robots.show(1, NamedColours.RED);
+        robots.show(0, NamedColours.BLUE);
         for (int i = 0; i < 10; i++) {
             robots.tick(100);
             assertThat(robots.lastCommand(0)).isEqualTo(STOP);
@@ -96,8 +96,8 @@ class ReconnectionTest {
     void everySwitch_makesNewConnections_andClosesTheOld(Mode mode) {
         begin(mode);
         assertThat(robots.connectionsMade()).isEqualTo(2);
-        robots.show(1, Colours.RED);
-        robots.show(0, Colours.BLUE);
+        robots.show(1, NamedColours.RED);
+        robots.show(0, NamedColours.BLUE);
         for (int switches = 1; switches <= 5; switches++) {
             robots.tick(100);
             assertThat(robots.connectionsMade()).isEqualTo(2 + 2 * switches);
@@ -111,7 +111,7 @@ class ReconnectionTest {
     @EnumSource(names = {"PROMISE", "CALLBACK"})
     void serverThatIsGoneAtTheSwitch_endsTheArbitrator(Mode mode) {
         Promise<?> ended = begin(mode);
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         robots.refuse();
         robots.tick(100);
         assertThat(test.error(ended)).isInstanceOf(PlayerException.class).hasMessageContaining("no more clients");
@@ -138,7 +138,7 @@ class ReconnectionTest {
     @EnumSource(names = {"PROMISE", "CALLBACK"})
     void secondService_whileTheFirstWaitsForItsFirstReading_isRefused(Mode mode) {
         begin(mode);
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         robots.tick(100);
         var reference = new AtomicReference<>(1);
         var finder = new AtomicReference<>(0);

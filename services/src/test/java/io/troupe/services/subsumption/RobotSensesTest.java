@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What a behaviour gets of blobs, laser and stall, and what is subscribed to for it. */
+/** Tests which blobs, laser scans and stalls a behaviour gets, and which devices are subscribed to for it. */
 class RobotSensesTest {
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
@@ -40,7 +40,7 @@ class RobotSensesTest {
 
     private RobotServices services(Service first, Service second) {
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, first, second)
+                .when(NamedColours.BLUE, first, second)
                 .allowFinal()
                 .build();
         var settings =
@@ -61,12 +61,12 @@ class RobotSensesTest {
     void behaviour_getsBlobsAndStall_ofTheSameReading() {
         serve(services(looking, looking), 0, looking);
         robots.tick(100);
-        robots.show(0, Colours.RED);
+        robots.show(0, NamedColours.RED);
         robots.stall(0);
         robots.tick(100);
         assertThat(readings).extracting(Senses::stalled).containsExactly(false, true);
-        assertThat(readings.getFirst().largestBlob(Colours.RED)).isEmpty();
-        assertThat(readings.getLast().largestBlob(Colours.RED)).hasValueSatisfying(blob -> {
+        assertThat(readings.getFirst().largestBlob(NamedColours.RED)).isEmpty();
+        assertThat(readings.getLast().largestBlob(NamedColours.RED)).hasValueSatisfying(blob -> {
             assertThat(List.of(blob.leftPx(), blob.rightPx(), blob.topPx(), blob.bottomPx()))
                     .containsExactly(35, 45, 25, 35);
             assertThat(List.of(blob.imageWidthPx(), blob.imageHeightPx())).containsExactly(80, 60);

@@ -26,7 +26,7 @@ class RobotServicesTest {
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final ChargeBook charge = new ChargeBook();
+    private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final RobotServices services = test.spawn(
             RobotServices.class,
             () -> new RobotServices(RobotServices.Settings.ofThePaper()
@@ -76,20 +76,20 @@ class RobotServicesTest {
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        test.get(services.stop(reference)); // again: nothing to do
+        test.get(services.stop(reference)); // a second stop has no effect
     }
 
     @Test
     void wanderer_endsItselfAtAColour_andSendsItOnce() {
         var reference = running();
         var finder = running();
-        Promise<Integer> colour = services.spaceWanderer(1, reference, finder, Colours.BLUE);
+        Promise<Integer> colour = services.spaceWanderer(1, reference, finder, NamedColours.BLUE);
         test.crank();
         robots.tick(100);
         assertThat(robots.lastCommand(1)).isEqualTo(WANDERER_AHEAD);
-        robots.show(1, Colours.GREEN);
+        robots.show(1, NamedColours.GREEN);
         robots.tick(100);
-        assertThat(test.get(colour)).isEqualTo(Colours.GREEN);
+        assertThat(test.get(colour)).isEqualTo(NamedColours.GREEN);
         assertThat(robots.commands(1)).containsExactly(WANDERER_AHEAD, STOP);
         assertThat(reference).hasValue(2);
         assertThat(finder).hasValue(2);
@@ -97,21 +97,21 @@ class RobotServicesTest {
 
     @Test
     void wanderer_ignoresBlackOrangeOtherColoursAndTheStatesOwn() {
-        Promise<Integer> colour = services.spaceWanderer(0, running(), running(), Colours.BLUE);
-        for (int ignored : new int[] {Colours.BLACK, Colours.ORANGE, 0x123456, Colours.BLUE}) {
+        Promise<Integer> colour = services.spaceWanderer(0, running(), running(), NamedColours.BLUE);
+        for (int ignored : new int[] {NamedColours.BLACK, NamedColours.ORANGE, 0x123456, NamedColours.BLUE}) {
             robots.show(0, ignored);
             robots.tick(100);
-            assertThat(colour.isDone()).as(Colours.name(ignored)).isFalse();
+            assertThat(colour.isDone()).as(NamedColours.name(ignored)).isFalse();
         }
-        robots.show(0, Colours.RED);
+        robots.show(0, NamedColours.RED);
         robots.tick(100);
-        assertThat(test.get(colour)).isEqualTo(Colours.RED);
+        assertThat(test.get(colour)).isEqualTo(NamedColours.RED);
     }
 
     @Test
     void wanderer_withoutItsColourFinder_seesNothing() {
-        Promise<Integer> colour = services.spaceWanderer(0, running(), new AtomicReference<>(0), Colours.BLUE);
-        robots.show(0, Colours.RED);
+        Promise<Integer> colour = services.spaceWanderer(0, running(), new AtomicReference<>(0), NamedColours.BLUE);
+        robots.show(0, NamedColours.RED);
         robots.tick(100);
         robots.tick(100);
         assertThat(colour.isDone()).isFalse();
@@ -120,10 +120,10 @@ class RobotServicesTest {
     @Test
     void wanderer_stoppedBeforeItSawAnything_answersTheStatesOwnColour() {
         var reference = running();
-        Promise<Integer> colour = services.spaceWanderer(0, reference, running(), Colours.GREEN);
+        Promise<Integer> colour = services.spaceWanderer(0, reference, running(), NamedColours.GREEN);
         test.crank();
         services.stop(reference);
-        assertThat(test.get(colour)).isEqualTo(Colours.GREEN);
+        assertThat(test.get(colour)).isEqualTo(NamedColours.GREEN);
     }
 
     @Test
@@ -139,7 +139,7 @@ class RobotServicesTest {
         }
     }
 
-    /** A pause of three readings: less than the limit of a command. */
+    /** A pause of three readings is shorter than the command limit. */
     @Test
     void clockThatIsSetBackByLessThanACycle_goesOnWhenThatIsMadeUpFor() {
         services.wallFollower(0, running());
@@ -209,7 +209,7 @@ class RobotServicesTest {
     @Test
     void secondService_whileTheFirstIsNotToldToStop_isRefused() {
         services.wallFollower(0, running());
-        Throwable error = test.error(services.spaceWanderer(0, running(), running(), Colours.BLUE));
+        Throwable error = test.error(services.spaceWanderer(0, running(), running(), NamedColours.BLUE));
         assertThat(error)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("robot 1 is in the charge of wallFollower")
@@ -223,7 +223,7 @@ class RobotServicesTest {
         test.crank();
         robots.tick(100);
         first.set(0);
-        services.spaceWanderer(0, running(), running(), Colours.BLUE);
+        services.spaceWanderer(0, running(), running(), NamedColours.BLUE);
         test.crank();
         assertThat(charge.of(0)).containsExactly(Service.SPACE_WANDERER);
         assertThat(first).hasValue(2);
@@ -241,9 +241,9 @@ class RobotServicesTest {
         robots.range(0, 3, Double.NaN);
         services.stop(first);
         test.crank();
-        robots.show(0, Colours.BLACK);
+        robots.show(0, NamedColours.BLACK);
         var finder = running();
-        Promise<Integer> second = services.spaceWanderer(0, running(), finder, Colours.BLUE);
+        Promise<Integer> second = services.spaceWanderer(0, running(), finder, NamedColours.BLUE);
         test.crank();
         robots.tick(100);
         assertThat(test.error(second)).hasMessageContaining("sonar 3 reads NaN");
@@ -312,10 +312,10 @@ class RobotServicesTest {
     @Test
     void wanderer_followsThePrioritiesAndTheHoldTimeOfItsTable() {
         var table = SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, Service.SPACE_WANDERER)
-                .when(Colours.RED, Service.SPACE_WANDERER)
-                .when(Colours.GREEN, Service.SPACE_WANDERER)
-                .priority(Colours.GREEN, -1)
+                .when(NamedColours.BLUE, Service.SPACE_WANDERER)
+                .when(NamedColours.RED, Service.SPACE_WANDERER)
+                .when(NamedColours.GREEN, Service.SPACE_WANDERER)
+                .priority(NamedColours.GREEN, -1)
                 .hold(0.35)
                 .build();
         var held = test.spawn(
@@ -323,15 +323,15 @@ class RobotServicesTest {
                 () -> new RobotServices(RobotServices.Settings.ofThePaper()
                         .withPort(FakeRobots.PORT)
                         .withTable(table)));
-        Promise<Integer> colour = held.spaceWanderer(0, running(), running(), Colours.BLUE);
+        Promise<Integer> colour = held.spaceWanderer(0, running(), running(), NamedColours.BLUE);
         test.crank();
-        robots.show(0, Colours.GREEN, Colours.RED); // green is the larger one
+        robots.show(0, NamedColours.GREEN, NamedColours.RED); // green has the larger blob
         for (int i = 0; i < 4; i++) {
             robots.tick(100);
             assertThat(colour.isDone()).as("after %d readings", i + 1).isFalse();
         }
         robots.tick(100);
-        assertThat(test.get(colour)).isEqualTo(Colours.RED);
+        assertThat(test.get(colour)).isEqualTo(NamedColours.RED);
     }
 
     static class Listener extends Actor {
@@ -364,9 +364,9 @@ class RobotServicesTest {
         Listener listener = test.spawn(Listener.class, () -> new Listener(services, reference, finder, heard));
         listener.listen();
         test.crank();
-        robots.show(0, Colours.RED);
+        robots.show(0, NamedColours.RED);
         robots.tick(100);
-        assertThat(heard).containsExactly(Colours.RED);
+        assertThat(heard).containsExactly(NamedColours.RED);
         test.space().stop(listener);
         test.crank();
         assertThat(charge.of(0)).as("until the next reading").containsExactly(Service.SPACE_WANDERER);
@@ -377,7 +377,7 @@ class RobotServicesTest {
         assertThat(reference).hasValue(2);
         assertThat(finder).hasValue(2);
         assertThat(charge.of(0)).isEmpty();
-        assertThat(heard).containsExactly(Colours.RED);
+        assertThat(heard).containsExactly(NamedColours.RED);
         assertThat(warnings).containsExactly("robot 1: spaceWanderer stops, as nobody listens to it any more");
     }
 

@@ -24,7 +24,7 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Jars that are compiled and packed here, good ones and bad ones. */
+/** Tests valid and invalid jars, which are compiled and packed here. */
 class ServiceJarTest {
     private static final String PROVIDERS = "META-INF/services/" + ServiceKinds.class.getName();
     private static final String TURN = kinds("""
@@ -69,7 +69,7 @@ class ServiceJarTest {
         }
     }
 
-    /** The classes of a source that is called Mine, and the file that names providers. */
+    /** Compiles a source named Mine, and writes the provider file. */
     private Path classes(String source, String providers) throws IOException {
         Path classes = directory.resolve("classes");
         Path file = Files.writeString(directory.resolve("Mine.java"), source);
@@ -182,7 +182,7 @@ class ServiceJarTest {
     void classOfALaterJava_isTold() throws IOException {
         Path classes = classes(TURN, "Mine");
         byte[] later = Files.readAllBytes(classes.resolve("Mine.class"));
-        later[6] = 0x7F; // the major version
+        later[6] = 0x7F; // the class file's major version
         Files.write(classes.resolve("Mine.class"), later);
         assertUnusable(pack(classes, directory.resolve("later.jar")), "more recent version of the Java Runtime");
     }

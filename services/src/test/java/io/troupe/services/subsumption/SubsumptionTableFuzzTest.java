@@ -9,7 +9,10 @@ import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Good files after random edits: the reader answers a table or says where it is wrong, and nothing else. */
+/**
+ * Valid files after random edits: the reader returns a table or reports the position of the error, and nothing else
+ * happens.
+ */
 class SubsumptionTableFuzzTest {
     private static final int EDITED = 20_000;
     private static final String GOOD = """
@@ -69,7 +72,7 @@ class SubsumptionTableFuzzTest {
     }
 
     @Test
-    void editedFile_isATable_orTheMistakeIsToldWithItsPlace() {
+    void editedFile_isATable_orTheMistakeIsReportedWithItsPosition() {
         int tables = 0;
         for (int seed = 0; seed < EDITED; seed++) {
             String text = edited(new Random(seed));
@@ -116,7 +119,7 @@ class SubsumptionTableFuzzTest {
         return text;
     }
 
-    /** A line left out, doubled or moved. */
+    /** Removes, duplicates or moves a line. */
     private static String linesShuffled(String text, Random random) {
         var lines = new ArrayList<>(Arrays.asList(text.split("\n", -1)));
         String line = lines.remove(random.nextInt(lines.size()));

@@ -195,7 +195,7 @@ class SubsumptionTableReaderTest {
                 "robots 1/state red : spaceWanderer > avoid | 2:7: the layers 'spaceWanderer > avoid' never come to avoid, because spaceWanderer always drives",
                 "robots 1/state red : avoid > avoid > spaceWanderer | 2:7: the layers 'avoid > avoid > spaceWanderer' name avoid twice",
             })
-    void mistakesOfTheWholeTable_areToldWhereTheyWereWritten(String lines, String message) {
+    void mistakesOfTheWholeTable_areReportedWhereTheyWereWritten(String lines, String message) {
         assertThatThrownBy(() -> read(lines.strip().replace("/", "\n")))
                 .isInstanceOf(SubsumptionTableException.class)
                 .hasMessageStartingWith("my.table:" + message);

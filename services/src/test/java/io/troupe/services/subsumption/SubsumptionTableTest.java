@@ -3,8 +3,8 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.services.behaviour.Patch;
 import io.troupe.services.behaviour.SpaceWanderer;
+import io.troupe.services.behaviour.TestBlobs;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
@@ -17,45 +17,46 @@ class SubsumptionTableTest {
 
     @Test
     void table4_ofThePaper() {
-        assertThat(paper.first()).isEqualTo(paper.state(Colours.BLUE).orElseThrow());
-        assertThat(paper.state(Colours.BLUE).orElseThrow().services()).containsExactly(WF, SW);
-        assertThat(paper.state(Colours.RED).orElseThrow().services()).containsExactly(SW, WF);
-        assertThat(paper.state(Colours.GREEN).orElseThrow().services()).containsExactly(SW, SW);
-        assertThat(paper.state(Colours.RED).orElseThrow().number()).isEqualTo(2);
+        assertThat(paper.first()).isEqualTo(paper.state(NamedColours.BLUE).orElseThrow());
+        assertThat(paper.state(NamedColours.BLUE).orElseThrow().services()).containsExactly(WF, SW);
+        assertThat(paper.state(NamedColours.RED).orElseThrow().services()).containsExactly(SW, WF);
+        assertThat(paper.state(NamedColours.GREEN).orElseThrow().services()).containsExactly(SW, SW);
+        assertThat(paper.state(NamedColours.RED).orElseThrow().number()).isEqualTo(2);
     }
 
     @Test
     void blackOrangeAndTheStatesOwnColour_changeNothing() {
         State blue = paper.first();
-        assertThat(paper.next(blue, Colours.BLACK)).isEmpty();
-        assertThat(paper.next(blue, Colours.ORANGE)).isEmpty();
-        assertThat(paper.next(blue, Colours.BLUE)).isEmpty();
-        assertThat(paper.next(blue, Colours.GREEN)).map(State::number).hasValue(3);
+        assertThat(paper.next(blue, NamedColours.BLACK)).isEmpty();
+        assertThat(paper.next(blue, NamedColours.ORANGE)).isEmpty();
+        assertThat(paper.next(blue, NamedColours.BLUE)).isEmpty();
+        assertThat(paper.next(blue, NamedColours.GREEN)).map(State::number).hasValue(3);
     }
 
     @Test
     void stateThatNeverEnds_isRefusedWhenItCanBeReached() {
-        var builder = SubsumptionTable.forRobots(2).when(Colours.BLUE, WF, SW).when(Colours.RED, WF, WF);
+        var builder =
+                SubsumptionTable.forRobots(2).when(NamedColours.BLUE, WF, SW).when(NamedColours.RED, WF, WF);
         assertThatThrownBy(builder::build)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("state 2 (red)")
                 .hasMessageContaining("allowFinal()");
-        assertThat(builder.allowFinal().build().state(Colours.RED)).isPresent();
+        assertThat(builder.allowFinal().build().state(NamedColours.RED)).isPresent();
     }
 
     @Test
     void firstStateThatNeverEnds_isTheOnlyOneThatCounts() {
-        var builder = SubsumptionTable.forRobots(1).when(Colours.BLUE, WF).when(Colours.RED, WF);
+        var builder = SubsumptionTable.forRobots(1).when(NamedColours.BLUE, WF).when(NamedColours.RED, WF);
         assertThatThrownBy(builder::build).hasMessageContaining("state 1 (blue) can be reached");
     }
 
     @Test
     void wrongNumberOfServices_andDoubleColours_areRefused() {
         var builder = SubsumptionTable.forRobots(2);
-        assertThatThrownBy(() -> builder.when(Colours.RED, SW))
+        assertThatThrownBy(() -> builder.when(NamedColours.RED, SW))
                 .hasMessage("the state of red names 1 services, expected one for each of 2 robots");
-        builder.when(Colours.RED, SW, SW);
-        assertThatThrownBy(() -> builder.when(Colours.RED, WF, SW)).hasMessage("red leads to state 1 already");
+        builder.when(NamedColours.RED, SW, SW);
+        assertThatThrownBy(() -> builder.when(NamedColours.RED, WF, SW)).hasMessage("red leads to state 1 already");
         assertThatThrownBy(() -> SubsumptionTable.forRobots(0)).hasMessageContaining("expected 1 or more");
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1).build()).hasMessageContaining("no state");
     }
@@ -63,13 +64,13 @@ class SubsumptionTableTest {
     @Test
     void reservedColours_leadToNoState() {
         assertThat(paper.ignored())
-                .containsEntry(Colours.BLACK, "walls and robot 2")
-                .containsEntry(Colours.ORANGE, "robot 1");
-        var builder = SubsumptionTable.forRobots(1).when(Colours.BLACK, SW).ignoring(Colours.BLACK, "walls");
+                .containsEntry(NamedColours.BLACK, "walls and robot 2")
+                .containsEntry(NamedColours.ORANGE, "robot 1");
+        var builder = SubsumptionTable.forRobots(1).when(NamedColours.BLACK, SW).ignoring(NamedColours.BLACK, "walls");
         assertThatThrownBy(builder::build)
                 .hasMessage("black leads to state 1, but the table ignores it (walls), expected one or the other");
-        assertThatThrownBy(() -> builder.ignoring(Colours.BLACK, "again")).hasMessage("black is ignored already");
-        assertThatThrownBy(() -> builder.ignoring(Colours.RED, "robot #1")).hasMessageContaining("without '#'");
+        assertThatThrownBy(() -> builder.ignoring(NamedColours.BLACK, "again")).hasMessage("black is ignored already");
+        assertThatThrownBy(() -> builder.ignoring(NamedColours.RED, "robot #1")).hasMessageContaining("without '#'");
         assertThatThrownBy(() -> builder.ignoring(-1, "")).hasMessageContaining("expected 0x000000 to 0xFFFFFF");
     }
 
@@ -94,17 +95,17 @@ class SubsumptionTableTest {
         assertThatThrownBy(() -> one().colour("two words", 1)).hasMessageContaining("expected a word");
         var table = one().colour("red", 0xFE0000).ignoring(0xFE0000, "").build();
         assertThat(table.colourName(0xFE0000)).isEqualTo("red");
-        assertThat(table.colourName(Colours.RED)).isEqualTo("#FF0000");
+        assertThat(table.colourName(NamedColours.RED)).isEqualTo("#FF0000");
     }
 
     @Test
     void twoServicesOfOneName_areRefused_unlessTheyAreEqual() {
         var backward = Service.wallFollower(io.troupe.services.behaviour.WallFollower.CornerStyle.BACKWARD);
-        var builder = SubsumptionTable.forRobots(3).when(Colours.RED, WF, SW, backward);
+        var builder = SubsumptionTable.forRobots(3).when(NamedColours.RED, WF, SW, backward);
         assertThatThrownBy(builder::build).hasMessageStartingWith("two different services are called wallFollower");
         var again = Service.wallFollower(io.troupe.services.behaviour.WallFollower.CornerStyle.FORWARD);
         assertThat(SubsumptionTable.forRobots(3)
-                        .when(Colours.RED, WF, SW, again)
+                        .when(NamedColours.RED, WF, SW, again)
                         .build()
                         .services())
                 .containsExactly(WF, SW);
@@ -114,15 +115,15 @@ class SubsumptionTableTest {
     void layers_areOneServiceWhereverTheyAreMade_andEachOfThemCanDrive() {
         Service avoid = SubsumptionTableReader.service("avoid = avoid", ServiceCatalogue.standard());
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.RED, avoid.over(SW), avoid.over(SW))
+                .when(NamedColours.RED, avoid.over(SW), avoid.over(SW))
                 .build();
         assertThat(table.services()).containsExactly(avoid.over(SW));
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1)
-                        .when(Colours.RED, SW.over(avoid))
+                        .when(NamedColours.RED, SW.over(avoid))
                         .build())
                 .hasMessageContaining("never come to avoid, because spaceWanderer always drives");
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1)
-                        .when(Colours.RED, avoid.over(avoid).over(SW))
+                        .when(NamedColours.RED, avoid.over(avoid).over(SW))
                         .build())
                 .hasMessageContaining("name avoid twice");
     }
@@ -131,13 +132,13 @@ class SubsumptionTableTest {
     void statesThatNeverBegin_areRefused() {
         var builder = SubsumptionTable.forRobots(1)
                 .allowFinal()
-                .when(Colours.BLUE, WF)
-                .when(Colours.RED, SW);
+                .when(NamedColours.BLUE, WF)
+                .when(NamedColours.RED, SW);
         assertThatThrownBy(builder::build)
                 .hasMessageStartingWith("state 2 (red) never begins, because no robot in state 1 (blue)");
         assertThat(SubsumptionTable.forRobots(1)
                         .allowFinal()
-                        .when(Colours.BLUE, WF)
+                        .when(NamedColours.BLUE, WF)
                         .build()
                         .first()
                         .canEnd())
@@ -161,20 +162,22 @@ class SubsumptionTableTest {
     void heldState_endsEarlyForAColourOfHigherPriorityOnly() {
         var table = SubsumptionTable.forRobots(1)
                 .hold(2)
-                .when(Colours.BLUE, SW)
-                .when(Colours.RED, SW)
-                .when(Colours.GREEN, SW)
-                .priority(Colours.GREEN, 1)
+                .when(NamedColours.BLUE, SW)
+                .when(NamedColours.RED, SW)
+                .when(NamedColours.GREEN, SW)
+                .priority(NamedColours.GREEN, 1)
                 .build();
         State blue = table.first();
-        assertThat(table.next(blue, Colours.RED, 1.9)).isEmpty();
-        assertThat(table.next(blue, Colours.RED, 2)).map(State::colour).hasValue(Colours.RED);
-        assertThat(table.next(blue, Colours.GREEN, 0)).map(State::colour).hasValue(Colours.GREEN);
-        assertThat(table.next(table.state(Colours.GREEN).orElseThrow(), Colours.RED, 1))
+        assertThat(table.next(blue, NamedColours.RED, 1.9)).isEmpty();
+        assertThat(table.next(blue, NamedColours.RED, 2)).map(State::colour).hasValue(NamedColours.RED);
+        assertThat(table.next(blue, NamedColours.GREEN, 0)).map(State::colour).hasValue(NamedColours.GREEN);
+        assertThat(table.next(table.state(NamedColours.GREEN).orElseThrow(), NamedColours.RED, 1))
                 .isEmpty();
-        var both =
-                List.of(Patch.of(Colours.RED, 500, 0), Patch.of(Colours.GREEN, 20, 0), Patch.of(Colours.BLACK, 900, 0));
-        assertThat(table.ruleIn(blue).pick(both, 5)).hasValue(Colours.GREEN);
+        var both = List.of(
+                TestBlobs.of(NamedColours.RED, 500, 0),
+                TestBlobs.of(NamedColours.GREEN, 20, 0),
+                TestBlobs.of(NamedColours.BLACK, 900, 0));
+        assertThat(table.ruleIn(blue).pick(both, 5)).hasValue(NamedColours.GREEN);
         assertThat(table.ruleIn(blue).pick(both.subList(0, 1), 1)).isEmpty();
         assertThatThrownBy(() -> SubsumptionTable.forRobots(1).hold(Double.NaN))
                 .hasMessageContaining("expected 0 or more");
@@ -182,7 +185,7 @@ class SubsumptionTableTest {
 
     @Test
     void secondPriorityOfAColour_isRefused() {
-        assertThatThrownBy(() -> one().priority(Colours.RED, 1).priority(Colours.RED, 2))
+        assertThatThrownBy(() -> one().priority(NamedColours.RED, 1).priority(NamedColours.RED, 2))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("red has priority 1 already, and not 2");
     }
@@ -190,20 +193,20 @@ class SubsumptionTableTest {
     @Test
     void smallestPriority_isLowerThanNone() {
         var table = SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, Service.SPACE_WANDERER)
-                .when(Colours.RED, Service.SPACE_WANDERER)
-                .when(Colours.GREEN, Service.SPACE_WANDERER)
-                .priority(Colours.RED, Integer.MIN_VALUE)
+                .when(NamedColours.BLUE, Service.SPACE_WANDERER)
+                .when(NamedColours.RED, Service.SPACE_WANDERER)
+                .when(NamedColours.GREEN, Service.SPACE_WANDERER)
+                .priority(NamedColours.RED, Integer.MIN_VALUE)
                 .build();
-        var seen = List.of(Patch.of(Colours.RED, 900, 0), Patch.of(Colours.GREEN, 20, 40));
-        assertThat(table.ruleIn(table.first()).pick(seen, 0)).hasValue(Colours.GREEN);
+        var seen = List.of(TestBlobs.of(NamedColours.RED, 900, 0), TestBlobs.of(NamedColours.GREEN, 20, 40));
+        assertThat(table.ruleIn(table.first()).pick(seen, 0)).hasValue(NamedColours.GREEN);
     }
 
     @Test
     void serviceWithTheNameOfLayers_isRefused() {
         Service avoid = new Service("avoid", false, () -> senses -> Optional.empty());
         Service other = new Service("avoid > spaceWanderer", true, SpaceWanderer::behaviour);
-        var table = SubsumptionTable.forRobots(2).when(Colours.BLUE, avoid.over(SW), other);
+        var table = SubsumptionTable.forRobots(2).when(NamedColours.BLUE, avoid.over(SW), other);
         assertThatThrownBy(table::build)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageStartingWith("two different services are called avoid > spaceWanderer");
@@ -217,6 +220,6 @@ class SubsumptionTableTest {
     }
 
     private static SubsumptionTableBuilder one() {
-        return SubsumptionTable.forRobots(1).when(Colours.BLUE, SW);
+        return SubsumptionTable.forRobots(1).when(NamedColours.BLUE, SW);
     }
 }

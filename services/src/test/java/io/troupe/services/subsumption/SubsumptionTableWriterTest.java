@@ -51,13 +51,13 @@ class SubsumptionTableWriterTest {
     @Test
     void serviceOfBareCode_cannotBeWritten() {
         var own = new Service("own", true, () -> senses -> java.util.Optional.empty());
-        var table = SubsumptionTable.forRobots(1).when(Colours.RED, own).build();
+        var table = SubsumptionTable.forRobots(1).when(NamedColours.RED, own).build();
         assertThatThrownBy(() -> SubsumptionTableWriter.write(table))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("the service own cannot be written");
     }
 
-    /** Any table that the checks let pass. */
+    /** A random table that passes the checks. */
     private static SubsumptionTable table(Random random) {
         int robots = 1 + random.nextInt(12);
         var services = new ArrayList<>(List.of(
@@ -74,8 +74,9 @@ class SubsumptionTableWriterTest {
         }
         var colours = random.ints(0, 0x1000000).distinct().limit(6).boxed().toList();
         builder.colour("own", colours.get(0)).colour("red", colours.get(1)).ignoring(colours.get(2), "a wall: yes");
-        builder.ignoring(Colours.BLACK, "");
-        for (int colour : List.of(Colours.BLUE, colours.get(0), colours.get(1), Colours.RED, colours.get(3))) {
+        builder.ignoring(NamedColours.BLACK, "");
+        for (int colour :
+                List.of(NamedColours.BLUE, colours.get(0), colours.get(1), NamedColours.RED, colours.get(3))) {
             List<Service> inCharge = new ArrayList<>(List.of(Service.SPACE_WANDERER));
             while (inCharge.size() < robots) {
                 inCharge.add(services.get(random.nextInt(services.size())));

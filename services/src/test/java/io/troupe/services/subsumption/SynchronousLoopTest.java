@@ -27,7 +27,7 @@ class SynchronousLoopTest {
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final ChargeBook charge = new ChargeBook();
+    private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final List<String> states = Collections.synchronizedList(new ArrayList<>());
 
     private final SubsumptionRun.Settings settings = new SubsumptionRun.Settings(
@@ -73,7 +73,7 @@ class SynchronousLoopTest {
     void service_getsBlobsStallAndLaser_asInTheOtherModes() throws InterruptedException {
         robots.giveLaser(1);
         robots.stall(1);
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         List<Senses> readings = Collections.synchronizedList(new ArrayList<>());
         var looking = new Service("looking", false, () -> senses -> {
                     readings.add(senses);
@@ -81,7 +81,7 @@ class SynchronousLoopTest {
                 })
                 .withLaser();
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, WF, looking)
+                .when(NamedColours.BLUE, WF, looking)
                 .allowFinal()
                 .build();
         var settings = new SubsumptionRun.Settings(
@@ -95,7 +95,7 @@ class SynchronousLoopTest {
         }
         assertThat(readings).singleElement().satisfies(senses -> {
             assertThat(senses.stalled()).isTrue();
-            assertThat(senses.largestBlob(Colours.RED)).isPresent();
+            assertThat(senses.largestBlob(NamedColours.RED)).isPresent();
             assertThat(senses.laser().nearestM(-0.1, 0.1)).isEqualTo(2);
         });
     }
@@ -111,7 +111,7 @@ class SynchronousLoopTest {
                 })
                 .withLaser();
         var table = SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, WF, scanning)
+                .when(NamedColours.BLUE, WF, scanning)
                 .allowFinal()
                 .build();
         var settings = new SubsumptionRun.Settings(
@@ -165,7 +165,7 @@ class SynchronousLoopTest {
     void robotWhoseTurnComesTooLate_getsItsSpeedAgain_andOneThatStandsDoesNot() throws InterruptedException {
         var standing = new Service("standing", true, () -> senses -> Optional.empty());
         var table = SubsumptionTable.forRobots(6)
-                .when(Colours.BLUE, Assignment.everyRobot(SW).robots(6, 6, standing))
+                .when(NamedColours.BLUE, Assignment.everyRobot(SW).robots(6, 6, standing))
                 .allowFinal()
                 .build();
         try (var six = new FakeRobots(test, 6, FakeRobots.PORT + 1);
@@ -204,7 +204,7 @@ class SynchronousLoopTest {
     @Test
     void colour_changesTheStateInItsRobotsTurn_withoutAStop_andRobot1IsNext() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings)) {
-            robots.show(1, Colours.ORANGE, Colours.RED);
+            robots.show(1, NamedColours.ORANGE, NamedColours.RED);
             robots.tickAndAwait(100);
             assertThat(states).containsExactly("1 by null");
             robots.tickAndAwait(100);
@@ -222,16 +222,16 @@ class SynchronousLoopTest {
     @Test
     void colourSeenByRobot1_beginsTheNextStateWithRobot1Again() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings)) {
-            robots.show(1, Colours.RED);
+            robots.show(1, NamedColours.RED);
             robots.tickAndAwait(100);
             robots.tickAndAwait(100);
             assertThat(states).endsWith("2 by 1");
-            robots.show(0, Colours.BLUE);
+            robots.show(0, NamedColours.BLUE);
             robots.tickAndAwait(100);
             assertThat(states).endsWith("1 by 0");
             assertCommands(2, 1);
             robots.tickAndAwait(100);
-            assertCommands(3, 2); // robot 2 waits for its turn longer than usual: its speed is sent again
+            assertCommands(3, 2); // robot 2 waits longer than usual for its next cycle: its speed is sent again
             robots.tickAndAwait(100);
             assertCommands(3, 3);
             run.check();
@@ -243,8 +243,8 @@ class SynchronousLoopTest {
         try (var run = SubsumptionRun.start(settings.withRound(SynchronousRound.ALL_SERVICES_A_READING))) {
             robots.tickAndAwait(100);
             assertCommands(1, 1);
-            robots.show(1, Colours.RED);
-            robots.show(0, Colours.BLUE);
+            robots.show(1, NamedColours.RED);
+            robots.show(0, NamedColours.BLUE);
             robots.tickAndAwait(100);
             assertThat(states).containsExactly("1 by null", "2 by 1");
             assertThat(robots.lastCommand(0).vx()).isEqualTo(0.5);

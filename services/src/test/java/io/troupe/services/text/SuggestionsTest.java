@@ -12,14 +12,14 @@ class SuggestionsTest {
 
     @ParameterizedTest
     @CsvSource({
-        "spaceWandrer, spaceWanderer", // left out
+        "spaceWandrer, spaceWanderer", // omitted
         "spaceWaanderer, spaceWanderer", // added
         "spaceWonderer, spaceWanderer", // changed
-        "paceWanderres, spaceWanderer", // left out and swapped with its neighbour, at both ends
+        "paceWanderres, spaceWanderer", // omitted at the start, swapped with its neighbour at the end
         "PLAYER, player",
         "mpa, map"
     })
-    void name_withFewSlips_isFound(String written, String meant) {
+    void name_withFewEdits_isFound(String written, String meant) {
         assertThat(Suggestions.nearest(written, KNOWN)).contains(meant);
     }
 

@@ -6,6 +6,8 @@ import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.kinds.ComponentKind.Parameter;
 import io.troupe.services.subsumption.Colours;
+import io.troupe.services.component.kinds.Kind.Parameter;
+import io.troupe.services.subsumption.NamedColours;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -108,8 +110,13 @@ public final class ComponentKinds {
                         name,
                         Set.copyOf(arguments.someOf(
                                 "ignore",
-                                List.of(Colours.BLUE, Colours.RED, Colours.GREEN, Colours.ORANGE, Colours.BLACK),
-                                Colours::name))));
+                                List.of(
+                                        NamedColours.BLUE,
+                                        NamedColours.RED,
+                                        NamedColours.GREEN,
+                                        NamedColours.ORANGE,
+                                        NamedColours.BLACK),
+                                NamedColours::name))));
     }
 
     private static ComponentKind process() {

@@ -20,8 +20,8 @@ import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.component.kinds.RobotTopics;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
-import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.FakeRobots;
+import io.troupe.services.subsumption.NamedColours;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -347,16 +347,16 @@ class ApplicationTest {
         test.get(application.started().thenApply(runs -> true));
         assertThat(events.getLast()).isEqualTo("robot2 uses finder [robot2/blobs -> finder/blobs]");
         var seen = listenTo(RobotTopics.colours("finder"));
-        robots.show(0, Colours.GREEN); // the camera of the other robot has no effect
+        robots.show(0, NamedColours.GREEN); // the camera of the other robot has no effect
         robots.tick(100);
         assertThat(seen).as("walls alone").isEmpty();
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         robots.tick(100);
         robots.tick(100);
-        assertThat(seen).containsExactly(new ColourSeen(0.2, Colours.RED));
-        robots.show(1, Colours.BLUE);
+        assertThat(seen).containsExactly(new ColourSeen(0.2, NamedColours.RED));
+        robots.show(1, NamedColours.BLUE);
         robots.tick(100);
-        assertThat(seen).last().isEqualTo(new ColourSeen(0.4, Colours.BLUE));
+        assertThat(seen).last().isEqualTo(new ColourSeen(0.4, NamedColours.BLUE));
     }
 
     @Test

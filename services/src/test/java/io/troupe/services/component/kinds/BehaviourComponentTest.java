@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Blob;
-import io.troupe.services.behaviour.Patch;
 import io.troupe.services.behaviour.Senses;
+import io.troupe.services.behaviour.TestBlobs;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
@@ -21,7 +21,7 @@ import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -52,7 +52,7 @@ class BehaviourComponentTest {
             user.subscribe(RobotTopics.velocity("driver"), (velocity, from) -> velocities.add(velocity));
             user.subscribe(
                     RobotTopics.colours("driver"),
-                    (seen, from) -> colours.add(seen.timeSeconds() + " " + Colours.name(seen.colour())));
+                    (seen, from) -> colours.add(seen.timeSeconds() + " " + NamedColours.name(seen.colour())));
             opened.add(ComponentInterface.open(bus, "driver", component, notes));
         });
         test.get(opened.getFirst().start().thenApply(runs -> true));
@@ -99,12 +99,12 @@ class BehaviourComponentTest {
             user.publish(RobotTopics.position("driver"), new PositionReading(0.2, 0, 0, 0, true));
             user.publish(RobotTopics.laser("driver"), new LaserReading(0.2, -1, 1, 8, List.of(1.0, 2.0, 3.0)));
         });
-        picture(0.2, Colours.RED);
+        picture(0.2, NamedColours.RED);
         ranges(0.2, 5);
         assertThat(readings.getFirst().laser().isEmpty()).isTrue();
         assertThat(readings.getFirst().blobs()).isEmpty();
         assertThat(readings.getLast().stalled()).isTrue();
-        assertThat(readings.getLast().blobs()).containsExactly(Patch.of(Colours.RED, 100, 0));
+        assertThat(readings.getLast().blobs()).containsExactly(TestBlobs.of(NamedColours.RED, 100, 0));
         assertThat(readings.getLast().laser().rangeM(2)).isEqualTo(3);
         assertThat(readings.getLast().laser().bearingRad(2)).isEqualTo(1);
     }
@@ -199,20 +199,20 @@ class BehaviourComponentTest {
 
     @Test
     void colourFinder_saysEachColourWhenItComesIntoSight() {
-        start(ColourFinderComponent.of("driver", Set.of(Colours.BLACK, Colours.ORANGE)));
-        picture(0.1, Colours.BLACK);
-        picture(0.2, Colours.BLACK, Colours.RED);
-        picture(0.3, Colours.RED, Colours.ORANGE);
-        picture(0.4, Colours.GREEN);
+        start(ColourFinderComponent.of("driver", Set.of(NamedColours.BLACK, NamedColours.ORANGE)));
+        picture(0.1, NamedColours.BLACK);
+        picture(0.2, NamedColours.BLACK, NamedColours.RED);
+        picture(0.3, NamedColours.RED, NamedColours.ORANGE);
+        picture(0.4, NamedColours.GREEN);
         picture(0.5);
-        picture(0.6, Colours.GREEN);
+        picture(0.6, NamedColours.GREEN);
         assertThat(colours).containsExactly("0.2 red", "0.4 green", "0.6 green");
     }
 
     private void picture(double timeSeconds, int... seen) {
         List<Blob> blobs = new ArrayList<>();
         for (int colour : seen) {
-            blobs.add(Patch.of(colour, 100, 0));
+            blobs.add(TestBlobs.of(colour, 100, 0));
         }
         test.run(() -> user.publish(RobotTopics.blobs("driver"), new BlobsReading(timeSeconds, blobs)));
     }

@@ -12,7 +12,10 @@ import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.subsumption.Colours;
+import io.troupe.services.component.Lifecycle;
+import io.troupe.services.component.Notes;
 import io.troupe.services.subsumption.FakeRobots;
+import io.troupe.services.subsumption.NamedColours;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
@@ -69,11 +72,11 @@ class PlayerComponentTest {
             user.subscribe(
                     RobotTopics.blobs("robot2"),
                     (reading, from) -> heard.add("2 sees " + reading.blobs().size() + ", the second "
-                            + Colours.name(reading.blobs().get(1).colour())));
+                            + NamedColours.name(reading.blobs().get(1).colour())));
         });
         started();
         robots.range(0, 3, 1.5);
-        robots.show(1, Colours.RED);
+        robots.show(1, NamedColours.RED);
         robots.tick(100);
         assertThat(heard).containsExactlyInAnyOrder("1 at 0.1 sonar 3 1.5", "2 at 0.0", "2 sees 2, the second red");
         robots.tick(100);

@@ -7,43 +7,43 @@ import io.troupe.player.structures.PlayerConstants;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A connection with one robot, for a service that waits for its readings on an actor space.
+ * A connection with one robot, for a service that waits for readings on an actor space.
  *
- * <p><b>Threads.</b> The actor space on whose thread it was made. <b>Errors.</b>
- * {@link io.troupe.player.PlayerException} when the server refuses or has gone.
+ * <p><b>Threads.</b> The thread of the actor space on which it was created. <b>Errors.</b>
+ * {@link io.troupe.player.PlayerException} when the server refuses a request or has disconnected.
  *
  * <p><b>Source.</b> Paper, Figure 7.
  */
-final class RobotLink implements AutoCloseable {
+final class RobotConnection implements AutoCloseable {
     private final PlayerClient client;
-    private final RobotDevices devices;
+    private final PlayerDevices devices;
     private @Nullable Deferred<Boolean> waiting;
     private @Nullable Promise<Boolean> reading;
 
-    private RobotLink(PlayerClient client, int robot, boolean usesLaser) {
+    private RobotConnection(PlayerClient client, int robot, boolean usesLaser) {
         this.client = client;
-        client.requestDataDeliveryMode(
-                PlayerConstants.PLAYER_DATAMODE_PULL); // behind a socket, too, a frame is all readings of a time
+        // in pull mode one frame holds all readings of a tick, also over a socket
+        client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
         DriverLimits.watch(client);
-        devices = new RobotDevices(client, robot, usesLaser);
+        devices = new PlayerDevices(client, robot, usesLaser);
         client.runThreaded(-1, -1);
     }
 
-    static RobotLink connect(String host, int port, int robot, boolean usesLaser) {
+    static RobotConnection connect(String host, int port, int robot, boolean usesLaser) {
         var client = new PlayerClient(host, port);
         try {
-            return new RobotLink(client, robot, usesLaser);
+            return new RobotConnection(client, robot, usesLaser);
         } catch (RuntimeException refused) {
             client.close();
             throw refused;
         }
     }
 
-    RobotDevices devices() {
+    PlayerDevices devices() {
         return devices;
     }
 
-    /** True as soon as new data are ready, or false when {@link #wake} is called first. */
+    /** Resolves to true as soon as new data are ready, or to false if {@link #wake} is called first. */
     Promise<Boolean> nextData() {
         var next = new Deferred<Boolean>();
         reading = client.nextData().thenApply(ready -> true);
@@ -52,7 +52,7 @@ final class RobotLink implements AutoCloseable {
         return next;
     }
 
-    /** Ends the waiting of {@link #nextData}. */
+    /** Resolves the promise of {@link #nextData} with false. */
     void wake() {
         if (waiting != null) {
             waiting.resolve(false);
@@ -62,7 +62,7 @@ final class RobotLink implements AutoCloseable {
     @Override
     public void close() {
         if (reading != null) {
-            reading.cancel(); // whoever closes does not want to hear that the client was closed
+            reading.cancel(); // closing the client would reject a pending promise
         }
         client.close();
     }

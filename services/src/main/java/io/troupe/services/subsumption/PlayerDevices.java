@@ -19,17 +19,17 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One robot's sensors and wheels on a connection.
+ * The Player devices of one robot: its sensors and wheels on one connection.
  *
- * <p><b>Threads.</b> That of the connection. <b>Errors.</b> {@link PlayerException} when the server refuses or has
- * gone.
+ * <p><b>Threads.</b> The thread of the connection. <b>Errors.</b> {@link PlayerException} when the server refuses a
+ * request or has disconnected.
  *
  * <p><b>Source.</b> Paper, Figure 7.
  */
-final class RobotDevices {
+final class PlayerDevices {
     /**
-     * Two cycles, half of {@link DriverLimits#COMMAND_LIMIT}: one reading may be late. Half a millisecond forgives
-     * rounding.
+     * Two cycles, half of {@link DriverLimits#COMMAND_LIMIT}, so that one reading may be late. Minus half a millisecond
+     * of tolerance for rounding.
      */
     private static final double RENEWAL_SECONDS = 2 * ReadingTime.CYCLE_SECONDS - 0.0005;
 
@@ -40,13 +40,13 @@ final class RobotDevices {
     private final int robot;
     private @Nullable LaserInterface laser;
     private @Nullable PlayerBlobfinderData image;
-    private List<Blob> blobs = List.of(); // of that image
+    private List<Blob> blobs = List.of(); // converted from image
     private final ReadingTime time = new ReadingTime();
-    private Velocity told = Velocity.STOP;
-    private double toldAtSeconds;
+    private Velocity lastCommand = Velocity.STOP;
+    private double lastCommandSeconds;
 
-    /** @param usesLaser whether the laser is subscribed to at once */
-    RobotDevices(PlayerClient client, int robot, boolean usesLaser) {
+    /** @param usesLaser whether to subscribe to the laser at once */
+    PlayerDevices(PlayerClient client, int robot, boolean usesLaser) {
         this.client = client;
         this.robot = robot;
         position = client.requestInterfacePosition2D(robot, PlayerConstants.PLAYER_OPEN_MODE);
@@ -58,7 +58,10 @@ final class RobotDevices {
         }
     }
 
-    /** Subscribes to the laser, unless that has been done: a scan is the largest reading of all, and costs traffic. */
+    /**
+     * Subscribes to the laser, unless that is done already. Only services that use the laser do so: a scan is the
+     * largest of all readings.
+     */
     void useLaser() {
         if (laser == null) {
             try {
@@ -70,7 +73,7 @@ final class RobotDevices {
         }
     }
 
-    /** Whether there has been a reading yet. */
+    /** Whether each subscribed sensor has sent a reading. */
     boolean hasData() {
         return position.getData() != null
                 && sonar.getData() != null
@@ -78,13 +81,14 @@ final class RobotDevices {
                 && (laser == null || laser.getData() != null);
     }
 
-    /** When the sonar readings were taken, in seconds on the robot's clock; it never goes back. */
+    /** The time of the sonar readings in seconds on the robot's clock, made monotonic by {@link ReadingTime}. */
     double timeSeconds() {
         return time.at(sonar.getTimestamp());
     }
 
     /**
-     * The same as the robot's clock has it, to compare with other robots of the connection: the clock may be set back.
+     * The time stamp of the sonar readings, to compare with other robots of the connection. It may go back if the
+     * robot's clock is set back.
      */
     double stampSeconds() {
         return sonar.getTimestamp();
@@ -93,8 +97,8 @@ final class RobotDevices {
     /**
      * The newest readings.
      *
-     * @param withLaser whether the service asks for the scan; another service of the robot may have subscribed to the
-     *     laser
+     * @param withLaser whether to include the laser scan; a service gets it only if it uses the laser, also if another
+     *     service of the robot has subscribed to it
      */
     Senses senses(boolean withLaser) {
         var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());
@@ -107,7 +111,7 @@ final class RobotDevices {
                 laser == null || !withLaser ? LaserScan.EMPTY : LaserScan.of(laser.getData()));
     }
 
-    /** What the blobfinder saw at the same time; made once for each image, as finder and behaviour both ask for it. */
+    /** The blobs of the newest image. Converted once per image, as colour finder and behaviour both read them. */
     List<Blob> blobs() {
         var newest = blobfinder.getData();
         if (newest != image) {
@@ -118,15 +122,15 @@ final class RobotDevices {
     }
 
     void drive(Velocity velocity) {
-        told = velocity;
-        toldAtSeconds = timeSeconds();
+        lastCommand = velocity;
+        lastCommandSeconds = timeSeconds();
         position.setSpeed(velocity.forwardMps(), velocity.turnRadps());
     }
 
-    /** Sends the last speed again before it expires, for a robot whose turn comes later than that. */
-    void renew() {
-        if (!told.equals(Velocity.STOP) && timeSeconds() - toldAtSeconds >= RENEWAL_SECONDS) {
-            drive(told);
+    /** Repeats the last speed command before it expires, for a robot whose next cycle comes later than that. */
+    void repeatCommand() {
+        if (!lastCommand.equals(Velocity.STOP) && timeSeconds() - lastCommandSeconds >= RENEWAL_SECONDS) {
+            drive(lastCommand);
         }
     }
 }

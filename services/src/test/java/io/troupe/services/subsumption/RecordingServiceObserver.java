@@ -5,24 +5,24 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
-/** Writes down which services are in charge of which robot. */
-final class ChargeBook implements ServiceObserver {
+/** Records which services drive which robot. */
+final class RecordingServiceObserver implements ServiceObserver {
     private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
     private int most;
     private int coloursSent;
 
     @Override
-    public void began(int robot, Service service) {
+    public void serviceStarted(int robot, Service service) {
         var services = inCharge.computeIfAbsent(robot, each -> new ArrayList<>());
         services.add(service);
         most = Math.max(most, services.size());
     }
 
     @Override
-    public void cycled(int robot, Service service) {}
+    public void cycleEnded(int robot, Service service) {}
 
     @Override
-    public void ended(int robot, Service service) {
+    public void serviceEnded(int robot, Service service) {
         inCharge.get(robot).remove(service);
     }
 
@@ -39,7 +39,7 @@ final class ChargeBook implements ServiceObserver {
         return List.copyOf(inCharge.getOrDefault(robot, List.of()));
     }
 
-    /** The most services a robot ever had at the same time. */
+    /** The maximum number of services that a robot had at the same time. */
     int most() {
         return most;
     }

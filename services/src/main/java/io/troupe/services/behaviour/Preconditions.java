@@ -1,8 +1,8 @@
 package io.troupe.services.behaviour;
 
-/** Checks of what behaviours are made with. */
-final class Limits {
-    private Limits() {}
+/** Argument checks of the behaviours. */
+final class Preconditions {
+    private Preconditions() {}
 
     static void requirePositive(String what, double value, String unit) {
         if (!(value > 0) || Double.isInfinite(value)) {

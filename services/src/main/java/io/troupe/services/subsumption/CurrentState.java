@@ -7,20 +7,17 @@ import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The state in which the robots are, and the references of its services: what the arbitrators of both asynchronous
- * modes have in common.
- */
-final class PresentState {
+/** The current state and the references of its running services. Shared code of both arbitrators. */
+final class CurrentState {
     private final RobotServices services;
     private final Arbitrator.StateListener listener;
     private final Map<Integer, AtomicReference<Integer>> references = new TreeMap<>();
-    private final Deferred<@Nullable Void> failed = new Deferred<>();
+    private final Deferred<@Nullable Void> failure = new Deferred<>();
     private State state;
     private @Nullable Integer seenBy;
     private int changes;
 
-    PresentState(RobotServices services, State first, Arbitrator.StateListener listener) {
+    CurrentState(RobotServices services, State first, Arbitrator.StateListener listener) {
         this.services = services;
         this.state = first;
         this.listener = listener;
@@ -30,7 +27,7 @@ final class PresentState {
         return state;
     }
 
-    /** How many states there have been before this one; what is told with another number is about another state. */
+    /** The number of state changes so far. A message that was sent under another number belongs to an earlier state. */
     int changes() {
         return changes;
     }
@@ -39,28 +36,28 @@ final class PresentState {
         return state.services().get(robot);
     }
 
-    /** Its services are about to begin. */
-    void begins() {
-        listener.began(state, seenBy);
+    /** Notifies the listener that the current state starts. */
+    void notifyStarted() {
+        listener.stateStarted(state, seenBy);
     }
 
-    /** The reference of the service that is about to drive a robot. */
-    AtomicReference<Integer> newReference(int robot) {
+    /** Creates the reference of the service that is about to drive a robot. */
+    AtomicReference<Integer> newRunReference(int robot) {
         var reference = new AtomicReference<>(ServiceLoop.RUN);
         references.put(robot, reference);
         return reference;
     }
 
-    static AtomicReference<Integer> newColourFinder(Service service) {
+    static AtomicReference<Integer> newFinderReference(Service service) {
         return new AtomicReference<>(service.findsColours() ? ServiceLoop.RUN : ServiceLoop.STOP);
     }
 
     /**
-     * Tells all services to stop.
+     * Changes the state and stops all services.
      *
-     * @return fulfilled when they have, so that those of the next state can begin
+     * @return fulfilled when all have stopped, so that those of the next state can start
      */
-    Promise<?> change(State next, int robot) {
+    Promise<?> changeTo(State next, int robot) {
         state = next;
         changes++;
         seenBy = robot;
@@ -69,17 +66,19 @@ final class PresentState {
         return Promise.all(stops);
     }
 
-    /** Nobody arbitrates any more: the services stop at their next reading. */
-    void abandon() {
+    /**
+     * Clears all references, so that the services stop at their next reading. Called when the arbitrator is stopped.
+     */
+    void clearReferences() {
         references.values().forEach(reference -> reference.compareAndSet(ServiceLoop.RUN, ServiceLoop.STOP));
     }
 
     void fail(Throwable error) {
-        failed.reject(error);
+        failure.reject(error);
     }
 
-    /** Rejected when a service fails; never fulfilled. */
-    Promise<@Nullable Void> failed() {
-        return failed;
+    /** Returns a promise that is rejected when a service fails, and never fulfilled. */
+    Promise<@Nullable Void> failure() {
+        return failure;
     }
 }

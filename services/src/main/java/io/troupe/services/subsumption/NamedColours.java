@@ -5,10 +5,10 @@ import java.util.Locale;
 import java.util.OptionalInt;
 
 /**
- * Colours and their names, {@code 0x00RRGGBB}: those of the paper, and others that are easily told apart, as X11 and
- * world files have them.
+ * Named colours as {@code 0x00RRGGBB}: those of the paper, and others that are easy to distinguish. Names and values
+ * are those of X11 and of world files.
  */
-public final class Colours {
+public final class NamedColours {
     /** State 1, the default. */
     public static final int BLUE = 0x0000FF;
     /** State 2. */
@@ -20,7 +20,7 @@ public final class Colours {
     /** Robot 2, and the walls. */
     public static final int BLACK = 0x000000;
 
-    /** The largest value that is a colour. */
+    /** The largest valid colour. */
     static final int LAST = 0xFFFFFF;
 
     private record Named(String name, int colour) {}
@@ -50,9 +50,9 @@ public final class Colours {
             new Named("teal", 0x008080),
             new Named("silver", 0xC0C0C0));
 
-    private Colours() {}
+    private NamedColours() {}
 
-    /** The colour's name if it is a known one, else {@code #RRGGBB}. */
+    /** Returns the colour's name, or {@code #RRGGBB} if it has none. */
     public static String name(int colour) {
         return NAMED.stream()
                 .filter(named -> named.colour == colour)
@@ -61,7 +61,7 @@ public final class Colours {
                 .orElseGet(() -> hex(colour));
     }
 
-    /** The colour of a name, whatever its case. */
+    /** Returns the colour with a name; case is ignored. */
     public static OptionalInt named(String name) {
         String lower = name.toLowerCase(Locale.ROOT);
         return NAMED.stream()
@@ -70,7 +70,7 @@ public final class Colours {
                 .findFirst();
     }
 
-    /** All known names. */
+    /** Returns all colour names. */
     public static List<String> names() {
         return NAMED.stream().map(Named::name).toList();
     }

@@ -5,12 +5,13 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A behaviour that can be written down: a kind of the catalogue and its arguments, by which alone two are compared.
+ * A supplier of behaviours that a table file can express: a kind of the catalogue and its arguments. Two are equal if
+ * kind and arguments are.
  *
- * @param arguments as a table's file has them, between the brackets
- * @param yields whether it has nothing to say at times
+ * @param arguments in the table file's syntax, without the parentheses
+ * @param yields whether the behaviour sometimes returns no velocity
  */
-record Definition(String kind, String arguments, boolean yields, Supplier<Behaviour> maker)
+record ServiceDefinition(String kind, String arguments, boolean yields, Supplier<Behaviour> maker)
         implements Supplier<Behaviour> {
     @Override
     public Behaviour get() {
@@ -19,7 +20,7 @@ record Definition(String kind, String arguments, boolean yields, Supplier<Behavi
 
     @Override
     public boolean equals(@Nullable Object other) {
-        return other instanceof Definition that && kind.equals(that.kind) && arguments.equals(that.arguments);
+        return other instanceof ServiceDefinition that && kind.equals(that.kind) && arguments.equals(that.arguments);
     }
 
     @Override
