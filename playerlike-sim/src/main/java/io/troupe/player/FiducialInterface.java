@@ -5,9 +5,11 @@ import io.troupe.player.structures.fiducial.PlayerFiducialFov;
 import io.troupe.player.structures.fiducial.PlayerFiducialGeom;
 
 /**
- * A finder of marks, which this client does not offer: a name for programs that mention it.
+ * A fiducial marker detector. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface fiducial.
  */

@@ -4,9 +4,11 @@ import io.troupe.player.structures.mcom.PlayerMcomConfig;
 import io.troupe.player.structures.mcom.PlayerMcomData;
 
 /**
- * A store of messages between clients, which this client does not offer: a name for programs that mention it.
+ * Messages stored for other clients. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface mcom.
  */

@@ -5,9 +5,10 @@ import io.troupe.player.structures.map.PlayerMapDataVector;
 import io.troupe.player.structures.map.PlayerMapInfo;
 
 /**
- * A map, which this client does not offer: a name for programs that mention it.
+ * A map. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface map.
  */

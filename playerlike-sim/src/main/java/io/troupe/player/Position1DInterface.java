@@ -6,9 +6,10 @@ import io.troupe.player.structures.position1d.PlayerPosition1dData;
 import io.troupe.player.structures.position1d.PlayerPosition1dGeom;
 
 /**
- * A linear actuator, which this client does not offer: a name for programs that mention it.
+ * A linear actuator. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface position1d.
  */

@@ -8,9 +8,10 @@ import io.troupe.player.structures.position3d.PlayerPosition3dGeom;
 import io.troupe.player.wire.DeviceData;
 
 /**
- * A robot that moves in space, which this client does not offer: a name for programs that mention it.
+ * A robot that moves in 3D. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface position3d.
  */
