@@ -6,21 +6,22 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tells which {@code isDataReady()} that finds nothing is the one by which a program waits.
+ * Decides which unsuccessful {@code isDataReady()} call counts as the program waiting for the next frame.
  *
- * <p>A false alone does not say that: {@code if (pos.isDataReady()) ..; if (son.isDataReady()) ..} asks for the
- * position in vain and goes on to sonar readings it has not seen. So the program waits where everything was seen
- * before, or where it asks the same device in vain again. That place stays the same until the next frame, and the frame
- * becomes visible there and nowhere else: where in its loop a program meets new data does not depend on how fast
- * anybody is. When a program asks elsewhere, in vain and twice, and not at that place any more, the place moves.
+ * <p>An unsuccessful call alone is not enough. In {@code if (pos.isDataReady()) ..; if (son.isDataReady()) ..} the
+ * position poll may return false although unread sonar data follow. The program waits in a call if it has already seen
+ * all data, or if it polls the same device unsuccessfully for the second time. That device stays the waiting point
+ * until the next frame, and the next frame becomes visible only in a call for that device. So the place in a program's
+ * loop where new data appear does not depend on the speed of any thread. If the program later polls another device
+ * unsuccessfully twice, and no longer the waiting point, that device becomes the waiting point.
  *
- * <p><b>Threads.</b> None of its own; guarded by the lock of {@link Incoming}.
+ * <p><b>Threads.</b> Not thread-safe; guarded by the lock of {@link Incoming}.
  */
 final class AnswerPoint {
     private final Set<Object> askedInVain = Collections.newSetFromMap(new IdentityHashMap<>());
     private @Nullable Object place;
 
-    /** Whether the program waits in this call, by which it has asked for something that is not there. */
+    /** True if the program waits in this unsuccessful call. */
     boolean isAt(Object asked, boolean everythingSeen) {
         boolean waits = asked == place || place == null && everythingSeen || !askedInVain.add(asked);
         if (waits) {
@@ -30,12 +31,12 @@ final class AnswerPoint {
         return waits;
     }
 
-    /** Whether the program has waited since the newest frame. */
+    /** True if the program has waited since the newest frame. */
     boolean isReached() {
         return place != null;
     }
 
-    /** The program has found something new. */
+    /** The program has read new data. */
     void newsTaken() {
         askedInVain.clear();
     }

@@ -9,7 +9,7 @@ import io.troupe.player.wire.DeviceRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A camera that reports patches of colour.
+ * A camera that reports colour blobs.
  *
  * <p><b>Units and shapes.</b> Pixels, x to the right and y down; colours {@code 0x00RRGGBB}; ranges in metres.
  *
@@ -22,7 +22,7 @@ public class BlobfinderInterface extends PlayerDevice {
         super(client);
     }
 
-    /** The newest data, or null before there are any. */
+    /** The newest data, or null before the first message. */
     public @Nullable PlayerBlobfinderData getData() {
         return data.get();
     }
@@ -32,7 +32,7 @@ public class BlobfinderInterface extends PlayerDevice {
         return pc.findsNews(data);
     }
 
-    /** Chooses the colours that one channel tracks. */
+    /** Sets the colours that one channel tracks. */
     public void setTrackingColor(PlayerBlobfinderColorConfig config) {
         ask(new DeviceRequest.SetColour(
                 config.getChannel(),
@@ -44,7 +44,7 @@ public class BlobfinderInterface extends PlayerDevice {
                 config.getBmax()));
     }
 
-    /** Sets the camera; -1 leaves a value as it is. */
+    /** Sets the camera's parameters; -1 leaves a value unchanged. */
     public void setImagerParams(PlayerBlobfinderImagerConfig config) {
         ask(new DeviceRequest.SetImager(
                 config.getBrightness(), config.getContrast(), config.getColormode(), config.getAutogain()));

@@ -3,7 +3,10 @@ package io.troupe.player;
 import java.io.IOException;
 import java.io.OutputStream;
 
-/** Where a device in the original writes its messages; here whoever tries is told what to do instead. */
+/**
+ * The output stream of a device. In the original client a device writes its messages here; this one rejects every write
+ * with an error that names the alternative.
+ */
 final class ClosedOutput extends OutputStream {
     @Override
     public void write(int octet) throws IOException {

@@ -17,19 +17,22 @@ import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the server has sent and the client's program has not seen yet, and by which call the program answers.
+ * A client's inbox: frames that the server has sent and the program has not seen, and the calls by which the program
+ * answers a tick.
  *
- * <p><b>Threads.</b> Any thread; one lock. The server hands a frame in under it, the program sees it under it: what the
- * world did before a tick happens before what the program does about it. The tick a program answers is read under the
- * lock by which it found nothing new, and told to the server after that: an answer never covers data the program has
- * not been offered, and all that the program did before happens before the world goes on. No wake-up is lost, since
- * every wait looks at its condition under the lock, and whoever changes one notifies under it.
+ * <p><b>Threads.</b> Any thread; one lock. The server adds frames and the program reads them under this lock, so
+ * everything the world did before a tick happens-before the program's reaction to it. The tick to answer is read under
+ * the same lock in which no new data were found, and is sent to the server after the lock is released. An answer
+ * therefore never covers data that the program could not see yet, and everything the program did before the answer
+ * happens-before the world's next step. No wake-up is lost: each wait checks its condition under the lock, and each
+ * change of a condition notifies under the lock.
  *
- * <p><b>Order.</b> Data are dispatched under the lock as well, so frames never mix.
+ * <p><b>Order.</b> Data are dispatched under the lock too, so frames never mix.
  */
 final class Incoming implements DataSink {
     /**
-     * How many frames wait for a program that does not read what a server sends on and on; in lock step there is one.
+     * Bound of queued frames, for a program that stops reading while the server keeps sending; in lock step there is
+     * one.
      */
     private static final int MOST_FRAMES = 1024;
 
@@ -40,16 +43,16 @@ final class Incoming implements DataSink {
     private final Consumer<DataMessage> dispatcher;
     private final LongConsumer answer;
     private final boolean onSpace;
-    private int read; // messages of the oldest frame that are dispatched already
+    private int read; // number of messages of the oldest frame already dispatched
     private long shownTick = PlayerConnection.NO_TICK;
     private int openRequests;
-    private int unreadReply; // type of the newest reply that readAll has not told of; 0 = none
+    private int unreadReply; // type of the newest reply that readAll has not returned yet; 0 = none
     private @Nullable String lost;
 
     /**
-     * @param dispatcher hands a message to its device
-     * @param answer tells the server that the program waits for something newer than a tick
-     * @param onSpace true on an actor space, where frames arrive as a turn of their own
+     * @param dispatcher passes a message to its device
+     * @param answer notifies the server that the program waits for data newer than a tick
+     * @param onSpace true on an actor space, where each frame arrives in a separate turn
      */
     Incoming(Consumer<DataMessage> dispatcher, LongConsumer answer, boolean onSpace) {
         this.dispatcher = dispatcher;
@@ -57,14 +60,14 @@ final class Incoming implements DataSink {
         this.onSpace = onSpace;
     }
 
-    // ---- from the server
+    // ---- called by the server
 
     @Override
     public void frame(Frame frame) {
         List<Deferred<@Nullable Void>> ready = List.of();
         synchronized (lock) {
             if (frames.size() == MOST_FRAMES) {
-                frames.remove(); // as a server does whose client is slow, but the oldest: a robot lives now
+                frames.remove(); // drop the oldest frame: a robot needs the latest data
                 read = 0;
             }
             frames.add(frame);
@@ -76,21 +79,21 @@ final class Incoming implements DataSink {
         ready.forEach(each -> each.resolve(null));
     }
 
-    /** A request is about to be sent. */
+    /** Counts a request that is about to be sent. */
     void requestBegins() {
         synchronized (lock) {
             openRequests++;
         }
     }
 
-    /** A request could not be sent. */
+    /** Takes back {@link #requestBegins}: the request could not be sent. */
     void requestFails() {
         synchronized (lock) {
             openRequests--;
         }
     }
 
-    /** A reply has come, which {@code dispatch} hands to its device. */
+    /** Handles a reply; {@code dispatch} passes it to its device. */
     void requestEnds(int replyType, Runnable dispatch) {
         synchronized (lock) {
             openRequests--;
@@ -114,12 +117,13 @@ final class Incoming implements DataSink {
         ended.forEach(each -> each.reject(new PlayerException(reason)));
     }
 
-    // ---- from the program
+    // ---- called by the program
 
     /**
-     * Looks for news in a program that waits by asking; without any it may answer, and then gives the world a moment.
+     * Polls for new data in a program that waits by polling. If there are none and the call counts as waiting, it
+     * answers the tick and then waits briefly for the next frame.
      *
-     * @param everythingSeen whether no device has news
+     * @param everythingSeen true if no device has unread data
      */
     boolean poll(Latest<?> asked, BooleanSupplier everythingSeen, long patienceMillis) {
         long tick;
@@ -129,8 +133,7 @@ final class Incoming implements DataSink {
                 return true;
             }
             throwIfLost();
-            // On a space a chain of turns may still lie between this question and the end of the work: only asking
-            // again is waiting.
+            // On a space the polling turn may have queued further turns, so only a repeated poll counts as waiting.
             if (!answerPoint.isAt(asked, !onSpace && everythingSeen.getAsBoolean())) {
                 return false;
             }
@@ -157,7 +160,7 @@ final class Incoming implements DataSink {
         return news;
     }
 
-    /** Looks for news in a program that reads by itself: asking is not waiting there. */
+    /** Polls for new data in a program that calls readAll; there an unsuccessful poll does not answer the tick. */
     boolean takeNew(Latest<?> asked) {
         synchronized (lock) {
             if (asked.takeNew()) {
@@ -169,8 +172,8 @@ final class Incoming implements DataSink {
     }
 
     /**
-     * Looks whether a reply has come; while one is on its way, that may take a moment, as busy loops wait for replies
-     * too.
+     * Polls for a reply. While a request is open this waits briefly, because programs also wait for replies in busy
+     * loops.
      */
     boolean takeReply(Latest<?> asked, long patienceMillis) {
         synchronized (lock) {
@@ -186,9 +189,9 @@ final class Incoming implements DataSink {
     }
 
     /**
-     * Dispatches the oldest message, or with {@code wholeFrame} whatever is there; without any it answers and waits. A
-     * reply that nobody has waited for is a message too, if it is the only one there, so that a program which reads
-     * until its reply has come does not wait for data.
+     * Dispatches the oldest message, or with {@code wholeFrame} all queued messages. With none queued it answers the
+     * tick and waits. A reply counts as a message if nothing else is queued, so a program that reads until its reply
+     * has arrived does not wait for data.
      *
      * @return the type of the message
      */
@@ -204,7 +207,7 @@ final class Incoming implements DataSink {
         }
         List<Deferred<@Nullable Void>> ready;
         synchronized (lock) {
-            // a whole frame may be empty, and the server waits for the answer to it
+            // a whole frame may be empty; the server waits for its answer too
             while (!hasMessage() && !(wholeFrame && shownTick > tick)) {
                 if (!wholeFrame && unreadReply != 0) {
                     int type = unreadReply;
@@ -224,7 +227,7 @@ final class Incoming implements DataSink {
         return wholeFrame ? PlayerConstants.PLAYER_MSGTYPE_SYNCH : PlayerConstants.PLAYER_MSGTYPE_DATA;
     }
 
-    /** The program waits for its first data, if it has not got them already. */
+    /** Answers as waiting for the first data, unless they have arrived already. */
     void begin() {
         synchronized (lock) {
             throwIfLost();
@@ -235,7 +238,7 @@ final class Incoming implements DataSink {
         answer.accept(PlayerConnection.NO_TICK);
     }
 
-    /** Fulfilled with the next complete frame. Off actor spaces, asking for it is waiting. */
+    /** Completes with the next complete frame. Outside actor spaces this call answers the tick. */
     Promise<@Nullable Void> next() {
         var next = new Deferred<@Nullable Void>();
         long tick;
@@ -254,13 +257,13 @@ final class Incoming implements DataSink {
         return next;
     }
 
-    // ---- from the reader thread
+    // ---- called by the reader thread
 
     /**
-     * Shows frames to a program that does not meet them by asking: because it has not asked yet, waits for a promise,
-     * or does not ask any more while the server sends on.
+     * Makes frames visible to a program that does not poll for them: it has not polled yet, it waits for a promise, or
+     * it has stopped polling while the server keeps sending.
      *
-     * @throws PlayerException when the server has gone
+     * @throws PlayerException if the connection to the server is lost
      */
     void showWhile(BooleanSupplier goOn) {
         while (true) {
@@ -283,7 +286,7 @@ final class Incoming implements DataSink {
         return !frames.isEmpty() && (!answerPoint.isReached() || !waiting.isEmpty() || frames.size() > 1);
     }
 
-    /** Lets whoever waits look again. */
+    /** Wakes all waiting threads, which check their conditions again. */
     void wakeAll() {
         synchronized (lock) {
             lock.notifyAll();
@@ -305,7 +308,7 @@ final class Incoming implements DataSink {
         return takeWaiting();
     }
 
-    /** Whether a message is there; a frame without any is complete as it is. */
+    /** True if a message is queued; empty frames at the head are completed. */
     private boolean hasMessage() {
         while (!frames.isEmpty() && frames.element().messages().isEmpty()) {
             completeFrame();
@@ -343,7 +346,7 @@ final class Incoming implements DataSink {
         try {
             lock.wait(millis);
         } catch (InterruptedException e) {
-            Thread.currentThread().interrupt(); // for the program to see; the call does not block
+            Thread.currentThread().interrupt(); // left for the program: this call does not block
         }
     }
 

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * A scanning laser.
  *
  * <p><b>Units and shapes.</b> Metres and radians; a scan runs from the least angle (right) to the greatest (left).
- * Every message has arrays of its own, which may be changed.
+ * Every message has a separate copy of its arrays, which the program may change.
  *
  * <p><b>Source.</b> Player interface laser.
  */
@@ -29,22 +29,22 @@ public class LaserInterface extends PlayerDevice {
         super(client);
     }
 
-    /** The newest scan, or null before there is any. */
+    /** The newest scan, or null before the first. */
     public @Nullable PlayerLaserData getData() {
         return data.get();
     }
 
-    /** The newest scan with the robot's pose, or null before there is any: simulated lasers send scans without. */
+    /** The newest scan with the robot's pose, or null before the first. Simulated lasers send scans without poses. */
     public @Nullable PlayerLaserDataScanpose getDataScanPose() {
         return scanPose.get();
     }
 
-    /** The answer to {@link #queryGeometry}, or null before. */
+    /** The newest reply to {@link #queryGeometry}, or null before the first. */
     public @Nullable PlayerLaserGeom getPlayerLaserGeom() {
         return geometry.get();
     }
 
-    /** The answer to {@link #getScanProperties}, or null before. */
+    /** The newest reply to {@link #getScanProperties}, or null before the first. */
     public @Nullable PlayerLaserConfig getPlayerLaserConfig() {
         return configuration.get();
     }
@@ -59,27 +59,27 @@ public class LaserInterface extends PlayerDevice {
         return pc.findsReply(scanPose);
     }
 
-    /** True once for each answer to {@link #queryGeometry}. */
+    /** True once for each reply to {@link #queryGeometry}. */
     public boolean isReadyPlgeom() {
         return pc.findsReply(geometry);
     }
 
-    /** True once for each answer to {@link #getScanProperties}. */
+    /** True once for each reply to {@link #getScanProperties}. */
     public boolean isReadyPlconfig() {
         return pc.findsReply(configuration);
     }
 
-    /** Asks where the laser is. */
+    /** Requests the pose and size of the laser. */
     public void queryGeometry() {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Asks how the laser scans; the answer is there when {@link #isReadyPlconfig} is true. */
+    /** Requests the scan configuration; {@link #isReadyPlconfig} is true when the reply has arrived. */
     public void getScanProperties() {
         ask(new DeviceRequest.GetConfiguration());
     }
 
-    /** Sets how the laser scans; the server answers with what it makes of it. */
+    /** Sets the scan configuration; the reply contains the one that the server actually uses. */
     public void setScanProperties(PlayerLaserConfig config) {
         ask(new DeviceRequest.SetLaserConfiguration(new LaserConfiguration(
                 config.getMin_angle(),

@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
-/** The table of interfaces a client offers, and the devices it has subscribed to. */
+/** The {@code requestInterface} methods of the supported interfaces, and the client's subscriptions. */
 abstract class OfferedInterfaces extends UnofferedInterfaces {
     final Subscriptions subscriptions = new Subscriptions();
     private final AtomicBoolean deviceGranted = new AtomicBoolean();
@@ -23,7 +23,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
 
     abstract PlayerConnection connection();
 
-    // ---- for programs
+    // ---- called by programs
 
     public Position2DInterface requestInterfacePosition2D(int index, int access) {
         return request(new Position2DInterface(client()), Interfaces.POSITION2D, index, access);
@@ -49,7 +49,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
         return request(new SimulationInterface(client()), Interfaces.SIMULATION, index, access);
     }
 
-    /** The same by the interface's code, for example {@code PLAYER_SONAR_CODE}. */
+    /** Requests a device by the code of its interface, for example {@code PLAYER_SONAR_CODE}. */
     public PlayerDevice requestInterface(int type, int index, int access) {
         return switch (type) {
             case PLAYER_POSITION2D_CODE -> requestInterfacePosition2D(index, access);
@@ -67,7 +67,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
         return deviceGranted.getAndSet(false);
     }
 
-    // ---- for this client
+    // ---- called by this client
 
     private <D extends PlayerDevice> D request(D device, Interfaces type, int index, int access) {
         if (access != PLAYER_OPEN_MODE && access != PLAYER_CLOSE_MODE) {
@@ -82,7 +82,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
                         + index + " is not in the device list. It has: " + listed()));
         device.bind(address, (byte) access, "");
         if (access == PLAYER_OPEN_MODE) {
-            subscriptions.add(device); // before its first data can come
+            subscriptions.add(device); // before its first data can arrive
             try {
                 tell(() -> line.subscribe(address));
             } catch (PlayerException refused) {

@@ -19,34 +19,34 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A connection with a Player server, and the way to its devices.
+ * A connection to a Player server that gives access to its devices.
  *
- * <p><b>Role.</b> Made by a program that drives robots; the names are those of the Player Java client. A server in this
- * JVM is found by its port without a socket (see {@link PlayerPorts}); every other one, ours or a real one of Player 3,
- * is connected over TCP.
+ * <p><b>Role.</b> Created by a program that drives robots; the names are those of the Player Java client. A server in
+ * this JVM is found by its port and needs no socket (see {@link PlayerPorts}). Any other server, ours or a real Player
+ * 3 server, is connected over TCP.
  *
- * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) new data appear by themselves and a
- * thread keeps the JVM alive, as in the original; else {@link #readAll} brings them. A client made on the thread of an
- * actor space belongs to that space: what arrives is dispatched as a turn of the space, {@code runThreaded} starts no
- * thread, and {@link #nextData} says when to look.
+ * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) new data appear without a call, and a
+ * thread keeps the JVM alive, as in the original. Otherwise {@link #readAll} fetches them. A client created on the
+ * thread of an actor space belongs to that space: arriving data are dispatched as a turn of the space,
+ * {@code runThreaded} starts no thread, and {@link #nextData} signals new data.
  *
- * <p><b>Order.</b> In lock step the world waits until its clients have answered a tick: by {@code readAll} waiting, by
- * {@code isDataReady()} finding nothing new where everything was seen or where it was asked in vain before, or, on an
- * actor space, by the space having nothing left to do. In the threaded style a frame appears as a whole, and in the
- * call of {@code isDataReady()} by which the program waits for it: a program that uses its client from one thread does
- * the same every time, however fast anybody is. What it sends after its answer counts for the next tick. Use one client
- * per thread. A program that only reads {@code getData()} and never asks may meet the devices of one frame one after
- * the other.
+ * <p><b>Order.</b> In lock step the world waits until each client has answered the tick. A client answers when
+ * {@code readAll} waits, when {@code isDataReady()} returns false after all data were seen, or when it returns false
+ * for the second time on the same device. On an actor space a client answers when the space has no more work. In the
+ * threaded style a frame appears as a whole, in the {@code isDataReady()} call by which the program waits. So a program
+ * that uses its client from one thread behaves the same in every run, whatever the speed of its threads. Commands sent
+ * after the answer count for the next tick. Use one client per thread. A program that only calls {@code getData()}, and
+ * never {@code isDataReady()}, may see the devices of one frame change one after the other.
  *
- * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away. Nothing reconnects: that
- * is for the program to decide.
+ * <p><b>Errors.</b> {@link PlayerException}; waiting calls throw it too when the connection is lost. The client does
+ * not reconnect; that is the program's decision.
  */
 public class PlayerClient extends ServerInquiries {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final Set<String> THIS_MACHINE = Set.of("localhost", "127.0.0.1", "::1");
     /**
-     * How long {@code isDataReady()} waits for news before it is false, so that a busy loop leaves the processor to the
-     * world.
+     * How long {@code isDataReady()} waits for data before it returns false, so that a busy loop leaves the processor
+     * to the world.
      */
     private static final long PATIENCE_MILLIS = 1;
 
@@ -59,7 +59,7 @@ public class PlayerClient extends ServerInquiries {
     private final AtomicBoolean commandLimitWasRefused = new AtomicBoolean();
 
     /**
-     * Connects, and asks for the server's devices: {@link #getPDDList} has them from the beginning.
+     * Connects and requests the list of devices; {@link #getPDDList} returns it from the start.
      *
      * @throws PlayerException if there is no server
      */
@@ -72,7 +72,7 @@ public class PlayerClient extends ServerInquiries {
                 server = new RemoteServer(serverName, portNumber);
             }
             connection = server.connect(incoming, space);
-            devices.put(new Devices(connection.devices())); // connecting has asked for them
+            devices.put(new Devices(connection.devices())); // the connection has fetched the list already
         } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
             throw new PlayerException(
                     "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()
@@ -85,18 +85,17 @@ public class PlayerClient extends ServerInquiries {
     // ---- waiting for data
 
     /**
-     * Lets data appear by themselves, and keeps the JVM alive until {@link #close} or {@link #setNotThreaded}. On an
-     * actor space both come from the space. A second call only logs a warning.
+     * Starts the threaded style: data appear without further calls, and the JVM stays alive until {@link #close} or
+     * {@link #setNotThreaded}. On an actor space both are done by the space. A second call only logs a warning.
      *
-     * <p>In lock step there is nothing to read ahead, so the pauses that a program asks for here do not delay its data;
-     * a program that looks for news by {@code isDataReady()} finds them in that call, and the thread shows them to one
-     * that does not.
+     * <p>In lock step nothing can be read ahead, so the pauses given here do not delay data. A program that polls
+     * {@code isDataReady()} finds new data in that call; for any other program the thread makes them visible.
      *
-     * @param millis of no effect; the original paused so long after each message
-     * @param nanos of no effect
+     * @param millis no effect; the original pauses this long after each message
+     * @param nanos no effect
      */
     public void runThreaded(long millis, int nanos) {
-        synchronized (threading) { // of several threads, one starts it
+        synchronized (threading) { // only one of several threads starts it
             if (threaded) {
                 LOG.log(Level.WARNING, "{0} is threaded already", getName());
                 return;
@@ -113,7 +112,7 @@ public class PlayerClient extends ServerInquiries {
         }
     }
 
-    /** Ends what {@link #runThreaded} began, and waits until it has ended. */
+    /** Ends the threaded style; returns when its thread has ended. */
     public void setNotThreaded() {
         synchronized (threading) {
             if (!threaded) {
@@ -131,27 +130,27 @@ public class PlayerClient extends ServerInquiries {
         }
     }
 
-    /** What the thread of {@link #runThreaded} does. */
+    /** Body of the thread that {@link #runThreaded} starts. */
     @Override
     public void run() {
         try {
             incoming.showWhile(() -> threaded);
         } catch (PlayerException serverHasGone) {
-            // every call the program waits in says so too
+            // each waiting call of the program throws the same error
             LOG.log(Level.DEBUG, "{0}: no more data: {1}", getName(), serverHasGone.getMessage());
-        } catch (RuntimeException | Error e) { // or the program would wait for data that nobody shows to it
+        } catch (RuntimeException | Error e) { // otherwise the program would wait for data for ever
             incoming.lost("[PlayerClient] the thread of " + getName() + " has failed: " + e);
             throw e;
         }
     }
 
     /**
-     * Dispatches what arrives, in the style without a thread: one message (push mode), or all of a frame (pull mode);
-     * waits until there is one.
+     * Dispatches arrived messages in the style without a thread: one message (push mode) or a whole frame (pull mode).
+     * Waits if there is none.
      *
      * @return the type of the last message read: {@code PLAYER_MSGTYPE_DATA} or {@code PLAYER_MSGTYPE_SYNCH}, or in
-     *     push mode that of a reply where there is nothing else; 0 at once if the client is threaded
-     * @throws PlayerException if the server has gone, or the client belongs to an actor space and is not threaded
+     *     push mode the type of a reply if nothing else is queued; 0 at once if the client is threaded
+     * @throws PlayerException if the connection is lost, or if the client belongs to an actor space and is not threaded
      */
     public int readAll() {
         if (threaded) {
@@ -165,19 +164,18 @@ public class PlayerClient extends ServerInquiries {
     }
 
     /**
-     * Asks for data, as the pull mode needs it. {@link #readAll} and the threaded style do that by themselves, so there
-     * is nothing left to do.
+     * Requests data in pull mode. {@link #readAll} and the threaded style already do that, so this only checks the
+     * connection.
      */
     public void requestData() {
-        calling(connection::devices); // throws if the server has gone
+        calling(connection::devices); // throws if the connection is lost
     }
 
     /**
-     * Chooses between {@code PLAYER_DATAMODE_PUSH} (the default) and {@code PLAYER_DATAMODE_PULL}.
+     * Selects {@code PLAYER_DATAMODE_PUSH} (the default) or {@code PLAYER_DATAMODE_PULL}.
      *
-     * <p>Behind a socket only a client in pull mode is in lock step, if it has chosen that before its first
-     * subscription: a world of ours that has once had a push client keeps pace with real time. In this JVM both modes
-     * are in lock step.
+     * <p>Over a socket a client is in lock step only in pull mode, selected before its first subscription. A world of
+     * ours that has had a push client keeps pace with real time. In this JVM both modes are in lock step.
      */
     public void requestDataDeliveryMode(int mode) {
         if (mode != PLAYER_DATAMODE_PUSH && mode != PLAYER_DATAMODE_PULL) {
@@ -188,22 +186,22 @@ public class PlayerClient extends ServerInquiries {
     }
 
     /**
-     * Fulfilled when the next frame is complete: all subscribed devices have new data. Our addition to the Player
-     * client, for actors; instead of a loop around {@code isDataReady()}. Off actor spaces, asking for it answers the
-     * tick.
+     * Completes with the next complete frame: all subscribed devices have new data. An addition to the Player client,
+     * for actors, which use it instead of a loop around {@code isDataReady()}. Outside actor spaces this call answers
+     * the tick.
      */
     public Promise<@Nullable Void> nextData() {
         return incoming.next();
     }
 
     /**
-     * Lets this client notice that its server is connected and silent: when nothing has come from it for half of the
-     * limit it is asked for a sign of life, and when none comes in the other half, every call that waits, and every
-     * later one, throws {@link PlayerException}. Zero, as at the beginning, is no limit. Commands are still sent, until
-     * {@link #close}. Our addition to the Player client, which waits for as long as it takes.
+     * Sets a limit after which a connected but silent server counts as lost. If nothing arrives for half of the limit,
+     * the client sends a request that every server answers. If nothing arrives in the other half either, every waiting
+     * call and every later one throws {@link PlayerException}. Zero, the default, sets no limit. Commands are still
+     * sent until {@link #close}. An addition to the Player client, which waits without limit.
      *
-     * <p>By the machine's clock. A server whose time is paused, or whose lock step waits for another client, answers
-     * and is not silent; one in this JVM never is.
+     * <p>Measured in wall-clock time. A server that is paused, or whose lock step waits for another client, still
+     * answers and so is not silent. A server in this JVM is never silent.
      */
     public void setSilenceLimit(Duration limit) {
         if (!limit.isZero() && limit.compareTo(Duration.ofMillis(2)) < 0) {
@@ -212,18 +210,16 @@ public class PlayerClient extends ServerInquiries {
         tell(() -> connection.silenceLimit(limit));
     }
 
-    /**
-     * Stops the thread and disconnects; every later call, and every call that waits, throws {@link PlayerException}.
-     */
+    /** Stops the thread and disconnects. Every waiting call and every later one throws {@link PlayerException}. */
     public void close() {
         incoming.lost("[PlayerClient] this client is closed");
         setNotThreaded();
         connection.close();
     }
 
-    // ---- for devices
+    // ---- called by devices
 
-    /** Whether a device has news; where it has none, this may be how the program waits. */
+    /** True if a device has new data; an unsuccessful call may answer the tick. */
     boolean findsNews(Latest<?> asked) {
         if (threaded || space != null) {
             return incoming.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
@@ -235,7 +231,7 @@ public class PlayerClient extends ServerInquiries {
         return news;
     }
 
-    /** Whether the reply to a request has come. */
+    /** True if the reply to a request has arrived. */
     boolean findsReply(Latest<?> asked) {
         return incoming.takeReply(asked, PATIENCE_MILLIS);
     }
@@ -260,7 +256,7 @@ public class PlayerClient extends ServerInquiries {
         }
     }
 
-    /** Says it once for all robots of this client. */
+    /** Logged once for all robots of this client. */
     void commandLimitRefused(Position2DInterface device, String reason) {
         if (commandLimitWasRefused.compareAndSet(false, true)) {
             LOG.log(

@@ -14,10 +14,10 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A sensor of ranges with one element (a scanning laser) or several (a ring of sonars).
+ * A range sensor with one element (a scanning laser) or several (a sonar ring).
  *
- * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements, one after the other, within one from
- * right to left. Every message has an array of its own, which may be changed.
+ * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements one after the other; within an element
+ * from right to left. Every message has a separate copy of its array, which the program may change.
  *
  * <p><b>Source.</b> Player interface ranger.
  */
@@ -31,22 +31,22 @@ public class RangerInterface extends PlayerDevice {
         super(client);
     }
 
-    /** The newest ranges, or null before there are any. */
+    /** The newest ranges, or null before the first. */
     public @Nullable PlayerRangerData getData() {
         return data.get();
     }
 
-    /** The newest intensities, or null before there are any: simulated rangers have none. */
+    /** The newest intensities, or null before the first. Simulated rangers send none. */
     public @Nullable PlayerRangerDataIntns getDataIntns() {
         return intensities.get();
     }
 
-    /** The answer to {@link #queryGeometry}, or null before. */
+    /** The newest reply to {@link #queryGeometry}, or null before the first. */
     public @Nullable PlayerRangerGeom getGeom() {
         return geometry.get();
     }
 
-    /** The answer to {@link #queryConfiguration}, or null before. */
+    /** The newest reply to {@link #queryConfiguration}, or null before the first. */
     public @Nullable PlayerRangerConf getConf() {
         return configuration.get();
     }
@@ -61,22 +61,22 @@ public class RangerInterface extends PlayerDevice {
         return pc.findsReply(intensities);
     }
 
-    /** True once for each answer to {@link #queryGeometry}. */
+    /** True once for each reply to {@link #queryGeometry}. */
     public boolean isGeomReady() {
         return pc.findsReply(geometry);
     }
 
-    /** True once for each answer to {@link #queryConfiguration}. */
+    /** True once for each reply to {@link #queryConfiguration}. */
     public boolean isConfReady() {
         return pc.findsReply(configuration);
     }
 
-    /** Asks where the ranger and its elements are. */
+    /** Requests the poses and sizes of the ranger and its elements. */
     public void queryGeometry() {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Asks how the ranger scans. */
+    /** Requests the scan configuration. */
     public void queryConfiguration() {
         ask(new DeviceRequest.GetConfiguration());
     }
@@ -115,7 +115,7 @@ public class RangerInterface extends PlayerDevice {
                 }
                 accept(stamped.data());
             }
-            default -> {} // not a ranger's
+            default -> {} // not ranger data
         }
     }
 

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
-/** What a client asks its server about itself, and the settings of the line to it. */
+/** A client's requests to the server itself, and the settings of the connection. */
 abstract class ServerInquiries extends OfferedInterfaces {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final long REPLY_LIMIT_MILLIS = 10_000;
@@ -26,23 +26,23 @@ abstract class ServerInquiries extends OfferedInterfaces {
         this.port = port;
     }
 
-    /** Asks which devices the server has; the answer is there when this returns. */
+    /** Requests the list of devices; the reply has arrived when this call returns. */
     public void requestDeviceList() {
         devices.put(new Devices(calling(connection()::devices)));
     }
 
-    /** True once for each answer to {@link #requestDeviceList}, and once for the list that a new client has. */
+    /** True once for each reply to {@link #requestDeviceList}, and once for the list that a new client starts with. */
     public boolean isReadyPDDList() {
         return devices.takeNew();
     }
 
-    /** The server's devices: as a new client has found them, or the newest answer to {@link #requestDeviceList}. */
+    /** The server's devices: the list from connecting, or the newest reply to {@link #requestDeviceList}. */
     public @Nullable PlayerDeviceDevlist getPDDList() {
         Devices newest = devices.get();
         return newest == null ? null : newest.list();
     }
 
-    /** Asks which driver is behind a device; the answer is there when this returns. */
+    /** Requests the driver of a device; the reply has arrived when this call returns. */
     public void requestDriverInfo(PlayerDevAddr device) {
         var answer = new PlayerDeviceDriverInfo();
         answer.setAddr(device);
@@ -50,22 +50,22 @@ abstract class ServerInquiries extends OfferedInterfaces {
         driverInfo.put(answer);
     }
 
-    /** True once for each answer to {@link #requestDriverInfo}. */
+    /** True once for each reply to {@link #requestDriverInfo}. */
     public boolean isReadyPDDI() {
         return driverInfo.takeNew();
     }
 
-    /** The answer to {@link #requestDriverInfo}, or null before. */
+    /** The newest reply to {@link #requestDriverInfo}, or null before the first. */
     public @Nullable PlayerDeviceDriverInfo getPDDI() {
         return driverInfo.get();
     }
 
     /**
-     * Says what the server does with messages that wait for this client; the newest rule that matches counts.
+     * Sets what the server does with messages queued for this client; the newest matching rule applies.
      *
-     * @param interf code of an interface; -1 in this and the next three matches everything
-     * @param type of message, for example {@code PLAYER_MSGTYPE_DATA}
-     * @param replace 0: they queue up; 1: a new message takes the place of the newest one of its kind; 2: they are
+     * @param interf code of an interface; -1 in this and the next three parameters matches everything
+     * @param type type of message, for example {@code PLAYER_MSGTYPE_DATA}
+     * @param replace 0: messages queue up; 1: a new message replaces the newest queued one of its kind; 2: messages are
      *     dropped
      */
     public void requestAddReplaceRule(int interf, int index, int type, int subtype, int replace) {
@@ -75,22 +75,22 @@ abstract class ServerInquiries extends OfferedInterfaces {
         tell(() -> connection().replace(new ReplaceRule(interf, index, type, subtype, replace)));
     }
 
-    /** No Player 3 server authenticates its clients, so nothing is sent; leaves a warning in the log. */
+    /** Only logs a warning: no Player 3 server authenticates its clients, so nothing is sent. */
     public void requestAuthentication(byte[] key) {
         notServed("authentication");
     }
 
-    /** False: see {@link #requestAuthentication}. */
+    /** Always false: see {@link #requestAuthentication}. */
     public boolean isAuthenticated() {
         return false;
     }
 
-    /** No Player 3 server tells the ports of robots by their names, so nothing is sent; leaves a warning in the log. */
+    /** Only logs a warning: no Player 3 server maps robot names to ports, so nothing is sent. */
     public void requestNameService(char[] name) {
         notServed("name service");
     }
 
-    /** False: see {@link #requestNameService}. */
+    /** Always false: see {@link #requestNameService}. */
     public boolean isReadyPortNumber() {
         return false;
     }
@@ -100,7 +100,10 @@ abstract class ServerInquiries extends OfferedInterfaces {
         return port;
     }
 
-    /** Player 3 servers have no such request: they say who they are when a client connects, which is in the log. */
+    /**
+     * Only logs a warning: Player 3 has no such request. Its servers send their identification when a client connects;
+     * the client logs it.
+     */
     public void requestIdent() {
         notServed("identification");
     }
@@ -110,8 +113,8 @@ abstract class ServerInquiries extends OfferedInterfaces {
     }
 
     /**
-     * How long a call takes at most, for sending and for waiting for the server's reply together, in milliseconds;
-     * 10,000 unless set. Data are waited for as long as it takes.
+     * Limit of a call in milliseconds, for sending and for waiting for the reply together; 10,000 by default. Waiting
+     * for data has no limit.
      */
     public long getReadTimeout() {
         return readTimeoutMillis;
@@ -125,14 +128,14 @@ abstract class ServerInquiries extends OfferedInterfaces {
         readTimeoutMillis = millis;
     }
 
-    /** Where a client's warnings go. */
+    /** The logger of a client's warnings. */
     public Logger getLogger() {
         return Logger.getLogger(PlayerClient.class.getName());
     }
 
     /**
-     * The devices of a server, converted when they are first read: a thousand clients of a world of three thousand
-     * devices share one list of addresses.
+     * The devices of a server, converted when first read: a thousand clients of a world with three thousand devices
+     * share one list of addresses.
      */
     static final class Devices {
         private final List<DeviceAddress> addresses;

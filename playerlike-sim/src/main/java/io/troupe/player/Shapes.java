@@ -5,7 +5,7 @@ import io.troupe.player.structures.PlayerPose3d;
 import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.Size3d;
 
-/** Poses and sizes from the wire as the client's structures. */
+/** Converts poses and sizes of the wire protocol to the client's structures. */
 final class Shapes {
     private Shapes() {}
 

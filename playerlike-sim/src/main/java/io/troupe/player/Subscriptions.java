@@ -8,7 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * The devices a client has subscribed to, by address: one client may have those of a thousand robots.
+ * The subscribed devices of a client by address; one client may subscribe to the devices of a thousand robots.
  *
  * <p><b>Threads.</b> Any thread; messages are dispatched under the lock of {@link Incoming}.
  */
@@ -27,7 +27,7 @@ final class Subscriptions {
         at(address).clear();
     }
 
-    /** A device stands for another one from now on. */
+    /** Binds a device to another address. */
     void move(PlayerDevice device, DeviceAddress from, DeviceAddress to) {
         if (at(from).remove(device)) {
             at(to).add(device);

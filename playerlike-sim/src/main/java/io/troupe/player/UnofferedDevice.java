@@ -2,7 +2,10 @@ package io.troupe.player;
 
 import io.troupe.player.wire.DeviceData;
 
-/** A device of an interface that this client does not offer. Programs may mention its class; no server grants it. */
+/**
+ * A device of an interface that this client does not support. Programs may mention its class; no server grants access
+ * to it.
+ */
 abstract class UnofferedDevice extends PlayerDevice {
     private final Latest<DeviceData> nothing = new Latest<>();
     private final String interfaceName;

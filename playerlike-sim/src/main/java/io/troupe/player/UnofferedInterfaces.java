@@ -3,11 +3,11 @@ package io.troupe.player;
 import io.troupe.player.structures.PlayerConstants;
 
 /**
- * The interfaces of the Player Java client that are not offered here, so that a program that asks for one is told at
- * run time what there is.
+ * The {@code requestInterface} methods of the interfaces that this client does not support. A program that calls one
+ * gets an error at run time that lists the alternatives.
  *
- * <p><b>Errors.</b> Each of these throws {@link PlayerException}, which names the device asked for, the interfaces this
- * client offers and the devices the server has.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, which names the requested device, the supported
+ * interfaces and the devices of the server.
  */
 abstract class UnofferedInterfaces extends Thread implements PlayerConstants {
     UnofferedInterfaces(String threadName) {

@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What devices say to the server, and what the server says about its devices. */
+/** What devices send to the server, and what the server reports about its devices. */
 class DevicesTest implements PlayerConstants {
     private final ScriptedServer server = new ScriptedServer();
     private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);
@@ -256,7 +256,7 @@ class DevicesTest implements PlayerConstants {
         assertThat(client.isReadyPDDList()).as("once for each list").isFalse();
     }
 
-    /** A thousand clients of a world of three thousand devices shall not keep three million addresses. */
+    /** A thousand clients of a world with three thousand devices must not keep three million addresses. */
     @Test
     void deviceList_isConvertedWhenItIsFirstRead_andOnce() {
         var addresses = new AbstractList<DeviceAddress>() {

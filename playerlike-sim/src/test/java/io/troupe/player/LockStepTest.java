@@ -35,7 +35,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * What a tick is, seen from the wire: the client's moves are made inside the delivery, so nothing depends on threads.
+ * The definition of a tick, tested at the wire level: the client acts inside the delivery, so nothing depends on
+ * threads.
  */
 @Timeout(60)
 class LockStepTest {
@@ -54,7 +55,7 @@ class LockStepTest {
         simulation.close();
     }
 
-    /** A client that does the same with every frame. */
+    /** A client that reacts to every frame in the same way. */
     private final class Client implements DataSink {
         final List<Frame> frames = new ArrayList<>();
         final PlayerConnection line = PlayerPorts.find(PORT).orElseThrow().connect(this, null);
@@ -109,7 +110,7 @@ class LockStepTest {
                 Interfaces.POSITION2D);
         simulation.tick();
         assertThat(x(0)).isCloseTo(0.01, within(1e-9));
-        client.drive(0, 0.2); // between two ticks: newer than the 0.5, and after the answer as well
+        client.drive(0, 0.2); // between two ticks: newer than the 0.5, and also after the answer
         simulation.tick();
         assertThat(x(0))
                 .as("0.1 again, said in the delivery of the second tick")
@@ -308,7 +309,7 @@ class LockStepTest {
         assertThat(log).containsExactly("robot 1", "robot 0", "what follows for 1", "what follows for 0");
     }
 
-    /** A client of robot one on the space, at 0.5 m/s. */
+    /** Connects a client of robot one on the space, at 0.5 m/s. */
     private static void connectOn(ActorSpace space) throws InterruptedException {
         var connected = new CountDownLatch(1);
         space.execute(() -> {

@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Conversations of real clients with a real server, recorded. */
+/** Replays recorded conversations of real clients with a real server. */
 class CapturesTest {
     @ParameterizedTest
     @ValueSource(

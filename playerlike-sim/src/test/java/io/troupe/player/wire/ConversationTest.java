@@ -23,7 +23,7 @@ class ConversationTest {
         assertThat(seen).as("whoever writes to the client").isEqualTo(List.of(Thread.State.WAITING));
     }
 
-    /** What becomes of a thread that takes what is to be sent: it ends with it, or it waits. */
+    /** State of a thread that takes output from the outbox: terminated or waiting. */
     private static Thread.State stateOfTaker(Outbox outbox) {
         Thread taker = Thread.ofPlatform().daemon().start(() -> {
             try {

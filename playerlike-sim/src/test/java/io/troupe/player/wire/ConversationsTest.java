@@ -10,12 +10,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What real clients say, and what they must hear. */
+/** What real clients send, and which replies they must receive. */
 @Timeout(60)
 class ConversationsTest {
     private static final String REAL_PORT = "00001a09";
 
-    /** Time and sequence number are free, the port is ours, what the sonars see too. */
+    /** The message without the parts that may differ: time, sequence number, port and sonar readings. */
     private static String comparable(byte[] message, int port) {
         String text = Hex.text(message).replace(port(port), REAL_PORT);
         boolean sonarData = text.startsWith("00000005000000000000000100000001", 16);
@@ -65,7 +65,7 @@ class ConversationsTest {
                 while (to < lines.size() && lines.get(to).sender() == 'S') {
                     to++;
                 }
-                publish(ranger, lines.subList(from, to)); // before it is asked for
+                publish(ranger, lines.subList(from, to)); // before it is requested
                 client.send(lines.get(at).bytes());
                 for (var line : lines.subList(from, to)) {
                     boolean data = line.message().header().type() == MessageType.DATA;
@@ -79,9 +79,9 @@ class ConversationsTest {
                 }
                 at = to;
             }
-            // what a reply has flushed is answered with the frame that ends after it
+            // data flushed by a reply are answered with the frame that ends after them
             client.ask(new PlayerRequest.NextData());
-            client.ask(new PlayerRequest.DeviceList()); // so that the answer has arrived
+            client.ask(new PlayerRequest.DeviceList()); // wait until the answer has arrived
             synchronized (ranger) {
                 assertThat(ranger.answers).containsExactly(PlayerConnection.NO_TICK, 23L);
             }
@@ -137,14 +137,14 @@ class ConversationsTest {
                                         + "00000020" + here + code + "00000000 00000006 00000006 73746167 65000000"),
                                 served.port()));
             }
-            served.tick(3); // nothing of which the client hears: it has not subscribed
+            served.tick(3); // not sent to the client: it has not subscribed
             client.subscribe(Interfaces.POSITION2D);
             served.tick(1);
             Message data = client.next(MessageType.DATA, 4, 1);
             assertThat(data.header().timeSeconds()).isEqualTo(0.3);
             assertThat(data.header().address())
                     .isEqualTo(new DeviceAddress(TcpServer.LOOPBACK_HOST, served.port(), 4, 0));
-            client.drive(0.5, 0).ask(new PlayerRequest.DeviceList()); // so that the command has arrived
+            client.drive(0.5, 0).ask(new PlayerRequest.DeviceList()); // wait until the command has arrived
             served.tick(2);
             client.nextPosition();
             assertThat(client.nextPosition().px()).isGreaterThan(0.01);

@@ -8,7 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
 
-/** Bytes as they stand in the examples of the protocol and in captured conversations. */
+/** Bytes as hexadecimal text, as in the examples of the protocol and in captured conversations. */
 final class Hex {
     /** @param sender C for the client, S for the server */
     record Line(char sender, byte[] bytes) {
@@ -19,7 +19,7 @@ final class Hex {
 
     private Hex() {}
 
-    /** Spaces and bars are for the eye. */
+    /** Spaces and bars only separate. */
     static byte[] bytes(String hex) {
         return HexFormat.of().parseHex(hex.replaceAll("[ |\\n]", ""));
     }

@@ -6,7 +6,7 @@ import io.troupe.actor.time.ManualClock;
 import io.troupe.player.wire.OpenRequests.Request;
 import org.junit.jupiter.api.Test;
 
-/** Which reply belongs to which request. */
+/** Matching of replies to requests. */
 class OpenRequestsTest {
     private static final DeviceAddress SIMULATION = new DeviceAddress(1, 2, 31, 0);
 

@@ -12,7 +12,7 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a lock cannot be interrupted
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // waiting for a lock cannot be interrupted
 class OutboxTest {
     private static final DeviceAddress POSITION = new DeviceAddress(1, 2, 4, 0);
     private static final DeviceAddress SONAR = new DeviceAddress(1, 2, 5, 0);
@@ -43,12 +43,12 @@ class OutboxTest {
         return outbox;
     }
 
-    /** All that would be written now, in short: ACK/3, DATA 4 x=1.0, .. */
+    /** Everything that would be written now, in short form: ACK/3, DATA 4 x=1.0, .. */
     private List<String> sent() {
         var bytes = new ByteArrayOutputStream();
         try {
             while (true) {
-                outbox.greet(Content.NONE); // so that taking never waits
+                outbox.greet(Content.NONE); // so that take() never waits
                 byte[] batch = outbox.take();
                 if (batch.length == 0) {
                     break;
@@ -121,7 +121,7 @@ class OutboxTest {
     void pull_dataSentBeforeAReply_areAnsweredOnlyWhenTheirFrameHasEnded() {
         pull();
         frame(0, position(0));
-        outbox.reply(reply(1)); // to a request that the client sent when it did not know of the tick
+        outbox.reply(reply(1)); // reply to a request that the client sent before it knew of the tick
         assertThat(sent()).containsExactly("position 0", "ACK 1");
         assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).as("the end of what was sent").containsExactly("ACK 4", "SYNCH 1 0");

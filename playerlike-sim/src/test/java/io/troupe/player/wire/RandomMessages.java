@@ -6,17 +6,17 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Records of every kind with random content. */
+/** Message records of every kind with random content. */
 final class RandomMessages {
     private static final double[] ODD = {
         0, -0.0, Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.MIN_VALUE, Double.MAX_VALUE
     };
     private final Random random;
 
-    /** A request and the interface that it is for. */
+    /** A request and the interface it is sent to. */
     record Asked(int interfaceCode, DeviceRequest request) {}
 
-    /** A reply, and the request's interface and subtype. */
+    /** A reply with the interface and subtype of its request. */
     record Answered(int interfaceCode, int subtype, DeviceReply reply) {}
 
     RandomMessages(Random random) {

@@ -12,7 +12,7 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 
-/** A client that sends and receives bytes and knows nothing of our client library. */
+/** A client that sends and receives raw bytes, independent of our client library. */
 final class RawClient implements AutoCloseable {
     private static final int PATIENCE_MILLIS = 20_000;
 
@@ -87,7 +87,7 @@ final class RawClient implements AutoCloseable {
         return send(bytes(request));
     }
 
-    /** Sends, and expects an ACK as the very next message. */
+    /** Sends a request and expects an ACK as the very next message. */
     Message ask(PlayerRequest request) {
         send(request);
         Message reply = next();
@@ -136,20 +136,20 @@ final class RawClient implements AutoCloseable {
                         .orElseThrow();
     }
 
-    /** Waits until the server has ended the connection. */
+    /** Waits until the server has closed the connection. */
     void awaitEnd() {
         try {
             while (in.read(new byte[4096], 0, 4096) >= 0) {
-                // what was on its way
+                // what was still in transit
             }
         } catch (SocketTimeoutException e) {
             throw new AssertionError("the server did not end the connection", e);
         } catch (IOException reset) {
-            // that is an end too
+            // a reset ends the connection too
         }
     }
 
-    /** All that has been read so far. */
+    /** All bytes read so far. */
     byte[] received() {
         return received.toByteArray();
     }

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** How a line through a socket ends, or does not come about. */
+/** How a connection over a socket ends, or fails to open. */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RemoteEndTest implements PlayerConstants {
@@ -84,7 +84,7 @@ class RemoteEndTest implements PlayerConstants {
                     .hasMessageContaining("has gone");
             assertThatThrownBy(son::isDataReady).isInstanceOf(PlayerException.class);
             client.close();
-            var again = connect(other); // the caller's decision
+            var again = connect(other); // the caller decides to reconnect
             son = again.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
             other.send(other.sonar(2));
             again.readAll();

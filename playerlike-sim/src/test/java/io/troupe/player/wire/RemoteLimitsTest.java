@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A client waits for nothing longer than its limit, keeps no more than it should, and takes no reply for another. */
+/** A client never waits longer than its limit, bounds what it keeps, and never takes a reply for another one. */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RemoteLimitsTest implements PlayerConstants {
@@ -82,7 +82,8 @@ class RemoteLimitsTest implements PlayerConstants {
 
             readOn.countDown();
             pos.setSpeed(0.3, 0.4);
-            client.requestAddReplaceRule(-1, -1, 1, -1, 1); // understood after all that was sent, in part too
+            // decoded after everything that was sent before, partly sent messages included
+            client.requestAddReplaceRule(-1, -1, 1, -1, 1);
             Message newest = server.nextCommand();
             int commands = 1;
             for (Message each = server.pollCommand(); each != null; each = server.pollCommand()) {
@@ -131,7 +132,7 @@ class RemoteLimitsTest implements PlayerConstants {
                 payload);
     }
 
-    /** The reader is stopped where it has noticed the end and tells the sink. */
+    /** Stops the reader where it has noticed the end and notifies the sink. */
     @Test
     void serverThatHasGone_isKnownToTheSinkAndToEveryCall_atTheSameTime() throws Exception {
         var server = new ScriptedSocket((message, self) -> false);
@@ -161,7 +162,7 @@ class RemoteLimitsTest implements PlayerConstants {
     void errorOfTheSink_endsTheLine_andEveryCallThatWaits() throws Exception {
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 4, 1)) {
-                self.send(self.position(1)); // and no reply
+                self.send(self.position(1)); // and sends no reply
                 return true;
             }
             return false;
@@ -220,7 +221,7 @@ class RemoteLimitsTest implements PlayerConstants {
                     }
                     socket.getInputStream().read();
                 } catch (IOException clientHasGone) {
-                    // as it should
+                    // expected
                 }
             });
             var remote = new RemoteServer("localhost", listener.getLocalPort(), Duration.ofMillis(100));

@@ -18,9 +18,9 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A client and a server behind a socket: what is sent, what it makes of what comes, and in which order. */
+/** A client and a server connected by a socket: what is sent, how arriving messages are handled, and in which order. */
 @Tag("threads")
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nobody can interrupt a busy loop
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a busy loop cannot be interrupted
 class RemoteLineTest implements PlayerConstants {
     static boolean is(Message message, int interfaceCode, int subtype) {
         return message.header().type() == MessageType.REQ
@@ -66,7 +66,7 @@ class RemoteLineTest implements PlayerConstants {
     void commandsAndRequests_areSentInOrder_andRepliesAreMatchedByDevice() throws Exception {
         var held = new ArrayList<Message>();
         try (var server = new ScriptedSocket((message, self) -> {
-            if (is(message, 4, 1)) { // the wheels' geometry takes longer than the sonars'
+            if (is(message, 4, 1)) { // the reply with the geometry of position2d comes later than that of the sonars
                 held.add(message);
                 return true;
             }
@@ -169,10 +169,10 @@ class RemoteLineTest implements PlayerConstants {
             assertThatThrownBy(() -> client.requestAddReplaceRule(-1, -1, 1, -1, 1))
                     .isInstanceOf(PlayerException.class)
                     .hasMessageContaining("localhost:" + server.port() + " did not answer within 50 ms: ReplaceRule[");
-            pos.setOdometry(new PlayerPose(1, 2, 3)); // leaves a warning
+            pos.setOdometry(new PlayerPose(1, 2, 3)); // logs a warning
             assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_RESP_NACK);
             client.setReadTimeout(30_000);
-            pos.resetOdometry(); // goes on, whatever became of the others
+            pos.resetOdometry(); // continues, whatever happened to the other requests
             assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_RESP_ACK);
             client.close();
         }

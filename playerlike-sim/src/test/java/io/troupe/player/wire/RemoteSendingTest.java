@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Messages that do not get through, or only in part, to a server that does not read. */
+/** Messages that are not sent, or only in part, because the server does not read. */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RemoteSendingTest {
@@ -67,7 +67,7 @@ class RemoteSendingTest {
         return new RemoteServer("localhost", server.port()).connect(sink, null);
     }
 
-    /** Sends until all buffers are full, and far more is left to send than a buffer may grow by. */
+    /** Sends until all buffers are full and far more remains than a buffer can grow by. */
     private static void fill(PlayerConnection line) {
         var large = new DeviceRequest.GetPose("a".repeat(900_000));
         RequestFailedException failed;
@@ -134,7 +134,7 @@ class RemoteSendingTest {
         }
     }
 
-    /** The server answers in order and without numbers. */
+    /** The server replies in order and without sequence numbers. */
     @Test
     void requestThatWasSentInPart_getsItsReply_andNoLaterRequestDoes() throws Exception {
         try (var server = new ScriptedSocket((message, self) -> {
@@ -172,7 +172,7 @@ class RemoteSendingTest {
 
     @Test
     void socket_saysHowMuchWasSent_andSendsTheRest() throws Exception {
-        byte[] message = new byte[16 << 20]; // more than all buffers hold
+        byte[] message = new byte[16 << 20]; // more than all buffers can hold
         try (var listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 var socket = new RemoteSocket()) {
             socket.connect(new InetSocketAddress(listener.getInetAddress(), listener.getLocalPort()), LONG);
@@ -200,7 +200,7 @@ class RemoteSendingTest {
 
     @Test
     void questionForASignOfLife_isSent_whileNoCarrierOfVirtualThreadsIsFree() throws Exception {
-        var asked = new CountDownLatch(2); // by connecting, and for the sign
+        var asked = new CountDownLatch(2); // one from connecting, one for the keep-alive request
         var stop = new AtomicBoolean();
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 1, 1)) {
@@ -234,7 +234,7 @@ class RemoteSendingTest {
         }
     }
 
-    /** Every look at the clock takes an hour, so sending takes the whole limit. */
+    /** Each read of the clock advances it by an hour, so sending uses up the whole limit. */
     @Test
     void call_hasOneLimit_forSendingAndForWaiting() throws Exception {
         var slow = new AtomicBoolean();

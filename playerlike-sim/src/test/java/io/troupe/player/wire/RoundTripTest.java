@@ -8,7 +8,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** What is encoded and decoded again is the same, for random content of every message. */
+/** Encoding and decoding returns the same record, for random content of every message. */
 class RoundTripTest {
     private static final int SEEDS = 300;
 

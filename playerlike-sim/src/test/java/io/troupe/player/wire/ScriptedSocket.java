@@ -16,17 +16,19 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
-/** A server behind a socket that behaves as a test says; answers what the test leaves to it as a real one does. */
+/**
+ * A server at a socket whose behaviour the test scripts; what the script leaves out is answered as a real server does.
+ */
 final class ScriptedSocket implements AutoCloseable {
     private static final int LOOPBACK = 0x0100007f;
 
-    /** What a test answers itself. */
+    /** The requests that a test answers itself. */
     interface Script {
-        /** False to leave the message to the usual answer. */
+        /** False leaves the message to the default reply. */
         boolean answers(Message message, ScriptedSocket server) throws IOException;
     }
 
-    /** All but commands. */
+    /** All messages except commands. */
     final List<Message> received = new CopyOnWriteArrayList<>();
 
     private final BlockingQueue<Message> commands = new LinkedBlockingQueue<>();
@@ -36,7 +38,7 @@ final class ScriptedSocket implements AutoCloseable {
     private final Thread thread;
     private volatile @Nullable Socket client;
 
-    /** A greeting of Player is padded to its 32 bytes; another is sent as it is. */
+    /** A Player greeting is padded to its 32 bytes; any other is sent unchanged. */
     ScriptedSocket(String greeting, Script script) throws IOException {
         byte[] text = greeting.getBytes(StandardCharsets.ISO_8859_1);
         this.greeting = greeting.startsWith("Player") ? Arrays.copyOf(text, 32) : text;
@@ -72,7 +74,7 @@ final class ScriptedSocket implements AutoCloseable {
                 }
             }
         } catch (IOException closed) {
-            // by the client or by the test
+            // closed by the client or by the test
         } catch (WireException e) {
             throw new AssertionError(e);
         }
@@ -111,12 +113,12 @@ final class ScriptedSocket implements AutoCloseable {
         return Message.of(device(type), MessageType.DATA, content.subtype(), timeSeconds, content.payload());
     }
 
-    /** With an address and a time as the real server has them. */
+    /** With address and time as a real server sends them. */
     Message synch() {
         return Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, 1, Double.NaN, Content.NONE);
     }
 
-    /** In one write, as one segment. */
+    /** In a single write, so as one segment. */
     void send(Message... messages) throws IOException {
         var bytes = new java.io.ByteArrayOutputStream();
         for (var each : messages) {
@@ -133,13 +135,13 @@ final class ScriptedSocket implements AutoCloseable {
         return requireNonNull(commands.poll(30, TimeUnit.SECONDS), "no command came");
     }
 
-    /** The next command that has come already, or null. */
+    /** The next command that has already arrived, or null. */
     @Nullable
     Message pollCommand() {
         return commands.poll();
     }
 
-    /** The server goes away. */
+    /** Closes the server. */
     @Override
     public void close() {
         try {

@@ -25,7 +25,7 @@ import java.util.logging.SimpleFormatter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Servers that stay connected and do not say what a client waits for. */
+/** Servers that stay connected and do not send what a client waits for. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class SilentServerTest implements PlayerConstants {
     private static final int SET_INTEGER_PROPERTY = 253;
@@ -35,8 +35,8 @@ class SilentServerTest implements PlayerConstants {
     private Duration limit = Duration.ofSeconds(4);
 
     /**
-     * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end. The limit is four
-     * seconds.
+     * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end of the stream. The
+     * limit is four seconds.
      */
     private PatientInput input(Integer... reads) {
         Queue<Integer> next = new ArrayDeque<>(List.of(reads));

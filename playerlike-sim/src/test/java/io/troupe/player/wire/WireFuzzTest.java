@@ -16,8 +16,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * Damaged bytes lead to {@link WireException} and to nothing else. {@code -Dwire.fuzz=1000000} tries so many,
- * {@code -Dwire.seed=7} with another seed.
+ * Damaged bytes cause a {@link WireException} and nothing else. {@code -Dwire.fuzz=1000000} sets the number of
+ * attempts, {@code -Dwire.seed=7} the seed.
  */
 class WireFuzzTest {
     private static final int CASES = Integer.getInteger("wire.fuzz", 200_000);
@@ -25,7 +25,7 @@ class WireFuzzTest {
     private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10};
     private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};
 
-    /** Decodes a payload in all the ways in which it could arrive; returns how many of them were refused. */
+    /** Decodes a payload in every way in which it could arrive; returns how many attempts were rejected. */
     private static int decode(int code, int subtype, byte[] payload) {
         int refused = 0;
         for (int way = 0; way < 6; way++) {
@@ -78,7 +78,7 @@ class WireFuzzTest {
                 }
             }
             default -> {
-                if (damaged.length >= 8) { // a count that is the same twice
+                if (damaged.length >= 8) { // a valid count, repeated as the format requires
                     int at = 4 * random.nextInt(damaged.length / 4 - 1);
                     var buffer = ByteBuffer.wrap(damaged);
                     int count = COUNTS[random.nextInt(COUNTS.length)];
