@@ -43,7 +43,7 @@ class CommandLimitTest {
         simulation.close();
     }
 
-    /** A client that has both robots open and answers every tick; it sends only what the test tells it to send. */
+    /** A client that has both robots open and answers every tick; it sends only what the test requests. */
     private static WireClient client() {
         return new WireClient(PORT, WireClient.ANSWER).subscribe(POSITION2D, 0).subscribe(POSITION2D, 1);
     }

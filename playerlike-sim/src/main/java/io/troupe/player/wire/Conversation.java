@@ -8,11 +8,11 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Does what one client asks for and puts the replies into its outbox: one for each request, in their order.
+ * Handles the messages of one client and puts the replies into its outbox: one for each request, in order.
  *
- * <p><b>Threads.</b> {@link #hear} on the thread that reads from the client; {@link #frame} on the server's.
+ * <p><b>Threads.</b> {@link #hear} on the thread that reads from the client; {@link #frame} on the server's thread.
  *
- * <p><b>Errors.</b> What cannot be understood or done is refused if it is a request, else dropped and logged.
+ * <p><b>Errors.</b> An invalid request is refused with a NACK. Any other invalid message is dropped and logged.
  */
 final class Conversation {
     private static final Logger LOG = System.getLogger(Conversation.class.getName());
@@ -28,12 +28,15 @@ final class Conversation {
     private final Outbox outbox;
     private final int host;
     private final int robot;
-    /** Every device at its address in this JVM. */
+    /** The address of each device in this JVM, by interface and index. */
     private final Map<Place, DeviceAddress> devices = new LinkedHashMap<>();
 
     private boolean pull;
 
-    /** @param host and robot: what stands in every address that the client sees */
+    /**
+     * @param host host part of every address that the client sees
+     * @param robot robot part (the port) of every such address
+     */
     Conversation(String peer, PlayerConnection line, Outbox outbox, int host, int robot) {
         this.peer = peer;
         this.line = line;
@@ -194,7 +197,8 @@ final class Conversation {
             outbox.unsubscribed(outside(device), reply);
             return;
         }
-        // the reply stands before the first data, but leaves only when the devices know of the subscription
+        // The reply precedes the first data in the outbox, but is sent only after the devices have added the
+        // subscription.
         outbox.cork();
         try {
             outbox.subscribed(outside(device), reply);

@@ -1,4 +1,4 @@
 package io.troupe.player.wire;
 
-/** One DATA message: who says it, when (simulated seconds under our server), and what. */
+/** A DATA message: the publishing device, the time (in simulated seconds if the server is ours), and the content. */
 public record DataMessage(DeviceAddress from, double timeSeconds, DeviceData data) {}

@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** DATA messages of devices as bytes, and back. */
+/** Encodes and decodes DATA messages of devices. */
 final class DataMessages {
     private static final int BLOB_BYTES = 40;
 
@@ -91,7 +91,7 @@ final class DataMessages {
         out.opaque(intensities).int32(scan.scanId());
     }
 
-    /** Empty for messages that are not known here. */
+    /** Empty for an unknown message. */
     static Optional<DeviceData> decode(int interfaceCode, int subtype, byte[] payload) throws WireException {
         Interfaces type = Interfaces.find(interfaceCode);
         if (type == null) {

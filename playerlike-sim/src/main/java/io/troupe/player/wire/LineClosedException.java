@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** The line between a client and its server has been closed, by either of them. */
+/** The connection between a client and its server was closed, by either side. */
 public final class LineClosedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -2,7 +2,7 @@ package io.troupe.player.wire;
 
 import java.nio.ByteBuffer;
 
-/** A message as it travels: its header, and its payload, which nobody changes once the message is made. */
+/** An encoded message: header and payload. The payload is not modified after construction. */
 record Message(Header header, byte[] payload) {
     static Message of(DeviceAddress address, MessageType type, int subtype, double timeSeconds, byte[] payload) {
         return new Message(new Header(address, type, subtype, timeSeconds, 0, payload.length), payload);

@@ -16,26 +16,26 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a server has to tell one client: data, which wait in pull mode until they are asked for, and replies.
+ * The output queue of one client: data, which in pull mode are held until the client requests them, and replies.
  *
  * <p><b>Threads.</b> Any thread; only {@link #take} and {@link #awaitRoom} wait. {@link #frame} and {@link #close}
- * never wait for the lock, which the threads of the connection hold and queue for: a frame is put down beside it and
- * taken in by the thread that holds the lock now or gets it next.
+ * never wait for the lock, for which the threads of the connection compete. They put a frame into a separate queue, and
+ * the thread that holds the lock, or the next one to get it, moves it from there.
  *
- * <p><b>Order.</b> As it was put in, except that the reply to a request for data precedes the data.
+ * <p><b>Order.</b> First in, first out, except that the reply to a request for data precedes the data.
  *
- * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages wait, and whoever reads the client's requests waits while
- * {@value #MAX_REPLY_BYTES} bytes of replies do.
+ * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages are queued. The thread that reads the client's requests
+ * blocks while {@value #MAX_REPLY_BYTES} bytes of replies are queued.
  */
 final class Outbox {
     static final int MAX_DATA = 1024;
     static final int MAX_REPLY_BYTES = 64 * 1024;
-    /** Frames that were not taken in because a thread held the lock all the time. */
+    /** Bound of frames not yet moved into the queue because a thread held the lock all the time. */
     private static final int MAX_ARRIVED = 1024;
 
     private static final int MAX_BATCH_BYTES = 64 * 1024;
 
-    /** @param data null for everything that no rule speaks of */
+    /** @param data null for everything that replace rules do not apply to */
     private record Entry(byte[] bytes, @Nullable Kind data) {}
 
     private record Kind(DeviceAddress from, int subtype) {}
@@ -46,8 +46,8 @@ final class Outbox {
     private final AtomicInteger arrivedCount = new AtomicInteger();
     private final AtomicInteger dropped = new AtomicInteger();
     /**
-     * For the thread that writes: there may be something to send. Releasing never waits, as a condition of the lock
-     * would.
+     * For the thread that writes: there may be output. A release never waits, unlike the signal of a condition of the
+     * lock.
      */
     private final Semaphore news = new Semaphore(0);
     /** For the thread that reads: replies may have been taken. */
@@ -67,16 +67,16 @@ final class Outbox {
     private boolean corked;
     private int dataWaiting;
     private long newestTick = PlayerConnection.NO_TICK;
-    private long endedTick = PlayerConnection.NO_TICK; // whose frame the client has seen the end of
+    private long endedTick = PlayerConnection.NO_TICK; // whose frame the client has received completely
     private double timeSeconds;
 
-    // ---- what the devices say
+    // ---- data from the devices
 
     /**
-     * Puts a frame's messages in, without waiting. A client in pull mode that asks for data gets the end of a frame
-     * even if its rules leave nothing of it: like every other frame, it is answered by asking again.
+     * Adds the messages of a frame, without waiting. A client in pull mode that has requested data gets the end of the
+     * frame even if its rules drop every message: the client answers that frame like any other, by its next request.
      *
-     * @param messages of devices at the addresses that the client knows
+     * @param messages from devices at the addresses that the client knows
      */
     void frame(long tick, double frameTimeSeconds, List<DataMessage> messages) {
         if (arrivedCount.incrementAndGet() > MAX_ARRIVED) {
@@ -85,7 +85,7 @@ final class Outbox {
         } else {
             arrived.add(new Arrival(tick, frameTimeSeconds, messages));
         }
-        tryTakeIn(); // so that rules hold and the number of data is bounded while the writing thread is stuck
+        tryTakeIn(); // applies the rules and bounds the data even while the writing thread is blocked
         wake(news);
     }
 
@@ -150,7 +150,7 @@ final class Outbox {
 
     private void removeNewest(Kind kind) {
         Deque<Entry> waiting =
-                mode == Delivery.PULL ? held : sending; // in pull mode, what has been released ends with its SYNCH
+                mode == Delivery.PULL ? held : sending; // pull mode: released data are final, their SYNCH follows
         for (Iterator<Entry> each = waiting.descendingIterator(); each.hasNext(); ) {
             if (kind.equals(each.next().data())) {
                 each.remove();
@@ -180,14 +180,14 @@ final class Outbox {
         put(Message.of(nobody, MessageType.SYNCH, end.subtype(), 0, end.payload()));
     }
 
-    // ---- what the client's requests lead to
+    // ---- effects of the client's requests
 
-    /** The clock of the newest frame, for replies. */
+    /** The time of the newest frame, for replies. */
     double timeSeconds() {
         return under(() -> timeSeconds);
     }
 
-    /** Puts a reply in; what has been put in before goes out before it. */
+    /** Adds a reply; everything added before is sent before it. */
     void reply(Message message) {
         under(() -> {
             release();
@@ -197,8 +197,9 @@ final class Outbox {
     }
 
     /**
-     * A request for data: returns the tick that the client answers by it, the newest whose frame has ended. Data that
-     * went out before a reply are no frame yet: their end comes now, and asking once more answers them.
+     * Handles a request for data. Returns the tick that the client answers with it: the newest tick whose frame has
+     * ended. Data that were sent before a reply are not a frame yet. Their frame ends now, and the next request answers
+     * it.
      */
     long ask(Message reply) {
         return under(() -> {
@@ -232,7 +233,10 @@ final class Outbox {
         });
     }
 
-    /** Nothing goes out until {@link #uncork}, so that what happens meanwhile is done when the client hears of it. */
+    /**
+     * Holds all output until {@link #uncork}, so that what happens in between is complete before the client is
+     * notified.
+     */
     void cork() {
         under(() -> corked = true);
     }
@@ -242,7 +246,7 @@ final class Outbox {
         wake(news);
     }
 
-    /** Lets the data of a device in; the client hears of it first. */
+    /** Adds a subscription; the reply precedes its first data. */
     void subscribed(DeviceAddress device, Message reply) {
         under(() -> {
             release();
@@ -255,7 +259,7 @@ final class Outbox {
         return under(() -> !subscribed.isEmpty());
     }
 
-    /** From now on nothing of that device is said. */
+    /** Removes a subscription and the queued data of the device. */
     void unsubscribed(DeviceAddress device, Message reply) {
         under(() -> {
             subscribed.remove(device);
@@ -281,9 +285,9 @@ final class Outbox {
         wake(news);
     }
 
-    // ---- for the threads of a connection
+    // ---- called by the threads of a connection
 
-    /** Raw bytes, before all messages. */
+    /** Adds raw bytes that precede all messages. */
     void greet(byte[] banner) {
         under(() -> {
             put(banner);
@@ -291,7 +295,7 @@ final class Outbox {
         });
     }
 
-    /** Waits until the client has taken most of its replies; false if the outbox is closed. */
+    /** Waits until the client has read most of its replies; false if the outbox is closed. */
     boolean awaitRoom() throws InterruptedException {
         while (!closed && replyBytes > MAX_REPLY_BYTES) {
             await(room);
@@ -299,7 +303,7 @@ final class Outbox {
         return !closed;
     }
 
-    /** Waits for something to send and takes some of it; null if the outbox is closed. */
+    /** Waits for output and takes a batch of it; null if the outbox is closed. */
     byte @Nullable [] take() throws InterruptedException {
         while (!closed) {
             byte[] batch = under(this::batch);
@@ -329,12 +333,12 @@ final class Outbox {
         return batch.toByteArray();
     }
 
-    /** Data that were lost since the client was last told. */
+    /** Number of data messages dropped since the client was last notified. */
     int dropped() {
         return dropped.get();
     }
 
-    /** Ends all waiting; does not wait itself. */
+    /** Ends all waiting calls; does not wait. */
     void close() {
         closed = true;
         tryTakeIn();
@@ -352,7 +356,7 @@ final class Outbox {
         }
     }
 
-    /** What led to the permits is looked at by the caller after this. */
+    /** The caller checks its condition again after this. */
     private static void await(Semaphore permits) throws InterruptedException {
         permits.acquire();
         permits.drainPermits();

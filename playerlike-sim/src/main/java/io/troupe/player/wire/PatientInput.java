@@ -9,22 +9,26 @@ import java.time.Duration;
 import java.util.function.Supplier;
 
 /**
- * The input of a socket whose reads time out again and again, which is no reason to stop reading: when nothing has come
- * for half of a limit the server is asked for a sign of life, and when nothing comes for another half it is reported as
+ * The input of a socket, with a keep-alive check. Reads of the socket time out and are repeated. If nothing arrives for
+ * half of the limit, the server is sent a request. If nothing arrives for another half, the server is reported as
  * silent, once.
  *
- * <p><b>Threads.</b> The one that reads.
+ * <p><b>Threads.</b> The reading thread only.
  */
 final class PatientInput extends FilterInputStream {
     private final Clock clock;
     private final Supplier<Duration> limit;
     private final Runnable ask;
     private final Runnable silent;
-    private long sinceNanos; // the last byte, or the question
+    private long sinceNanos; // time of the last byte or of the request
     private boolean asked;
     private boolean reported;
 
-    /** @param limit asked at each time-out; zero for none */
+    /**
+     * @param limit read at each time-out; zero for no limit
+     * @param ask sends a request that every server answers
+     * @param silent notified when the limit has expired
+     */
     PatientInput(InputStream in, Clock clock, Supplier<Duration> limit, Runnable ask, Runnable silent) {
         super(in);
         this.clock = clock;

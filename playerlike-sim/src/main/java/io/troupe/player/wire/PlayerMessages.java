@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** Requests to the player device, its replies, and SYNCH, as bytes and back. */
+/** Encodes and decodes requests to the player device, its replies, and SYNCH. */
 final class PlayerMessages {
     static final int SYNCH_OK = 1;
     static final int SYNCH_OVERFLOW = 2;
@@ -101,7 +101,7 @@ final class PlayerMessages {
         return new ReplaceRule(interfaceCode, index, type, subtype, replace);
     }
 
-    /** Whether the player device understands such a message. */
+    /** True if the player device supports such a message. */
     static boolean isServed(int type, int subtype) {
         return type == MessageType.REQ.code()
                 && switch (subtype) {
@@ -118,7 +118,7 @@ final class PlayerMessages {
         var out = new XdrWriter();
         switch (reply) {
             case PlayerReply.Ack ack -> {}
-            case PlayerReply.Nack nack -> {} // javaclient would not skip a payload
+            case PlayerReply.Nack nack -> {} // javaclient does not skip the payload of a NACK
             case PlayerReply.DeviceList list -> out.array(list.devices(), Shapes::address);
             case PlayerReply.DriverInfo info -> {
                 Shapes.address(out, info.device());
@@ -132,7 +132,7 @@ final class PlayerMessages {
         return out.bytes();
     }
 
-    /** The reply to a request of that subtype. Real servers refuse with and without a payload. */
+    /** Decodes the reply to a request of that subtype. Real servers send a NACK with or without a payload. */
     static PlayerReply reply(MessageType type, int subtype, byte[] payload) throws WireException {
         if (type == MessageType.NACK) {
             return new PlayerReply.Nack();
@@ -156,7 +156,7 @@ final class PlayerMessages {
                         SYNCH_OVERFLOW, new XdrWriter().int32(droppedMessages).bytes());
     }
 
-    /** How many messages the server has dropped for this client. */
+    /** Number of messages that the server has dropped for this client. */
     static int dropped(int subtype, byte[] payload) throws WireException {
         return subtype == SYNCH_OVERFLOW ? new XdrReader("SYNCH 2", payload).int32("dropped messages") : 0;
     }

@@ -6,16 +6,16 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 
 /**
- * Reads what a server sends: frames go to the line, replies to whoever waits for them.
+ * Reads the messages of a server: passes frames to the connection and replies to their callers.
  *
- * <p><b>Threads.</b> The one that runs it, which ends with the connection.
+ * <p><b>Threads.</b> The thread that runs it; it ends with the connection.
  *
- * <p><b>Errors.</b> A message that cannot be understood is left out and logged; bytes that are no messages end the
- * line.
+ * <p><b>Errors.</b> A message that cannot be decoded is skipped and logged. Bytes that are not a message end the
+ * connection.
  */
 final class RemoteReader implements Runnable {
     private static final System.Logger LOG = System.getLogger(RemoteReader.class.getName());
-    /** The payload that Player's own clients accept. */
+    /** The largest payload that Player's own clients accept. */
     private static final int MOST_PAYLOAD_BYTES = 32 * 1024 * 1024;
 
     private static final int NEXT_DATA =

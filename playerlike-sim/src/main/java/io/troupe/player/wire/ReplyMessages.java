@@ -14,7 +14,7 @@ import io.troupe.player.wire.DeviceReply.SonarGeometry;
 import io.troupe.player.wire.DeviceReply.SonarMount;
 import java.util.List;
 
-/** Replies of devices (RESP_ACK and RESP_NACK) as bytes, and back. */
+/** Encodes and decodes replies of devices (RESP_ACK and RESP_NACK). */
 final class ReplyMessages {
     static final RangerGeometry NO_GEOMETRY =
             new RangerGeometry(Pose3d.flat(0, 0, 0), new Size3d(0, 0, 0), List.of(), List.of());
@@ -26,7 +26,7 @@ final class ReplyMessages {
         return reply instanceof Nack ? MessageType.NACK : MessageType.ACK;
     }
 
-    /** A refusal has no content: some clients do not expect any. */
+    /** A NACK has no content, because some clients do not expect any. */
     static byte[] encode(DeviceReply reply) {
         var out = new XdrWriter();
         write(out, reply);
@@ -69,7 +69,7 @@ final class ReplyMessages {
         }
     }
 
-    /** The reply to a request of that subtype. */
+    /** Decodes the reply to a request of that subtype. */
     static DeviceReply decode(int interfaceCode, MessageType type, int subtype, byte[] payload) throws WireException {
         if (type == MessageType.NACK) {
             return new Nack("refused by the server");
@@ -114,7 +114,7 @@ final class ReplyMessages {
         };
     }
 
-    /** Stage leaves what is missing here uninitialised. */
+    /** Reads the geometry of a position2d. The fields ignored here are uninitialised in Stage. */
     static Position2dGeometry positionGeometry(XdrReader in) throws WireException {
         Pose3d pose = Shapes.pose3d(in);
         Size3d size = Shapes.size3d(in);

@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** The structures that several messages share. */
+/** Encodes and decodes structures that several messages share. */
 final class Shapes {
     static final int POSE3D_BYTES = 48;
     static final int SIZE3D_BYTES = 24;
@@ -63,7 +63,7 @@ final class Shapes {
                 configuration.frequencyHz());
     }
 
-    /** 28 bytes, or 24 from clients that know of no frequency. */
+    /** 28 bytes, or 24 from clients that do not send the frequency. */
     static LaserConfiguration laserConfiguration(XdrReader in) throws WireException {
         return new LaserConfiguration(
                 in.float32("min_angle"),
