@@ -11,20 +11,20 @@ import io.troupe.player.structures.aio.PlayerAioData;
  *
  * <p><b>Source.</b> Player interface aio.
  */
-public class AIOInterface extends UnofferedDevice {
+public class AIOInterface extends UnsupportedDevice {
     public AIOInterface(PlayerClient client) {
         super(client, "aio");
     }
 
     public PlayerAioData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setState(int id, float voltage) {
-        throw notOffered();
+        throw notSupported();
     }
 }

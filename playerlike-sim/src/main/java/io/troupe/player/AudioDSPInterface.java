@@ -12,36 +12,36 @@ import io.troupe.player.structures.audiodsp.PlayerAudiodspData;
  *
  * <p><b>Source.</b> Player interface audiodsp.
  */
-public class AudioDSPInterface extends UnofferedDevice {
+public class AudioDSPInterface extends UnsupportedDevice {
     public AudioDSPInterface(PlayerClient client) {
         super(client, "audiodsp");
     }
 
     public PlayerAudiodspData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudiodspConfig getConfig() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isConfigReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void playTone(int subtype, PlayerAudiodspCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getAudioProperties() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setAudioProperties(PlayerAudiodspConfig value) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -11,24 +11,24 @@ import io.troupe.player.structures.audiomixer.PlayerAudiomixerConfig;
  *
  * <p><b>Source.</b> Player interface audiomixer.
  */
-public class AudioMixerInterface extends UnofferedDevice {
+public class AudioMixerInterface extends UnsupportedDevice {
     public AudioMixerInterface(PlayerClient client) {
         super(client, "audiomixer");
     }
 
     public void setVolume(int subtype, PlayerAudiomixerCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getLevels(byte subtype) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudiomixerConfig getConfig() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isConfigReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

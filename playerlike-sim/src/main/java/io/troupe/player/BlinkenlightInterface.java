@@ -11,36 +11,36 @@ import io.troupe.player.structures.blinkenlight.PlayerBlinkenlightData;
  *
  * <p><b>Source.</b> Player interface blinkenlight.
  */
-public class BlinkenlightInterface extends UnofferedDevice {
+public class BlinkenlightInterface extends UnsupportedDevice {
     public BlinkenlightInterface(PlayerClient client) {
         super(client, "blinkenlight");
     }
 
     public PlayerBlinkenlightData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setState(PlayerBlinkenlightData value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPower(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setColor(PlayerColor color) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPeriod(int period) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDutycycle(int dutycycle) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface blobfinder.
  */
 public class BlobfinderInterface extends PlayerDevice {
-    private final Latest<PlayerBlobfinderData> data = new Latest<>();
+    private final LatestValue<PlayerBlobfinderData> data = new LatestValue<>();
 
     public BlobfinderInterface(PlayerClient client) {
         super(client);
@@ -29,7 +29,7 @@ public class BlobfinderInterface extends PlayerDevice {
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** Sets the colours that one channel tracks. */
@@ -51,7 +51,7 @@ public class BlobfinderInterface extends PlayerDevice {
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 

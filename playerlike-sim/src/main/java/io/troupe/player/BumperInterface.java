@@ -11,28 +11,28 @@ import io.troupe.player.structures.bumper.PlayerBumperGeom;
  *
  * <p><b>Source.</b> Player interface bumper.
  */
-public class BumperInterface extends UnofferedDevice {
+public class BumperInterface extends UnsupportedDevice {
     public BumperInterface(PlayerClient client) {
         super(client, "bumper");
     }
 
     public PlayerBumperData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerBumperGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,20 +10,20 @@ import io.troupe.player.structures.camera.PlayerCameraData;
  *
  * <p><b>Source.</b> Player interface camera.
  */
-public class CameraInterface extends UnofferedDevice {
+public class CameraInterface extends UnsupportedDevice {
     public CameraInterface(PlayerClient client) {
         super(client, "camera");
     }
 
     public void getImage() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerCameraData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

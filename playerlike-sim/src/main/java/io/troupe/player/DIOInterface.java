@@ -11,20 +11,20 @@ import io.troupe.player.structures.dio.PlayerDioData;
  *
  * <p><b>Source.</b> Player interface dio.
  */
-public class DIOInterface extends UnofferedDevice {
+public class DIOInterface extends UnsupportedDevice {
     public DIOInterface(PlayerClient client) {
         super(client, "dio");
     }
 
     public PlayerDioData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setOutputBitfield(int count, int bits) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,16 +10,16 @@ import io.troupe.player.structures.gps.PlayerGpsData;
  *
  * <p><b>Source.</b> Player interface gps.
  */
-public class GPSInterface extends UnofferedDevice {
+public class GPSInterface extends UnsupportedDevice {
     public GPSInterface(PlayerClient client) {
         super(client, "gps");
     }
 
     public PlayerGpsData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

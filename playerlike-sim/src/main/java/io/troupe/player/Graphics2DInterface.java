@@ -12,24 +12,24 @@ import io.troupe.player.structures.graphics2d.PlayerGraphics2dCmdPolyline;
  *
  * <p><b>Source.</b> Player interface graphics2d.
  */
-public class Graphics2DInterface extends UnofferedDevice {
+public class Graphics2DInterface extends UnsupportedDevice {
     public Graphics2DInterface(PlayerClient client) {
         super(client, "graphics2d");
     }
 
     public void clearScreen() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void drawPoints(PlayerGraphics2dCmdPoints value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void drawPolyline(PlayerGraphics2dCmdPolyline value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void drawPolygon(PlayerGraphics2dCmdPolygon value) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,16 +10,16 @@ import io.troupe.player.structures.graphics3d.PlayerGraphics3dCmdDraw;
  *
  * <p><b>Source.</b> Player interface graphics3d.
  */
-public class Graphics3DInterface extends UnofferedDevice {
+public class Graphics3DInterface extends UnsupportedDevice {
     public Graphics3DInterface(PlayerClient client) {
         super(client, "graphics3d");
     }
 
     public void clearScreen() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void draw(PlayerGraphics3dCmdDraw value) {
-        throw notOffered();
+        throw notSupported();
     }
 }

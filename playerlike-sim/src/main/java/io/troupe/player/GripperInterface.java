@@ -11,52 +11,52 @@ import io.troupe.player.structures.gripper.PlayerGripperGeom;
  *
  * <p><b>Source.</b> Player interface gripper.
  */
-public class GripperInterface extends UnofferedDevice {
+public class GripperInterface extends UnsupportedDevice {
     public GripperInterface(PlayerClient client) {
         super(client, "gripper");
     }
 
     public void open() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void close() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void stop() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void store() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void retrieve() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setGripper(int cmd) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerGripperData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerGripperGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -11,16 +11,16 @@ import io.troupe.player.structures.health.PlayerHealthData;
  *
  * <p><b>Source.</b> Player interface health.
  */
-public class HealthInterface extends UnofferedDevice {
+public class HealthInterface extends UnsupportedDevice {
     public HealthInterface(PlayerClient client) {
         super(client, "health");
     }
 
     public PlayerHealthData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -8,7 +8,7 @@ package io.troupe.player;
  *
  * <p><b>Source.</b> Player interface imu.
  */
-public class IMUInterface extends UnofferedDevice {
+public class IMUInterface extends UnsupportedDevice {
     public IMUInterface(PlayerClient client) {
         super(client, "imu");
     }

@@ -11,32 +11,32 @@ import io.troupe.player.structures.ir.PlayerIrPose;
  *
  * <p><b>Source.</b> Player interface ir.
  */
-public class IRInterface extends UnofferedDevice {
+public class IRInterface extends UnsupportedDevice {
     public IRInterface(PlayerClient client) {
         super(client, "ir");
     }
 
     public PlayerIrData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerIrPose getPose() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isPoseReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryPose() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setIRPower(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,16 +10,16 @@ import io.troupe.player.structures.joystick.PlayerJoystickData;
  *
  * <p><b>Source.</b> Player interface joystick.
  */
-public class JoystickInterface extends UnofferedDevice {
+public class JoystickInterface extends UnsupportedDevice {
     public JoystickInterface(PlayerClient client) {
         super(client, "joystick");
     }
 
     public PlayerJoystickData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -20,10 +20,10 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface laser.
  */
 public class LaserInterface extends PlayerDevice {
-    private final Latest<PlayerLaserData> data = new Latest<>();
-    private final Latest<PlayerLaserDataScanpose> scanPose = new Latest<>();
-    private final Latest<PlayerLaserGeom> geometry = new Latest<>();
-    private final Latest<PlayerLaserConfig> configuration = new Latest<>();
+    private final LatestValue<PlayerLaserData> data = new LatestValue<>();
+    private final LatestValue<PlayerLaserDataScanpose> scanPose = new LatestValue<>();
+    private final LatestValue<PlayerLaserGeom> geometry = new LatestValue<>();
+    private final LatestValue<PlayerLaserConfig> configuration = new LatestValue<>();
 
     public LaserInterface(PlayerClient client) {
         super(client);
@@ -51,22 +51,22 @@ public class LaserInterface extends PlayerDevice {
 
     /** True once for each new scan. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** True once for each new scan with the robot's pose. */
     public boolean isDataScanposeReady() {
-        return pc.findsReply(scanPose);
+        return pc.hasReply(scanPose);
     }
 
     /** True once for each reply to {@link #queryGeometry}. */
     public boolean isReadyPlgeom() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
     /** True once for each reply to {@link #getScanProperties}. */
     public boolean isReadyPlconfig() {
-        return pc.findsReply(configuration);
+        return pc.hasReply(configuration);
     }
 
     /** Requests the pose and size of the laser. */
@@ -97,7 +97,7 @@ public class LaserInterface extends PlayerDevice {
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 
@@ -135,20 +135,20 @@ public class LaserInterface extends PlayerDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.LaserGeometry where) {
-            var told = new PlayerLaserGeom();
-            told.setPose(Shapes.pose(where.pose()));
-            told.setSize(Shapes.box(where.size()));
-            geometry.put(told);
+            var result = new PlayerLaserGeom();
+            result.setPose(StructureConverter.pose(where.pose()));
+            result.setSize(StructureConverter.box(where.size()));
+            geometry.put(result);
         } else if (reply instanceof DeviceReply.OfLaser(LaserConfiguration how)) {
-            var told = new PlayerLaserConfig();
-            told.setMin_angle(how.minAngleRad());
-            told.setMax_angle(how.maxAngleRad());
-            told.setResolution(how.resolutionRad());
-            told.setMax_range(how.maxRangeM());
-            told.setRange_res(how.rangeResolutionM());
-            told.setIntensity((byte) (how.intensities() ? 1 : 0));
-            told.setScanning_frequency(how.frequencyHz());
-            configuration.put(told);
+            var result = new PlayerLaserConfig();
+            result.setMin_angle(how.minAngleRad());
+            result.setMax_angle(how.maxAngleRad());
+            result.setResolution(how.resolutionRad());
+            result.setMax_range(how.maxRangeM());
+            result.setRange_res(how.rangeResolutionM());
+            result.setIntensity((byte) (how.intensities() ? 1 : 0));
+            result.setScanning_frequency(how.frequencyHz());
+            configuration.put(result);
         }
     }
 }

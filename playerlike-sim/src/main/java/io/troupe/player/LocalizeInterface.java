@@ -12,32 +12,32 @@ import io.troupe.player.structures.localize.PlayerLocalizeSetPose;
  *
  * <p><b>Source.</b> Player interface localize.
  */
-public class LocalizeInterface extends UnofferedDevice {
+public class LocalizeInterface extends UnsupportedDevice {
     public LocalizeInterface(PlayerClient client) {
         super(client, "localize");
     }
 
     public void setPose(PlayerLocalizeSetPose value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryParticles() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLocalizeData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLocalizeGetParticles getParticleData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isParticleDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,36 +10,36 @@ import io.troupe.player.structures.log.PlayerLogGetState;
  *
  * <p><b>Source.</b> Player interface log.
  */
-public class LogInterface extends UnofferedDevice {
+public class LogInterface extends UnsupportedDevice {
     public LogInterface(PlayerClient client) {
         super(client, "log");
     }
 
     public void setWriteState(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setReadState(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void rewindPlayback() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryState() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setFileName(String fileName) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLogGetState getState() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

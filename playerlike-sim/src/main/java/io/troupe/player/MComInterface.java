@@ -12,40 +12,40 @@ import io.troupe.player.structures.mcom.PlayerMcomData;
  *
  * <p><b>Source.</b> Player interface mcom.
  */
-public class MComInterface extends UnofferedDevice {
+public class MComInterface extends UnsupportedDevice {
     public MComInterface(PlayerClient client) {
         super(client, "mcom");
     }
 
     public void sendConfigReq(PlayerMcomConfig value, int request) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void Push(int type, String channel, char[] data) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void Pop(int type, String channel) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void Read(int type, String channel) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void Clear(int type, String channel) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setCapacity(int type, String channel, char capacity) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMcomData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

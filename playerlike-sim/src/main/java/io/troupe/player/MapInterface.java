@@ -12,44 +12,44 @@ import io.troupe.player.structures.map.PlayerMapInfo;
  *
  * <p><b>Source.</b> Player interface map.
  */
-public class MapInterface extends UnofferedDevice {
+public class MapInterface extends UnsupportedDevice {
     public MapInterface(PlayerClient client) {
         super(client, "map");
     }
 
     public void requestMapInformation() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void requestMapData(PlayerMapData value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void requestMapDataVector() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMapInfo getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMapData getGridData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGridDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMapDataVector getMapDataVector() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isMapDataVectorReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,24 +10,24 @@ import io.troupe.player.structures.opaque.PlayerOpaqueData;
  *
  * <p><b>Source.</b> Player interface opaque.
  */
-public class OpaqueInterface extends UnofferedDevice {
+public class OpaqueInterface extends UnsupportedDevice {
     public OpaqueInterface(PlayerClient client) {
         super(client, "opaque");
     }
 
     public PlayerOpaqueData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void command(byte[] data) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void request(byte[] data) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -12,36 +12,36 @@ import io.troupe.player.structures.planner.PlayerPlannerWaypointsReq;
  *
  * <p><b>Source.</b> Player interface planner.
  */
-public class PlannerInterface extends UnofferedDevice {
+public class PlannerInterface extends UnsupportedDevice {
     public PlannerInterface(PlayerClient client) {
         super(client, "planner");
     }
 
     public void setGoal(PlayerPose2d goal) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getWaypoints() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setRobotMotion(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPlannerData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPlannerWaypointsReq getWaypointData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isReadyWaypointData() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -2,12 +2,12 @@ package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.RemoteServer;
@@ -41,7 +41,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> {@link PlayerException}; waiting calls throw it too when the connection is lost. The client does
  * not reconnect; that is the program's decision.
  */
-public class PlayerClient extends ServerInquiries {
+public class PlayerClient extends ServerRequests {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final Set<String> THIS_MACHINE = Set.of("localhost", "127.0.0.1", "::1");
     /**
@@ -51,7 +51,7 @@ public class PlayerClient extends ServerInquiries {
     private static final long PATIENCE_MILLIS = 1;
 
     private final @Nullable ActorSpace space = ActorSpace.current();
-    private final Incoming incoming = new Incoming(subscriptions::dispatch, this::answer, space != null);
+    private final ClientInbox incoming = new ClientInbox(subscriptions::dispatch, this::answer, space != null);
     private final PlayerConnection connection;
     private final Object threading = new Object();
     private volatile boolean threaded;
@@ -73,7 +73,7 @@ public class PlayerClient extends ServerInquiries {
             }
             connection = server.connect(incoming, space);
             devices.put(new Devices(connection.devices())); // the connection has fetched the list already
-        } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
+        } catch (ConnectionClosedException | RequestFailedException | IllegalArgumentException e) {
             throw new PlayerException(
                     "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()
                             + (thisMachine ? " (ports of worlds in this JVM: " + PlayerPorts.list() + ")" : ""),
@@ -168,7 +168,7 @@ public class PlayerClient extends ServerInquiries {
      * connection.
      */
     public void requestData() {
-        calling(connection::devices); // throws if the connection is lost
+        compute(connection::devices); // throws if the connection is lost
     }
 
     /**
@@ -181,7 +181,7 @@ public class PlayerClient extends ServerInquiries {
         if (mode != PLAYER_DATAMODE_PUSH && mode != PLAYER_DATAMODE_PULL) {
             throw new PlayerException("data delivery mode is " + mode + ", expected 1 (push) or 2 (pull)");
         }
-        tell(() -> connection.delivery(mode == PLAYER_DATAMODE_PULL ? Delivery.PULL : Delivery.PUSH));
+        execute(() -> connection.delivery(mode == PLAYER_DATAMODE_PULL ? Delivery.PULL : Delivery.PUSH));
         pull = mode == PLAYER_DATAMODE_PULL;
     }
 
@@ -207,7 +207,7 @@ public class PlayerClient extends ServerInquiries {
         if (!limit.isZero() && limit.compareTo(Duration.ofMillis(2)) < 0) {
             throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more, or zero for none");
         }
-        tell(() -> connection.silenceLimit(limit));
+        execute(() -> connection.silenceLimit(limit));
     }
 
     /** Stops the thread and disconnects. Every waiting call and every later one throws {@link PlayerException}. */
@@ -220,7 +220,7 @@ public class PlayerClient extends ServerInquiries {
     // ---- called by devices
 
     /** True if a device has new data; an unsuccessful call may answer the tick. */
-    boolean findsNews(Latest<?> asked) {
+    boolean hasNewData(LatestValue<?> asked) {
         if (threaded || space != null) {
             return incoming.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
         }
@@ -232,19 +232,19 @@ public class PlayerClient extends ServerInquiries {
     }
 
     /** True if the reply to a request has arrived. */
-    boolean findsReply(Latest<?> asked) {
+    boolean hasReply(LatestValue<?> asked) {
         return incoming.takeReply(asked, PATIENCE_MILLIS);
     }
 
     void command(DeviceAddress device, DeviceCommand command) {
-        tell(() -> connection.command(device, command));
+        execute(() -> connection.command(device, command));
     }
 
     void request(PlayerDevice device, DeviceRequest request) {
         var address = device.address();
         incoming.requestBegins();
         try {
-            tell(() -> connection.request(
+            execute(() -> connection.request(
                     address,
                     request,
                     reply -> incoming.requestEnds(
@@ -270,7 +270,7 @@ public class PlayerClient extends ServerInquiries {
     }
 
     private void answer(long tick) {
-        tell(() -> connection.answered(tick));
+        execute(() -> connection.answered(tick));
     }
 
     @Override

@@ -3,10 +3,10 @@ package io.troupe.player;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerDevAddr;
 import io.troupe.player.structures.PlayerMsgHdr;
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
@@ -44,7 +44,7 @@ public abstract class PlayerDevice implements PlayerConstants {
     /** Rejects every write: commands and requests are sent by the methods of the device. */
     protected final OutputStream os = new ClosedOutput();
 
-    private @Nullable DeviceData arrived; // guarded by the lock of Incoming, as is the next field
+    private @Nullable DeviceData arrived; // guarded by the lock of ClientInbox, as is the next field
     private @Nullable DeviceReply answer;
     private volatile @Nullable DeviceAddress address;
     private volatile byte access;
@@ -131,9 +131,9 @@ public abstract class PlayerDevice implements PlayerConstants {
     void accept(DeviceReply reply) {}
 
     /** The newest data, and whether they were polled. */
-    abstract Latest<?> latest();
+    abstract LatestValue<?> latest();
 
-    final void receive(DataMessage message) {
+    final void receive(DeviceDataMessage message) {
         var header = new PlayerMsgHdr();
         header.setAddr(convert(message.from()));
         header.setType((byte) PLAYER_MSGTYPE_DATA);

@@ -10,16 +10,16 @@ import io.troupe.player.structures.pointcloud3d.PlayerPointCloud3DData;
  *
  * <p><b>Source.</b> Player interface pointcloud3d.
  */
-public class PointCloud3DInterface extends UnofferedDevice {
+public class PointCloud3DInterface extends UnsupportedDevice {
     public PointCloud3DInterface(PlayerClient client) {
         super(client, "pointcloud3d");
     }
 
     public PlayerPointCloud3DData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -23,8 +23,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface position2d.
  */
 public class Position2DInterface extends AbstractPositionDevice {
-    private final Latest<PlayerPosition2dData> data = new Latest<>();
-    private final Latest<PlayerPosition2dGeom> geometry = new Latest<>();
+    private final LatestValue<PlayerPosition2dData> data = new LatestValue<>();
+    private final LatestValue<PlayerPosition2dGeom> geometry = new LatestValue<>();
 
     public Position2DInterface(PlayerClient client) {
         super(client);
@@ -42,12 +42,12 @@ public class Position2DInterface extends AbstractPositionDevice {
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** True once for each reply. */
     public boolean isGeomReady() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
     @Override
@@ -164,11 +164,11 @@ public class Position2DInterface extends AbstractPositionDevice {
         send(new DeviceCommand.Velocity(vx, vy, va, enabled));
     }
 
-    private void checkFinite(String told, double... values) {
+    private void checkFinite(String action, double... values) {
         for (double value : values) {
             if (!Double.isFinite(value)) {
                 throw new PlayerException(
-                        this + " was told to " + told + " " + Arrays.toString(values) + ", expected finite numbers");
+                        this + " was told to " + action + " " + Arrays.toString(values) + ", expected finite numbers");
             }
         }
     }
@@ -219,16 +219,16 @@ public class Position2DInterface extends AbstractPositionDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.Position2dGeometry body) {
-            var told = new PlayerPosition2dGeom();
-            told.setPose(new PlayerPose(body.px(), body.py(), body.pa()));
-            told.getSize().setSl(body.lengthM());
-            told.getSize().setSw(body.widthM());
-            geometry.put(told);
+            var result = new PlayerPosition2dGeom();
+            result.setPose(new PlayerPose(body.px(), body.py(), body.pa()));
+            result.getSize().setSl(body.lengthM());
+            result.getSize().setSw(body.widthM());
+            geometry.put(result);
         }
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 

@@ -10,20 +10,20 @@ import io.troupe.player.structures.power.PlayerPowerData;
  *
  * <p><b>Source.</b> Player interface power.
  */
-public class PowerInterface extends UnofferedDevice {
+public class PowerInterface extends UnsupportedDevice {
     public PowerInterface(PlayerClient client) {
         super(client, "power");
     }
 
     public PlayerPowerData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void requestCharge(int enable_input, int enable_output) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -12,48 +12,48 @@ import io.troupe.player.structures.ptz.PlayerPtzGeom;
  *
  * <p><b>Source.</b> Player interface ptz.
  */
-public class PtzInterface extends UnofferedDevice {
+public class PtzInterface extends UnsupportedDevice {
     public PtzInterface(PlayerClient client) {
         super(client, "ptz");
     }
 
     public PlayerPtzData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPtzGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public int getStatus() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPTZ(PlayerPtzCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void genericRequest(int configCount, int[] config) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void controlRequest(int mode) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void statusRequest() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,16 +10,16 @@ import io.troupe.player.structures.rfid.PlayerRfidData;
  *
  * <p><b>Source.</b> Player interface rfid.
  */
-public class RFIDInterface extends UnofferedDevice {
+public class RFIDInterface extends UnsupportedDevice {
     public RFIDInterface(PlayerClient client) {
         super(client, "rfid");
     }
 
     public PlayerRfidData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -22,10 +22,10 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface ranger.
  */
 public class RangerInterface extends PlayerDevice {
-    private final Latest<PlayerRangerData> data = new Latest<>();
-    private final Latest<PlayerRangerDataIntns> intensities = new Latest<>();
-    private final Latest<PlayerRangerGeom> geometry = new Latest<>();
-    private final Latest<PlayerRangerConf> configuration = new Latest<>();
+    private final LatestValue<PlayerRangerData> data = new LatestValue<>();
+    private final LatestValue<PlayerRangerDataIntns> intensities = new LatestValue<>();
+    private final LatestValue<PlayerRangerGeom> geometry = new LatestValue<>();
+    private final LatestValue<PlayerRangerConf> configuration = new LatestValue<>();
 
     public RangerInterface(PlayerClient client) {
         super(client);
@@ -53,22 +53,22 @@ public class RangerInterface extends PlayerDevice {
 
     /** True once for each new message with ranges. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** True once for each new message with intensities. */
     public boolean isDataIntnsReady() {
-        return pc.findsReply(intensities);
+        return pc.hasReply(intensities);
     }
 
     /** True once for each reply to {@link #queryGeometry}. */
     public boolean isGeomReady() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
     /** True once for each reply to {@link #queryConfiguration}. */
     public boolean isConfReady() {
-        return pc.findsReply(configuration);
+        return pc.hasReply(configuration);
     }
 
     /** Requests the poses and sizes of the ranger and its elements. */
@@ -87,7 +87,7 @@ public class RangerInterface extends PlayerDevice {
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 
@@ -126,24 +126,26 @@ public class RangerInterface extends PlayerDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.RangerGeometry where) {
-            var told = new PlayerRangerGeom();
-            told.setPose(Shapes.pose(where.pose()));
-            told.setSize(Shapes.box(where.size()));
-            told.setPoses(where.elementPoses().stream().map(Shapes::pose).toArray(PlayerPose3d[]::new));
-            told.setPoses_count(where.elementPoses().size());
-            told.setSizes(where.elementSizes().stream().map(Shapes::box).toArray(PlayerBbox3d[]::new));
-            told.setSizes_count(where.elementSizes().size());
-            geometry.put(told);
+            var result = new PlayerRangerGeom();
+            result.setPose(StructureConverter.pose(where.pose()));
+            result.setSize(StructureConverter.box(where.size()));
+            result.setPoses(
+                    where.elementPoses().stream().map(StructureConverter::pose).toArray(PlayerPose3d[]::new));
+            result.setPoses_count(where.elementPoses().size());
+            result.setSizes(
+                    where.elementSizes().stream().map(StructureConverter::box).toArray(PlayerBbox3d[]::new));
+            result.setSizes_count(where.elementSizes().size());
+            geometry.put(result);
         } else if (reply instanceof DeviceReply.OfRanger(RangerConfiguration how)) {
-            var told = new PlayerRangerConf();
-            told.setMin_angle(how.minAngleRad());
-            told.setMax_angle(how.maxAngleRad());
-            told.setResolution(how.resolutionRad());
-            told.setMin_range(how.minRangeM());
-            told.setMax_range(how.maxRangeM());
-            told.setRange_res(how.rangeResolutionM());
-            told.setFrequency(how.frequencyHz());
-            configuration.put(told);
+            var result = new PlayerRangerConf();
+            result.setMin_angle(how.minAngleRad());
+            result.setMax_angle(how.maxAngleRad());
+            result.setResolution(how.resolutionRad());
+            result.setMin_range(how.minRangeM());
+            result.setMax_range(how.maxRangeM());
+            result.setRange_res(how.rangeResolutionM());
+            result.setFrequency(how.frequencyHz());
+            configuration.put(result);
         }
     }
 }

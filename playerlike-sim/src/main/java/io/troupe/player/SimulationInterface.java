@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface simulation.
  */
 public class SimulationInterface extends PlayerDevice {
-    private final Latest<PlayerSimulationPose2dReq> pose = new Latest<>();
-    private final Latest<DeviceData> nothing = new Latest<>();
+    private final LatestValue<PlayerSimulationPose2dReq> pose = new LatestValue<>();
+    private final LatestValue<DeviceData> nothing = new LatestValue<>();
 
     public SimulationInterface(PlayerClient client) {
         super(client);
@@ -54,7 +54,7 @@ public class SimulationInterface extends PlayerDevice {
 
     /** True once for each reply to {@link #get2DPose}. */
     public boolean isPose2DReady() {
-        return pc.findsReply(pose);
+        return pc.hasReply(pose);
     }
 
     /**
@@ -107,7 +107,7 @@ public class SimulationInterface extends PlayerDevice {
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return nothing;
     }
 
@@ -117,10 +117,10 @@ public class SimulationInterface extends PlayerDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.ModelPose where) {
-            var told = new PlayerSimulationPose2dReq();
-            told.setName(where.model());
-            told.setPose(new PlayerPose(where.px(), where.py(), where.pa()));
-            pose.put(told);
+            var result = new PlayerSimulationPose2dReq();
+            result.setName(where.model());
+            result.setPose(new PlayerPose(where.px(), where.py(), where.pa()));
+            pose.put(result);
         }
     }
 }

@@ -17,8 +17,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface sonar.
  */
 public class SonarInterface extends PlayerDevice {
-    private final Latest<PlayerSonarData> data = new Latest<>();
-    private final Latest<PlayerSonarGeom> geometry = new Latest<>();
+    private final LatestValue<PlayerSonarData> data = new LatestValue<>();
+    private final LatestValue<PlayerSonarGeom> geometry = new LatestValue<>();
 
     public SonarInterface(PlayerClient client) {
         super(client);
@@ -36,12 +36,12 @@ public class SonarInterface extends PlayerDevice {
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** True once for each reply. */
     public boolean isGeomReady() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
     /** Requests the poses of the sonars; {@link #isGeomReady} is true when the reply has arrived. */
@@ -67,15 +67,15 @@ public class SonarInterface extends PlayerDevice {
                 poses[sonar].setPy(mount.py());
                 poses[sonar].setPyaw(mount.yaw());
             }
-            var told = new PlayerSonarGeom();
-            told.setPoses(poses);
-            told.setPoses_count(poses.length);
-            geometry.put(told);
+            var result = new PlayerSonarGeom();
+            result.setPoses(poses);
+            result.setPoses_count(poses.length);
+            geometry.put(result);
         }
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 

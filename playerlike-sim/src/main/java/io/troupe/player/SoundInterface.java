@@ -8,12 +8,12 @@ package io.troupe.player;
  *
  * <p><b>Source.</b> Player interface sound.
  */
-public class SoundInterface extends UnofferedDevice {
+public class SoundInterface extends UnsupportedDevice {
     public SoundInterface(PlayerClient client) {
         super(client, "sound");
     }
 
     public void play(int index) {
-        throw notOffered();
+        throw notSupported();
     }
 }

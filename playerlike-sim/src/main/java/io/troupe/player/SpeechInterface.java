@@ -8,12 +8,12 @@ package io.troupe.player;
  *
  * <p><b>Source.</b> Player interface speech.
  */
-public class SpeechInterface extends UnofferedDevice {
+public class SpeechInterface extends UnsupportedDevice {
     public SpeechInterface(PlayerClient client) {
         super(client, "speech");
     }
 
     public void speech(String text) {
-        throw notOffered();
+        throw notSupported();
     }
 }

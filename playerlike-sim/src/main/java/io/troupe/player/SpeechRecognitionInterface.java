@@ -10,16 +10,16 @@ import io.troupe.player.structures.speechrecognition.PlayerSpeechRecognitionData
  *
  * <p><b>Source.</b> Player interface speech_recognition.
  */
-public class SpeechRecognitionInterface extends UnofferedDevice {
+public class SpeechRecognitionInterface extends UnsupportedDevice {
     public SpeechRecognitionInterface(PlayerClient client) {
         super(client, "speech_recognition");
     }
 
     public PlayerSpeechRecognitionData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

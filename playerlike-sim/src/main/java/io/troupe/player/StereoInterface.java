@@ -10,16 +10,16 @@ import io.troupe.player.structures.stereo.PlayerStereoData;
  *
  * <p><b>Source.</b> Player interface stereo.
  */
-public class StereoInterface extends UnofferedDevice {
+public class StereoInterface extends UnsupportedDevice {
     public StereoInterface(PlayerClient client) {
         super(client, "stereo");
     }
 
     public PlayerStereoData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

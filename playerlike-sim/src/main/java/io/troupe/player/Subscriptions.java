@@ -1,7 +1,7 @@
 package io.troupe.player;
 
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceAddress;
+import io.troupe.player.wire.DeviceDataMessage;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -10,7 +10,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 /**
  * The subscribed devices of a client by address; one client may subscribe to the devices of a thousand robots.
  *
- * <p><b>Threads.</b> Any thread; messages are dispatched under the lock of {@link Incoming}.
+ * <p><b>Threads.</b> Any thread; messages are dispatched under the lock of {@link ClientInbox}.
  */
 final class Subscriptions {
     private final Map<DeviceAddress, List<PlayerDevice>> devices = new ConcurrentHashMap<>();
@@ -49,7 +49,7 @@ final class Subscriptions {
         return true;
     }
 
-    void dispatch(DataMessage message) {
+    void dispatch(DeviceDataMessage message) {
         List<PlayerDevice> same = devices.get(message.from());
         if (same != null) {
             for (var device : same) {

@@ -12,32 +12,32 @@ import io.troupe.player.structures.wsn.PlayerWsnData;
  *
  * <p><b>Source.</b> Player interface wsn.
  */
-public class WSNInterface extends UnofferedDevice {
+public class WSNInterface extends UnsupportedDevice {
     public WSNInterface(PlayerClient client) {
         super(client, "wsn");
     }
 
     public PlayerWsnData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDeviceState(PlayerWsnCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPower(int nodeID, int groupID, int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDataType(int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDataFreq(int nodeID, int groupID, double frequency) {
-        throw notOffered();
+        throw notSupported();
     }
 }

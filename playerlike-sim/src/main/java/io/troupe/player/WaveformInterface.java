@@ -10,16 +10,16 @@ import io.troupe.player.structures.waveform.PlayerWaveformData;
  *
  * <p><b>Source.</b> Player interface waveform.
  */
-public class WaveformInterface extends UnofferedDevice {
+public class WaveformInterface extends UnsupportedDevice {
     public WaveformInterface(PlayerClient client) {
         super(client, "waveform");
     }
 
     public PlayerWaveformData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -10,24 +10,24 @@ import io.troupe.player.structures.wifi.PlayerWifiData;
  *
  * <p><b>Source.</b> Player interface wifi.
  */
-public class WiFiInterface extends UnofferedDevice {
+public class WiFiInterface extends UnsupportedDevice {
     public WiFiInterface(PlayerClient client) {
         super(client, "wifi");
     }
 
     public PlayerWifiData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryWifiMac() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryWifiIwspyAddrAdd() {
-        throw notOffered();
+        throw notSupported();
     }
 }

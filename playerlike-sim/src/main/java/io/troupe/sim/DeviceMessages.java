@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.sim.PortServer.Offer;
@@ -21,7 +21,7 @@ import java.util.Objects;
 final class DeviceMessages {
     private DeviceMessages() {}
 
-    static DataMessage data(Offer offer, WorldSpec world, Snapshot now) {
+    static DeviceDataMessage data(Offer offer, WorldSpec world, Snapshot now) {
         RobotReading reading = now.robots().get(offer.robot());
         DeviceData data = switch (offer.type()) {
             case POSITION2D -> position(reading.odometry());
@@ -39,7 +39,7 @@ final class DeviceMessages {
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };
-        return new DataMessage(offer.address(), now.timeMicros() / 1e6, data);
+        return new DeviceDataMessage(offer.address(), now.timeMicros() / 1e6, data);
     }
 
     /** Whether a device is the robot's sonar ring, offered as a ranger. */

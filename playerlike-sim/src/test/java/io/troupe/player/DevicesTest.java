@@ -209,7 +209,7 @@ class DevicesTest implements PlayerConstants {
         var methods = Arrays.stream(PlayerClient.class.getMethods())
                 .filter(method -> method.getName().startsWith("requestInterface")
                         && method.getParameterCount() == 2
-                        && (UnofferedDevice.class.isAssignableFrom(method.getReturnType())
+                        && (UnsupportedDevice.class.isAssignableFrom(method.getReturnType())
                                 || method.getReturnType() == Position3DInterface.class))
                 .toList();
         assertThat(methods).hasSize(38);
@@ -273,7 +273,7 @@ class DevicesTest implements PlayerConstants {
                 return 3_000;
             }
         };
-        var devices = new ServerInquiries.Devices(addresses);
+        var devices = new ServerRequests.Devices(addresses);
         assertThat(addresses.reads).isZero();
         PlayerDeviceDevlist list = devices.list();
         assertThat(list.getDeviceCount()).isEqualTo(3_000);

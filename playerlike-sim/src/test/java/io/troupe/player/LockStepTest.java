@@ -11,13 +11,13 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerPose2d;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand.Velocity;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.TestWorlds;
@@ -191,7 +191,7 @@ class LockStepTest {
         simulation.tick();
         assertThat(client.frames).hasSize(2);
         assertThat(x(0)).isCloseTo(0.05, within(1e-9));
-        assertThatThrownBy(() -> client.drive(0, 1)).isInstanceOf(LineClosedException.class);
+        assertThatThrownBy(() -> client.drive(0, 1)).isInstanceOf(ConnectionClosedException.class);
     }
 
     @Test
@@ -218,7 +218,7 @@ class LockStepTest {
         simulation.close();
         assertThat(client.lost).contains("closed");
         assertThatThrownBy(simulation::tick).isInstanceOf(IllegalStateException.class);
-        assertThatThrownBy(() -> client.line.answered(0)).isInstanceOf(LineClosedException.class);
+        assertThatThrownBy(() -> client.line.answered(0)).isInstanceOf(ConnectionClosedException.class);
         assertThat(PlayerPorts.find(PORT)).isEmpty();
     }
 

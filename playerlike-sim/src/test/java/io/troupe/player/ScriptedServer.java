@@ -1,12 +1,12 @@
 package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Frame;
@@ -54,7 +54,7 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
         double seconds = tick / 10.0;
         var messages = TYPES.stream()
                 .filter(type -> subscribed.contains(type.code()))
-                .map(type -> new DataMessage(address(type), seconds, data(type, tick)))
+                .map(type -> new DeviceDataMessage(address(type), seconds, data(type, tick)))
                 .toList();
         sink.frame(new Frame(tick, seconds, messages));
     }

@@ -184,7 +184,7 @@ class UserProgramTest {
     }
 
     static List<Class<?>> unoffered() {
-        return Arrays.stream(UnofferedInterfaces.class.getDeclaredMethods())
+        return Arrays.stream(UnsupportedInterfaces.class.getDeclaredMethods())
                 .filter(each -> each.getName().startsWith("requestInterface"))
                 .<Class<?>>map(Method::getReturnType)
                 .distinct()

@@ -38,9 +38,9 @@ final class ClientSession implements DataSink {
     private final long connectedAtNanos;
     private final AtomicBoolean closed = new AtomicBoolean();
     private final AtomicLong writingSince = new AtomicLong(IDLE);
-    private volatile boolean spoken;
-    private volatile @Nullable PlayerConnection line;
-    private volatile @Nullable Conversation conversation;
+    private volatile boolean messageReceived;
+    private volatile @Nullable PlayerConnection connection;
+    private volatile @Nullable ClientMessageHandler handler;
 
     ClientSession(Socket socket, TcpServer.Shared shared, Consumer<ClientSession> ended) {
         this.socket = socket;
@@ -55,13 +55,13 @@ final class ClientSession implements DataSink {
         socket.setTcpNoDelay(true);
         socket.setKeepAlive(true);
         outbox.greet(TcpServer.banner(devices.banner()));
-        PlayerConnection connection = devices.connect(this, null);
-        line = connection;
+        PlayerConnection opened = devices.connect(this, null);
+        connection = opened;
         if (closed.get()) { // closed meanwhile by a server that has shut down
-            connection.close();
+            opened.close();
             return;
         }
-        conversation = new Conversation(peer, connection, outbox, host, socket.getLocalPort());
+        handler = new ClientMessageHandler(peer, opened, outbox, host, socket.getLocalPort());
         LOG.log(Level.DEBUG, () -> peer + " has connected");
         thread("player-write-", this::write);
         thread("player-read-", this::read);
@@ -82,7 +82,7 @@ final class ClientSession implements DataSink {
         } catch (SocketException e) {
             // a push client ends like this if data are still in transit to it
             end("the client has left: " + e.getMessage());
-        } catch (IOException | WireException | LineClosedException | InterruptedException e) {
+        } catch (IOException | WireException | ConnectionClosedException | InterruptedException e) {
             close(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
             close(e.toString());
@@ -94,16 +94,16 @@ final class ClientSession implements DataSink {
 
     private String read() throws IOException, WireException, InterruptedException {
         var reader = new MessageReader(new BufferedInputStream(socket.getInputStream()), MAX_REQUEST_BYTES);
-        Conversation with = Objects.requireNonNull(conversation);
+        ClientMessageHandler messages = Objects.requireNonNull(handler);
         while (outbox.awaitRoom()) {
-            Message message = reader.read();
+            WireMessage message = reader.read();
             if (message == null) {
                 return "the client has closed the connection";
             }
-            spoken = true;
+            messageReceived = true;
             shared.handling().acquire();
             try {
-                with.hear(message);
+                messages.handle(message);
             } finally {
                 shared.handling().release();
             }
@@ -148,20 +148,21 @@ final class ClientSession implements DataSink {
         if (since != IDLE && nowNanos - since > settings.writeLimit().toNanos()) {
             close("a write has not got through within " + settings.writeLimit());
         }
-        if (!spoken && nowNanos - connectedAtNanos > settings.silenceLimit().toNanos()) {
+        if (!messageReceived
+                && nowNanos - connectedAtNanos > settings.silenceLimit().toNanos()) {
             close("it has not sent a message within " + settings.silenceLimit());
         }
     }
 
     @Override
     public void frame(Frame frame) {
-        Conversation with = conversation;
-        if (with == null || closed.get()) {
+        ClientMessageHandler messages = handler;
+        if (messages == null || closed.get()) {
             return;
         }
         try {
-            with.frame(frame);
-        } catch (LineClosedException e) {
+            messages.frame(frame);
+        } catch (ConnectionClosedException e) {
             close(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) { // on the world's thread, which must survive this error
             close("its data could not be sent: " + e);
@@ -199,9 +200,9 @@ final class ClientSession implements DataSink {
         } catch (IOException e) {
             LOG.log(Level.DEBUG, peer + " could not be closed", e);
         }
-        PlayerConnection connection = line;
-        if (connection != null) {
-            connection.close();
+        PlayerConnection opened = connection;
+        if (opened != null) {
+            opened.close();
         }
         ended.accept(this);
     }

@@ -7,7 +7,7 @@ import java.util.List;
  *
  * @param tick number of the publication, from 0
  */
-public record Frame(long tick, double timeSeconds, List<DataMessage> messages) {
+public record Frame(long tick, double timeSeconds, List<DeviceDataMessage> messages) {
     public Frame {
         messages = List.copyOf(messages);
     }

@@ -10,9 +10,9 @@ import java.util.List;
  */
 final class FrameAssembler {
     /** The same bound as a server's queue for a client. */
-    private static final int MOST_MESSAGES = 1024;
+    private static final int MAX_MESSAGES = 1024;
 
-    private final List<DataMessage> messages = new ArrayList<>();
+    private final List<DeviceDataMessage> messages = new ArrayList<>();
     private Delivery mode = Delivery.PUSH;
     private boolean asked;
     private long nextTick;
@@ -24,8 +24,8 @@ final class FrameAssembler {
         return messages.isEmpty() ? List.of() : List.of(frame());
     }
 
-    synchronized List<Frame> add(DataMessage message) {
-        if (messages.size() == MOST_MESSAGES) {
+    synchronized List<Frame> add(DeviceDataMessage message) {
+        if (messages.size() == MAX_MESSAGES) {
             messages.removeFirst();
         }
         messages.add(message);

@@ -30,7 +30,7 @@ final class MessageReader {
      * @throws EOFException if the stream ends within a message
      */
     @Nullable
-    Message read() throws IOException, WireException {
+    WireMessage read() throws IOException, WireException {
         byte[] head = in.readNBytes(Header.BYTES);
         if (head.length == 0) {
             return null;
@@ -45,6 +45,6 @@ final class MessageReader {
             throw new EOFException(
                     "the stream ended after " + payload.length + " bytes of a payload, expected " + header.size());
         }
-        return new Message(header, payload);
+        return new WireMessage(header, payload);
     }
 }

@@ -40,7 +40,7 @@ final class Outbox {
 
     private record Kind(DeviceAddress from, int subtype) {}
 
-    private record Arrival(long tick, double timeSeconds, List<DataMessage> messages) {}
+    private record Arrival(long tick, double timeSeconds, List<DeviceDataMessage> messages) {}
 
     private final Queue<Arrival> arrived = new ConcurrentLinkedQueue<>();
     private final AtomicInteger arrivedCount = new AtomicInteger();
@@ -49,9 +49,9 @@ final class Outbox {
      * For the thread that writes: there may be output. A release never waits, unlike the signal of a condition of the
      * lock.
      */
-    private final Semaphore news = new Semaphore(0);
+    private final Semaphore outputReady = new Semaphore(0);
     /** For the thread that reads: replies may have been taken. */
-    private final Semaphore room = new Semaphore(0);
+    private final Semaphore replySpace = new Semaphore(0);
 
     private volatile boolean closed;
     private volatile int replyBytes; // written under the lock
@@ -63,7 +63,7 @@ final class Outbox {
     private final ReplaceRules rules = new ReplaceRules();
     private final Set<DeviceAddress> subscribed = new HashSet<>();
     private Delivery mode = Delivery.PUSH;
-    private boolean asked;
+    private boolean dataRequested;
     private boolean corked;
     private int dataWaiting;
     private long newestTick = PlayerConnection.NO_TICK;
@@ -78,7 +78,7 @@ final class Outbox {
      *
      * @param messages from devices at the addresses that the client knows
      */
-    void frame(long tick, double frameTimeSeconds, List<DataMessage> messages) {
+    void frame(long tick, double frameTimeSeconds, List<DeviceDataMessage> messages) {
         if (arrivedCount.incrementAndGet() > MAX_ARRIVED) {
             arrivedCount.decrementAndGet();
             dropped.addAndGet(messages.size());
@@ -86,7 +86,7 @@ final class Outbox {
             arrived.add(new Arrival(tick, frameTimeSeconds, messages));
         }
         tryTakeIn(); // applies the rules and bounds the data even while the writing thread is blocked
-        wake(news);
+        wake(outputReady);
     }
 
     private void tryTakeIn() {
@@ -120,15 +120,15 @@ final class Outbox {
                 add(message);
             }
         }
-        if (mode == Delivery.PULL && asked) {
+        if (mode == Delivery.PULL && dataRequested) {
             endFrame();
         } else if (mode == Delivery.PUSH) {
             release();
         }
     }
 
-    private void add(DataMessage message) {
-        Content content = DataMessages.encode(message.data());
+    private void add(DeviceDataMessage message) {
+        Content content = DataCodec.encode(message.data());
         var kind = new Kind(message.from(), content.subtype());
         int treatment = rules.treatment(kind.from(), MessageType.DATA, kind.subtype());
         if (treatment == ReplaceRule.IGNORE) {
@@ -142,7 +142,7 @@ final class Outbox {
             return;
         }
         dataWaiting++;
-        byte[] bytes = Message.of(
+        byte[] bytes = WireMessage.of(
                         message.from(), MessageType.DATA, content.subtype(), message.timeSeconds(), content.payload())
                 .bytes();
         held.add(new Entry(bytes, kind));
@@ -164,7 +164,7 @@ final class Outbox {
         if (!held.isEmpty()) {
             sending.addAll(held);
             held.clear();
-            wake(news);
+            wake(outputReady);
         }
         if (mode == Delivery.PUSH) {
             endedTick = newestTick; // each message is a frame
@@ -173,23 +173,23 @@ final class Outbox {
 
     private void endFrame() {
         release();
-        asked = false;
+        dataRequested = false;
         endedTick = newestTick;
-        Content end = PlayerMessages.synch(dropped.getAndSet(0));
-        var nobody = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
-        put(Message.of(nobody, MessageType.SYNCH, end.subtype(), 0, end.payload()));
+        Content end = PlayerDeviceCodec.synch(dropped.getAndSet(0));
+        var noDevice = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
+        put(WireMessage.of(noDevice, MessageType.SYNCH, end.subtype(), 0, end.payload()));
     }
 
     // ---- effects of the client's requests
 
     /** The time of the newest frame, for replies. */
     double timeSeconds() {
-        return under(() -> timeSeconds);
+        return locked(() -> timeSeconds);
     }
 
     /** Adds a reply; everything added before is sent before it. */
-    void reply(Message message) {
-        under(() -> {
+    void reply(WireMessage message) {
+        locked(() -> {
             release();
             put(message);
             return true;
@@ -201,12 +201,12 @@ final class Outbox {
      * ended. Data that were sent before a reply are not a frame yet. Their frame ends now, and the next request answers
      * it.
      */
-    long ask(Message reply) {
-        return under(() -> {
+    long ask(WireMessage reply) {
+        return locked(() -> {
             long answered = endedTick;
             put(reply);
             if (mode == Delivery.PULL) {
-                asked = true;
+                dataRequested = true;
                 if (newestTick > endedTick) {
                     endFrame();
                 }
@@ -216,10 +216,10 @@ final class Outbox {
     }
 
     void mode(Delivery newMode) {
-        under(() -> {
+        locked(() -> {
             mode = newMode;
             if (newMode == Delivery.PUSH) {
-                asked = false;
+                dataRequested = false;
                 release();
             }
             return true;
@@ -227,7 +227,7 @@ final class Outbox {
     }
 
     void add(ReplaceRule rule) {
-        under(() -> {
+        locked(() -> {
             rules.add(rule);
             return true;
         });
@@ -238,17 +238,17 @@ final class Outbox {
      * notified.
      */
     void cork() {
-        under(() -> corked = true);
+        locked(() -> corked = true);
     }
 
     void uncork() {
-        under(() -> corked = false);
-        wake(news);
+        locked(() -> corked = false);
+        wake(outputReady);
     }
 
     /** Adds a subscription; the reply precedes its first data. */
-    void subscribed(DeviceAddress device, Message reply) {
-        under(() -> {
+    void subscribed(DeviceAddress device, WireMessage reply) {
+        locked(() -> {
             release();
             put(reply);
             return subscribed.add(device);
@@ -256,12 +256,12 @@ final class Outbox {
     }
 
     boolean hasSubscribed() {
-        return under(() -> !subscribed.isEmpty());
+        return locked(() -> !subscribed.isEmpty());
     }
 
     /** Removes a subscription and the queued data of the device. */
-    void unsubscribed(DeviceAddress device, Message reply) {
-        under(() -> {
+    void unsubscribed(DeviceAddress device, WireMessage reply) {
+        locked(() -> {
             subscribed.remove(device);
             for (var waiting : List.of(held, sending)) {
                 int before = waiting.size();
@@ -275,21 +275,21 @@ final class Outbox {
         });
     }
 
-    private void put(Message message) {
+    private void put(WireMessage message) {
         put(message.bytes());
     }
 
     private void put(byte[] bytes) {
         replyBytes += bytes.length;
         sending.add(new Entry(bytes, null));
-        wake(news);
+        wake(outputReady);
     }
 
     // ---- called by the threads of a connection
 
     /** Adds raw bytes that precede all messages. */
     void greet(byte[] banner) {
-        under(() -> {
+        locked(() -> {
             put(banner);
             return true;
         });
@@ -298,7 +298,7 @@ final class Outbox {
     /** Waits until the client has read most of its replies; false if the outbox is closed. */
     boolean awaitRoom() throws InterruptedException {
         while (!closed && replyBytes > MAX_REPLY_BYTES) {
-            await(room);
+            await(replySpace);
         }
         return !closed;
     }
@@ -306,12 +306,12 @@ final class Outbox {
     /** Waits for output and takes a batch of it; null if the outbox is closed. */
     byte @Nullable [] take() throws InterruptedException {
         while (!closed) {
-            byte[] batch = under(this::batch);
+            byte[] batch = locked(this::batch);
             if (batch != null) {
-                wake(room);
+                wake(replySpace);
                 return batch;
             }
-            await(news);
+            await(outputReady);
         }
         return null;
     }
@@ -342,11 +342,11 @@ final class Outbox {
     void close() {
         closed = true;
         tryTakeIn();
-        wake(news);
-        wake(room);
+        wake(outputReady);
+        wake(replySpace);
     }
 
-    private <T extends @Nullable Object> T under(Supplier<T> action) {
+    private <T extends @Nullable Object> T locked(Supplier<T> action) {
         lock.lock();
         try {
             takeIn();

@@ -7,8 +7,8 @@ import java.util.function.Consumer;
 /**
  * A client's connection to a server.
  *
- * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link LineClosedException} once
- * the connection is closed, and {@link IllegalArgumentException} for a device that the server does not have.
+ * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link ConnectionClosedException}
+ * once the connection is closed, and {@link IllegalArgumentException} for a device that the server does not have.
  */
 public interface PlayerConnection extends AutoCloseable {
     /** The value before the first tick, which is 0. */

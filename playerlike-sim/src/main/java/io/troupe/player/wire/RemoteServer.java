@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * A Player server reached over TCP: one of ours, or a real Player 3 server.
  *
- * <p><b>Errors.</b> {@link LineClosedException} if the connection cannot be established.
+ * <p><b>Errors.</b> {@link ConnectionClosedException} if the connection cannot be established.
  *
  * <p><b>Source.</b> Player 3 protocol over TCP.
  */
@@ -61,18 +61,18 @@ public final class RemoteServer implements PlayerServer {
         try {
             socket = new RemoteSocket();
         } catch (IOException e) {
-            throw new LineClosedException(reason(e));
+            throw new ConnectionClosedException(reason(e));
         }
         try {
             // InetSocketAddress alone would not report an unknown host name
             socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), limit);
             banner = readBanner(socket);
-            var line = new RemoteLine(this.toString(), socket, sink, space, limit, clock);
-            line.begin();
-            return line;
+            var connection = new RemoteConnection(this.toString(), socket, sink, space, limit, clock);
+            connection.begin();
+            return connection;
         } catch (IOException e) {
             discard(socket);
-            throw new LineClosedException(reason(e));
+            throw new ConnectionClosedException(reason(e));
         } catch (RuntimeException | Error e) {
             discard(socket);
             throw e;

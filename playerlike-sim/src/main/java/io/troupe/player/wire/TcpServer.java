@@ -67,7 +67,7 @@ public final class TcpServer implements AutoCloseable {
      * @param silenceLimit how long a client may be connected before its first message arrives
      */
     public record Settings(int maxClients, Duration writeLimit, Duration silenceLimit) {
-        private static final int MOST_CLIENTS = 1_000;
+        private static final int MAX_CLIENTS = 1_000;
         private static final Duration WRITE_LIMIT = Duration.ofSeconds(30);
         private static final Duration SILENCE_LIMIT = Duration.ofSeconds(60);
 
@@ -96,7 +96,7 @@ public final class TcpServer implements AutoCloseable {
         }
 
         static int maxClients(long freeDescriptors, int servers) {
-            return Math.clamp(freeDescriptors / 2 / servers, 1, MOST_CLIENTS);
+            return Math.clamp(freeDescriptors / 2 / servers, 1, MAX_CLIENTS);
         }
 
         private static long freeDescriptors() {

@@ -81,7 +81,7 @@ class HostileClientsTest {
 
     /** One kind of misbehaviour after the other; the connection must end or stay open as listed. */
     private static void misbehave(RawClient client, int kind, Random random) {
-        byte[] huge = Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.REQ, 1, 0, Content.NONE)
+        byte[] huge = WireMessage.of(new DeviceAddress(0, 0, 1, 0), MessageType.REQ, 1, 0, Content.NONE)
                 .bytes();
         huge[36] = (byte) 0x80;
         switch (kind) {

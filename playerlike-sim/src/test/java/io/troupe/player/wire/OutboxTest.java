@@ -19,19 +19,19 @@ class OutboxTest {
 
     private final Outbox outbox = new Outbox();
 
-    private static Message reply(int subtype) {
-        return Message.of(new DeviceAddress(1, 2, 1, 0), MessageType.ACK, subtype, 0, Content.NONE);
+    private static WireMessage reply(int subtype) {
+        return WireMessage.of(new DeviceAddress(1, 2, 1, 0), MessageType.ACK, subtype, 0, Content.NONE);
     }
 
-    private static DataMessage position(double px) {
-        return new DataMessage(POSITION, 0, new DeviceData.Position2d(px, 0, 0, 0, 0, 0, false));
+    private static DeviceDataMessage position(double px) {
+        return new DeviceDataMessage(POSITION, 0, new DeviceData.Position2d(px, 0, 0, 0, 0, 0, false));
     }
 
-    private static DataMessage sonar() {
-        return new DataMessage(SONAR, 0, new DeviceData.SonarRanges(List.of()));
+    private static DeviceDataMessage sonar() {
+        return new DeviceDataMessage(SONAR, 0, new DeviceData.SonarRanges(List.of()));
     }
 
-    private void frame(long tick, DataMessage... messages) {
+    private void frame(long tick, DeviceDataMessage... messages) {
         outbox.frame(tick, tick / 10.0, List.of(messages));
     }
 
@@ -57,7 +57,7 @@ class OutboxTest {
             }
             var reader = new MessageReader(new ByteArrayInputStream(bytes.toByteArray()), 1 << 16);
             var texts = new ArrayList<String>();
-            for (Message each = reader.read(); each != null; each = reader.read()) {
+            for (WireMessage each = reader.read(); each != null; each = reader.read()) {
                 texts.add(text(each));
             }
             return texts;
@@ -66,16 +66,15 @@ class OutboxTest {
         }
     }
 
-    private static String text(Message message) throws WireException {
+    private static String text(WireMessage message) throws WireException {
         int code = message.header().address().interfaceCode();
         int subtype = message.header().subtype();
         return switch (message.header().type()) {
             case DATA ->
-                DataMessages.decode(code, subtype, message.payload()).orElseThrow()
-                                instanceof DeviceData.Position2d state
+                DataCodec.decode(code, subtype, message.payload()).orElseThrow() instanceof DeviceData.Position2d state
                         ? "position " + (int) state.px()
                         : "sonar";
-            case SYNCH -> "SYNCH " + subtype + " " + PlayerMessages.dropped(subtype, message.payload());
+            case SYNCH -> "SYNCH " + subtype + " " + PlayerDeviceCodec.dropped(subtype, message.payload());
             default -> message.header().type() + " " + subtype;
         };
     }
@@ -211,9 +210,9 @@ class OutboxTest {
         outbox.subscribed(POSITION, reply(3));
         var busy = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
-        var slow = new AbstractList<DataMessage>() {
+        var slow = new AbstractList<DeviceDataMessage>() {
             @Override
-            public DataMessage get(int index) {
+            public DeviceDataMessage get(int index) {
                 busy.countDown();
                 try {
                     goOn.await();

@@ -56,7 +56,7 @@ class PullTest {
             var reader = new MessageReader(in, 1 << 16);
             int tick = 0;
             while (in.available() > 0) {
-                Message message = reader.read();
+                WireMessage message = reader.read();
                 if (message.header().type() == MessageType.DATA
                         && message.header().address().interfaceCode() == 4) {
                     assertThat(message.header().timeSeconds()).isEqualTo(tick++ / 10.0);

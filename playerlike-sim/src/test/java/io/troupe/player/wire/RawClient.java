@@ -71,12 +71,12 @@ final class RawClient implements AutoCloseable {
     }
 
     static byte[] message(MessageType type, int code, int index, Content content) {
-        return Message.of(new DeviceAddress(0, 0, code, index), type, content.subtype(), 0, content.payload())
+        return WireMessage.of(new DeviceAddress(0, 0, code, index), type, content.subtype(), 0, content.payload())
                 .bytes();
     }
 
     static byte[] bytes(PlayerRequest request) {
-        return message(MessageType.REQ, 1, 0, PlayerMessages.encode(request));
+        return message(MessageType.REQ, 1, 0, PlayerDeviceCodec.encode(request));
     }
 
     static byte[] access(Interfaces type, int mode) {
@@ -88,12 +88,12 @@ final class RawClient implements AutoCloseable {
     }
 
     /** Sends a request and expects an ACK as the very next message. */
-    Message ask(PlayerRequest request) {
+    WireMessage ask(PlayerRequest request) {
         send(request);
-        Message reply = next();
+        WireMessage reply = next();
         assertThat(reply.header().type()).as("reply to %s", request).isEqualTo(MessageType.ACK);
         assertThat(reply.header().subtype())
-                .isEqualTo(PlayerMessages.encode(request).subtype());
+                .isEqualTo(PlayerDeviceCodec.encode(request).subtype());
         return reply;
     }
 
@@ -106,12 +106,12 @@ final class RawClient implements AutoCloseable {
                 MessageType.CMD,
                 4,
                 0,
-                CommandMessages.encode(new DeviceCommand.Velocity(forwardMps, 0, turnRadps, true))));
+                CommandCodec.encode(new DeviceCommand.Velocity(forwardMps, 0, turnRadps, true))));
     }
 
-    Message next() {
+    WireMessage next() {
         try {
-            Message message = reader.read();
+            WireMessage message = reader.read();
             assertThat(message).as("the next message").isNotNull();
             return message;
         } catch (IOException e) {
@@ -121,19 +121,18 @@ final class RawClient implements AutoCloseable {
         }
     }
 
-    Message next(MessageType type, int code, int subtype) {
-        Message message = next();
+    WireMessage next(MessageType type, int code, int subtype) {
+        WireMessage message = next();
         assertThat(message)
                 .as("the next message")
-                .hasToString(Message.of(new DeviceAddress(0, 0, code, 0), type, subtype, 0, message.payload())
+                .hasToString(WireMessage.of(new DeviceAddress(0, 0, code, 0), type, subtype, 0, message.payload())
                         .toString());
         return message;
     }
 
     DeviceData.Position2d nextPosition() throws WireException {
         return (DeviceData.Position2d)
-                DataMessages.decode(4, 1, next(MessageType.DATA, 4, 1).payload())
-                        .orElseThrow();
+                DataCodec.decode(4, 1, next(MessageType.DATA, 4, 1).payload()).orElseThrow();
     }
 
     /** Waits until the server has closed the connection. */

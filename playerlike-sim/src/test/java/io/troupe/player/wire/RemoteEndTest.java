@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.connect;
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.connect;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -173,7 +173,7 @@ class RemoteEndTest implements PlayerConstants {
         try (var server = new ScriptedSocket("", (message, self) -> true)) {
             var remote = new RemoteServer("localhost", server.port(), limit);
             assertThatThrownBy(() -> remote.connect(new NoSink(), null))
-                    .isInstanceOf(LineClosedException.class)
+                    .isInstanceOf(ConnectionClosedException.class)
                     .hasMessage("localhost:" + server.port() + " did not answer within 50 ms");
         }
     }

@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.connect;
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.connect;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -84,15 +84,15 @@ class RemoteLimitsTest implements PlayerConstants {
             pos.setSpeed(0.3, 0.4);
             // decoded after everything that was sent before, partly sent messages included
             client.requestAddReplaceRule(-1, -1, 1, -1, 1);
-            Message newest = server.nextCommand();
+            WireMessage newest = server.nextCommand();
             int commands = 1;
-            for (Message each = server.pollCommand(); each != null; each = server.pollCommand()) {
+            for (WireMessage each = server.pollCommand(); each != null; each = server.pollCommand()) {
                 newest = each;
                 commands++;
             }
             assertThat(commands).isGreaterThan(1);
             assertThat(newest.payload())
-                    .isEqualTo(CommandMessages.encode(new DeviceCommand.Velocity(0.3, 0, 0.4, true))
+                    .isEqualTo(CommandCodec.encode(new DeviceCommand.Velocity(0.3, 0, 0.4, true))
                             .payload());
             client.close();
         } finally {
@@ -102,7 +102,7 @@ class RemoteLimitsTest implements PlayerConstants {
 
     @Test
     void lateReply_goesToNoOtherRequest() throws Exception {
-        var held = new ArrayList<Message>();
+        var held = new ArrayList<WireMessage>();
         try (var server = new ScriptedSocket((message, self) -> {
             if (!is(message, 31, 1)) {
                 return false;
@@ -124,10 +124,10 @@ class RemoteLimitsTest implements PlayerConstants {
         }
     }
 
-    private static Message pose(Message request, String model, double x) {
-        byte[] payload = ReplyMessages.encode(new DeviceReply.ModelPose(model, x, 0, 0));
+    private static WireMessage pose(WireMessage request, String model, double x) {
+        byte[] payload = ReplyCodec.encode(new DeviceReply.ModelPose(model, x, 0, 0));
         Header asked = request.header();
-        return new Message(
+        return new WireMessage(
                 new Header(asked.address(), MessageType.ACK, asked.subtype(), 0, asked.sequence(), payload.length),
                 payload);
     }
@@ -176,7 +176,7 @@ class RemoteLimitsTest implements PlayerConstants {
             var line = new RemoteServer("localhost", server.port()).connect(sink, null);
             line.replyLimit(Duration.ofHours(1));
             assertThatThrownBy(() -> line.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()))
-                    .isInstanceOf(LineClosedException.class)
+                    .isInstanceOf(ConnectionClosedException.class)
                     .hasMessageContaining("NoClassDefFoundError");
             line.close();
         }
@@ -226,7 +226,7 @@ class RemoteLimitsTest implements PlayerConstants {
             });
             var remote = new RemoteServer("localhost", listener.getLocalPort(), Duration.ofMillis(100));
             assertThatThrownBy(() -> remote.connect(new Sink(), null))
-                    .isInstanceOf(LineClosedException.class)
+                    .isInstanceOf(ConnectionClosedException.class)
                     .hasMessage("localhost:" + listener.getLocalPort() + " did not answer within 100 ms");
             trickle.join();
         }
@@ -239,7 +239,10 @@ class RemoteLimitsTest implements PlayerConstants {
                 long asked =
                         self.received.stream().filter(each -> is(each, 1, 4)).count();
                 self.send(self.reply(message, MessageType.ACK, Content.NONE));
-                self.send(asked < 3 ? new Message[] {self.synch()} : new Message[] {self.position(3), self.synch()});
+                self.send(
+                        asked < 3
+                                ? new WireMessage[] {self.synch()}
+                                : new WireMessage[] {self.position(3), self.synch()});
                 return true;
             }
             return false;

@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
@@ -146,10 +146,10 @@ class RemoteSendingTest {
             }
             try {
                 String model = ((DeviceRequest.GetPose)
-                                RequestMessages.decode(SIMULATION.interfaceCode(), 1, message.payload()))
+                                RequestCodec.decode(SIMULATION.interfaceCode(), 1, message.payload()))
                         .model();
                 var pose = new DeviceReply.ModelPose(model.substring(0, 1), 0, 0, 0);
-                self.send(self.reply(message, MessageType.ACK, ReplyMessages.encode(pose)));
+                self.send(self.reply(message, MessageType.ACK, ReplyCodec.encode(pose)));
             } catch (WireException e) {
                 throw new IOException(e);
             }
@@ -208,7 +208,7 @@ class RemoteSendingTest {
             }
             return false;
         })) {
-            var line = (RemoteLine) connect(server, sink(frame -> {}, reason -> {}));
+            var line = (RemoteConnection) connect(server, sink(frame -> {}, reason -> {}));
             int carriers = Runtime.getRuntime().availableProcessors();
             var spinning = new CountDownLatch(carriers);
             var threads = new ArrayList<Thread>();
@@ -222,7 +222,7 @@ class RemoteSendingTest {
             }
             try {
                 spinning.await();
-                line.askForSign();
+                line.sendKeepAlive();
                 assertThat(asked.await(20, TimeUnit.SECONDS)).isTrue();
             } finally {
                 stop.set(true);

@@ -25,7 +25,7 @@ class ScriptedRanger implements PlayerServer, PlayerConnection {
     }
 
     void publish(double timeSeconds, @Nullable DeviceData data) {
-        sink.frame(new Frame(tick++, timeSeconds, List.of(new DataMessage(ADDRESS, timeSeconds, data))));
+        sink.frame(new Frame(tick++, timeSeconds, List.of(new DeviceDataMessage(ADDRESS, timeSeconds, data))));
     }
 
     @Override

@@ -137,7 +137,7 @@ class ServerSoakTest {
     }
 
     private static Content velocity() {
-        return CommandMessages.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
+        return CommandCodec.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
     }
 
     /** Sends one message repeatedly; from time to time over a new connection. */

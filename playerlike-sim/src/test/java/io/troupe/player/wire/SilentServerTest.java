@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.connect;
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.connect;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -38,7 +38,7 @@ class SilentServerTest implements PlayerConstants {
      * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end of the stream. The
      * limit is four seconds.
      */
-    private PatientInput input(Integer... reads) {
+    private KeepAliveInput input(Integer... reads) {
         Queue<Integer> next = new ArrayDeque<>(List.of(reads));
         var in = new InputStream() {
             @Override
@@ -57,7 +57,7 @@ class SilentServerTest implements PlayerConstants {
                 return count;
             }
         };
-        return new PatientInput(in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
+        return new KeepAliveInput(in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
     }
 
     @Test

@@ -15,35 +15,36 @@ import org.jspecify.annotations.Nullable;
  * loop where new data appear does not depend on the speed of any thread. If the program later polls another device
  * unsuccessfully twice, and no longer the waiting point, that device becomes the waiting point.
  *
- * <p><b>Threads.</b> Not thread-safe; guarded by the lock of {@link Incoming}.
+ * <p><b>Threads.</b> Not thread-safe; guarded by the lock of {@link ClientInbox}.
  */
-final class AnswerPoint {
-    private final Set<Object> askedInVain = Collections.newSetFromMap(new IdentityHashMap<>());
-    private @Nullable Object place;
+final class IdlePollDetector {
+    private final Set<Object> unsuccessfulPolls = Collections.newSetFromMap(new IdentityHashMap<>());
+    private @Nullable Object waitingPoint;
 
     /** True if the program waits in this unsuccessful call. */
-    boolean isAt(Object asked, boolean everythingSeen) {
-        boolean waits = asked == place || place == null && everythingSeen || !askedInVain.add(asked);
+    boolean isWaiting(Object polled, boolean everythingSeen) {
+        boolean waits =
+                polled == waitingPoint || waitingPoint == null && everythingSeen || !unsuccessfulPolls.add(polled);
         if (waits) {
-            place = asked;
-            askedInVain.clear();
+            waitingPoint = polled;
+            unsuccessfulPolls.clear();
         }
         return waits;
     }
 
     /** True if the program has waited since the newest frame. */
-    boolean isReached() {
-        return place != null;
+    boolean hasWaited() {
+        return waitingPoint != null;
     }
 
     /** The program has read new data. */
-    void newsTaken() {
-        askedInVain.clear();
+    void dataRead() {
+        unsuccessfulPolls.clear();
     }
 
     /** A frame has become visible. */
     void frameShown() {
-        place = null;
-        askedInVain.clear();
+        waitingPoint = null;
+        unsuccessfulPolls.clear();
     }
 }

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Any thread. The value is written before the flag and read after it, so a caller that sees the flag
  * also sees the value.
  */
-final class Latest<T> {
+final class LatestValue<T> {
     private final AtomicBoolean isNew = new AtomicBoolean();
     private volatile @Nullable T value;
 

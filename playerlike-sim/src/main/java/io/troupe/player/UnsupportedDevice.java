@@ -6,21 +6,21 @@ import io.troupe.player.wire.DeviceData;
  * A device of an interface that this client does not support. Programs may mention its class; no server grants access
  * to it.
  */
-abstract class UnofferedDevice extends PlayerDevice {
-    private final Latest<DeviceData> nothing = new Latest<>();
+abstract class UnsupportedDevice extends PlayerDevice {
+    private final LatestValue<DeviceData> nothing = new LatestValue<>();
     private final String interfaceName;
 
-    UnofferedDevice(PlayerClient client, String interfaceName) {
+    UnsupportedDevice(PlayerClient client, String interfaceName) {
         super(client);
         this.interfaceName = interfaceName;
     }
 
-    final PlayerException notOffered() {
-        return pc.notOffered(interfaceName);
+    final PlayerException notSupported() {
+        return pc.notSupported(interfaceName);
     }
 
     @Override
-    final Latest<?> latest() {
+    final LatestValue<?> latest() {
         return nothing;
     }
 

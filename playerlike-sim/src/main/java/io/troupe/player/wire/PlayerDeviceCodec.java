@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
 /** Encodes and decodes requests to the player device, its replies, and SYNCH. */
-final class PlayerMessages {
+final class PlayerDeviceCodec {
     static final int SYNCH_OK = 1;
     static final int SYNCH_OVERFLOW = 2;
 
@@ -15,18 +15,18 @@ final class PlayerMessages {
     private static final int PUSH = 1;
     private static final int PULL = 2;
 
-    private PlayerMessages() {}
+    private PlayerDeviceCodec() {}
 
     static Content encode(PlayerRequest request) {
         var out = new XdrWriter();
         return switch (request) {
             case PlayerRequest.DeviceList list -> Content.empty(DEVICE_LIST);
             case PlayerRequest.DriverInfo info -> {
-                Shapes.address(out, info.device());
+                XdrStructures.address(out, info.device());
                 yield new Content(DRIVER_INFO, out.opaque(Content.NONE).bytes());
             }
             case PlayerRequest.Access access -> {
-                Shapes.address(out, access.device());
+                XdrStructures.address(out, access.device());
                 yield new Content(
                         ACCESS, out.int32(access.mode()).opaque(Content.NONE).bytes());
             }
@@ -54,17 +54,17 @@ final class PlayerMessages {
         PlayerRequest request = switch (subtype) {
             case DEVICE_LIST -> {
                 if (payload.length > 0) { // javaclient sends an empty list
-                    in.array("devices", Shapes.ADDRESS_BYTES, Shapes::address);
+                    in.array("devices", XdrStructures.ADDRESS_BYTES, XdrStructures::address);
                 }
                 yield new PlayerRequest.DeviceList();
             }
             case DRIVER_INFO -> {
-                DeviceAddress device = Shapes.address(in);
+                DeviceAddress device = XdrStructures.address(in);
                 in.string("driver name");
                 yield new PlayerRequest.DriverInfo(device);
             }
             case ACCESS -> {
-                DeviceAddress device = Shapes.address(in);
+                DeviceAddress device = XdrStructures.address(in);
                 int mode = in.uint8("access");
                 in.string("driver name");
                 yield new PlayerRequest.Access(device, mode);
@@ -119,13 +119,13 @@ final class PlayerMessages {
         switch (reply) {
             case PlayerReply.Ack ack -> {}
             case PlayerReply.Nack nack -> {} // javaclient does not skip the payload of a NACK
-            case PlayerReply.DeviceList list -> out.array(list.devices(), Shapes::address);
+            case PlayerReply.DeviceList list -> out.array(list.devices(), XdrStructures::address);
             case PlayerReply.DriverInfo info -> {
-                Shapes.address(out, info.device());
+                XdrStructures.address(out, info.device());
                 out.string(info.driver());
             }
             case PlayerReply.Access access -> {
-                Shapes.address(out, access.device());
+                XdrStructures.address(out, access.device());
                 out.int32(access.mode()).string(access.driver());
             }
         }
@@ -139,9 +139,11 @@ final class PlayerMessages {
         }
         var in = new XdrReader("player ACK " + subtype, payload);
         PlayerReply reply = switch (subtype) {
-            case DEVICE_LIST -> new PlayerReply.DeviceList(in.array("devices", Shapes.ADDRESS_BYTES, Shapes::address));
-            case DRIVER_INFO -> new PlayerReply.DriverInfo(Shapes.address(in), in.string("driver name"));
-            case ACCESS -> new PlayerReply.Access(Shapes.address(in), in.uint8("access"), in.string("driver name"));
+            case DEVICE_LIST ->
+                new PlayerReply.DeviceList(in.array("devices", XdrStructures.ADDRESS_BYTES, XdrStructures::address));
+            case DRIVER_INFO -> new PlayerReply.DriverInfo(XdrStructures.address(in), in.string("driver name"));
+            case ACCESS ->
+                new PlayerReply.Access(XdrStructures.address(in), in.uint8("access"), in.string("driver name"));
             default -> new PlayerReply.Ack();
         };
         in.end();

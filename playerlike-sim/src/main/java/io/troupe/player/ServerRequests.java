@@ -12,23 +12,23 @@ import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
 /** A client's requests to the server itself, and the settings of the connection. */
-abstract class ServerInquiries extends OfferedInterfaces {
+abstract class ServerRequests extends SupportedInterfaces {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final long REPLY_LIMIT_MILLIS = 10_000;
 
-    final Latest<Devices> devices = new Latest<>();
-    private final Latest<PlayerDeviceDriverInfo> driverInfo = new Latest<>();
+    final LatestValue<Devices> devices = new LatestValue<>();
+    private final LatestValue<PlayerDeviceDriverInfo> driverInfo = new LatestValue<>();
     private final int port;
     private volatile long readTimeoutMillis = REPLY_LIMIT_MILLIS;
 
-    ServerInquiries(String threadName, int port) {
+    ServerRequests(String threadName, int port) {
         super(threadName);
         this.port = port;
     }
 
     /** Requests the list of devices; the reply has arrived when this call returns. */
     public void requestDeviceList() {
-        devices.put(new Devices(calling(connection()::devices)));
+        devices.put(new Devices(compute(connection()::devices)));
     }
 
     /** True once for each reply to {@link #requestDeviceList}, and once for the list that a new client starts with. */
@@ -46,7 +46,7 @@ abstract class ServerInquiries extends OfferedInterfaces {
     public void requestDriverInfo(PlayerDevAddr device) {
         var answer = new PlayerDeviceDriverInfo();
         answer.setAddr(device);
-        answer.setDriverName(calling(() -> connection().driverName(PlayerDevice.convert(device))));
+        answer.setDriverName(compute(() -> connection().driverName(PlayerDevice.convert(device))));
         driverInfo.put(answer);
     }
 
@@ -72,7 +72,7 @@ abstract class ServerInquiries extends OfferedInterfaces {
         if (replace < ReplaceRule.ACCEPT || replace > ReplaceRule.IGNORE) {
             throw new PlayerException("replace is " + replace + ", expected 0 (accept), 1 (replace) or 2 (ignore)");
         }
-        tell(() -> connection().replace(new ReplaceRule(interf, index, type, subtype, replace)));
+        execute(() -> connection().replace(new ReplaceRule(interf, index, type, subtype, replace)));
     }
 
     /** Only logs a warning: no Player 3 server authenticates its clients, so nothing is sent. */
@@ -124,7 +124,7 @@ abstract class ServerInquiries extends OfferedInterfaces {
         if (millis < 1) {
             throw new PlayerException("read timeout is " + millis + " ms, expected at least 1");
         }
-        tell(() -> connection().replyLimit(Duration.ofMillis(millis)));
+        execute(() -> connection().replyLimit(Duration.ofMillis(millis)));
         readTimeoutMillis = millis;
     }
 

@@ -34,12 +34,12 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> Messages of one thread are sent in order. Data that arrive before a reply reach the sink before the
  * caller gets the reply.
  */
-final class RemoteLine implements PlayerConnection {
-    private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
+final class RemoteConnection implements PlayerConnection {
+    private static final System.Logger LOG = System.getLogger(RemoteConnection.class.getName());
     /** Longest time between two checks for a silent server during a read; only used with a silence limit. */
     private static final int READ_TIMEOUT_MILLIS = 500;
     /** Bound of frames queued for a busy space, the same as a server's queue for a client. */
-    private static final int MOST_KEPT = 1024;
+    private static final int MAX_QUEUED_FRAMES = 1024;
 
     private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
 
@@ -49,11 +49,11 @@ final class RemoteLine implements PlayerConnection {
     private final @Nullable ActorSpace space;
     private final Thread reader;
     private final Clock clock;
-    private final OpenRequests open;
+    private final PendingRequests pending;
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
     private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by its own monitor
-    private boolean keptTooMany; // used by the reader only
+    private boolean overflowLogged; // used by the reader only
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
     private volatile Duration silenceLimit = Duration.ZERO; // no limit
@@ -62,7 +62,7 @@ final class RemoteLine implements PlayerConnection {
     /** @param lost true if the server is gone; false if the client closed this connection */
     private record End(String reason, boolean lost) {}
 
-    RemoteLine(
+    RemoteConnection(
             String name,
             RemoteSocket socket,
             DataSink sink,
@@ -75,11 +75,11 @@ final class RemoteLine implements PlayerConnection {
         this.space = space;
         this.replyLimit = replyLimit;
         this.clock = clock;
-        this.open = new OpenRequests(clock);
+        this.pending = new PendingRequests(clock);
         this.reader = Thread.ofPlatform()
                 .daemon()
                 .name("player-line-" + name)
-                .unstarted(() -> new RemoteReader(this, name, socket, open, frames).run());
+                .unstarted(() -> new RemoteReader(this, name, socket, pending, frames).run());
     }
 
     /** Starts the reader and requests the list of devices. */
@@ -145,27 +145,27 @@ final class RemoteLine implements PlayerConnection {
 
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
-        Content content = CommandMessages.encode(command);
+        Content content = CommandCodec.encode(command);
         send(device, MessageType.CMD, content, 0, deadline(), () -> {});
     }
 
     @Override
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        Content content = RequestMessages.encode(device.interfaceCode(), request);
+        Content content = RequestCodec.encode(device.interfaceCode(), request);
         return decode(call(device, content, request + " to " + text(device)));
     }
 
     @Override
     public void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
         checkOpen();
-        Content content = RequestMessages.encode(device.interfaceCode(), request);
+        Content content = RequestCodec.encode(device.interfaceCode(), request);
         var deadline = deadline();
-        var sent = open.add(device, content.subtype());
+        var sent = pending.add(device, content.subtype());
         sent.reply().orTimeout(deadline.leftNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
             if (message != null) {
                 receiver.accept(decode(message));
             } else {
-                open.giveUp(sent);
+                pending.giveUp(sent);
                 receiver.accept(new DeviceReply.Nack(
                         failure instanceof TimeoutException
                                 ? "no reply within " + deadline.millis()
@@ -174,7 +174,7 @@ final class RemoteLine implements PlayerConnection {
         });
         try {
             send(device, content, sent, deadline);
-        } catch (LineClosedException | RequestFailedException notSent) {
+        } catch (ConnectionClosedException | RequestFailedException notSent) {
             sent.reply().completeExceptionally(notSent);
         }
     }
@@ -197,8 +197,8 @@ final class RemoteLine implements PlayerConnection {
         checkOpen();
         var deadline = deadline();
         if (frames.wantsData(tick)) {
-            Content question = PlayerMessages.encode(new PlayerRequest.NextData());
-            send(PLAYER, MessageType.REQ, question, 0, deadline, frames::refused);
+            Content request = PlayerDeviceCodec.encode(new PlayerRequest.NextData());
+            send(PLAYER, MessageType.REQ, request, 0, deadline, frames::refused);
         } else if (frames.mode() == Delivery.PULL) {
             // the request may have been sent in part, and no other message may follow
             sending(() -> socket.sendRest(deadline), deadline, () -> {});
@@ -213,9 +213,9 @@ final class RemoteLine implements PlayerConnection {
     @Override
     public void delivery(Delivery mode) {
         checkOpen();
-        Content content = PlayerMessages.encode(new PlayerRequest.DataMode(mode));
+        Content content = PlayerDeviceCodec.encode(new PlayerRequest.DataMode(mode));
         var deadline = deadline();
-        var sent = open.add(PLAYER, content.subtype());
+        var sent = pending.add(PLAYER, content.subtype());
         // on the reader thread, so that the mode changes at its place in the stream
         var changed = sent.reply().thenApply(message -> {
             if (message.header().type() == MessageType.ACK) {
@@ -254,19 +254,19 @@ final class RemoteLine implements PlayerConnection {
     // ---- sending, and waiting for replies
 
     private PlayerReply ask(PlayerRequest request, String what) {
-        Message message = call(PLAYER, PlayerMessages.encode(request), what);
+        WireMessage message = call(PLAYER, PlayerDeviceCodec.encode(request), what);
         try {
-            return PlayerMessages.reply(
+            return PlayerDeviceCodec.reply(
                     message.header().type(), message.header().subtype(), message.payload());
         } catch (WireException e) {
             throw new RequestFailedException(what + ": " + name + " answered what cannot be read: " + e.getMessage());
         }
     }
 
-    private Message call(DeviceAddress device, Content content, String what) {
+    private WireMessage call(DeviceAddress device, Content content, String what) {
         checkOpen();
         var deadline = deadline();
-        var sent = open.add(device, content.subtype());
+        var sent = pending.add(device, content.subtype());
         send(device, content, sent, deadline);
         return await(sent.reply(), sent, deadline, what);
     }
@@ -279,37 +279,37 @@ final class RemoteLine implements PlayerConnection {
      * Sends a request. If that fails in the middle of the message, the request counts as given up: the rest is sent
      * later and gets a reply.
      */
-    private void send(DeviceAddress device, Content content, OpenRequests.Request request, Deadline deadline) {
+    private void send(DeviceAddress device, Content content, PendingRequests.Request request, Deadline deadline) {
         try {
-            send(device, MessageType.REQ, content, request.sequence(), deadline, () -> open.drop(request));
+            send(device, MessageType.REQ, content, request.sequence(), deadline, () -> pending.drop(request));
         } catch (RuntimeException e) {
-            open.giveUp(request); // no effect if it was dropped
+            pending.giveUp(request); // no effect if it was dropped
             throw e;
         }
     }
 
-    private Message await(
-            CompletableFuture<Message> awaited, OpenRequests.Request sent, Deadline deadline, String what) {
+    private WireMessage await(
+            CompletableFuture<WireMessage> awaited, PendingRequests.Request sent, Deadline deadline, String what) {
         try {
             return awaited.get(deadline.leftNanos(), TimeUnit.NANOSECONDS);
         } catch (TimeoutException e) {
-            open.giveUp(sent);
+            pending.giveUp(sent);
             throw new RequestFailedException(
                     name + " did not answer within " + deadline.millis() + ": " + what + " was requested");
         } catch (InterruptedException e) {
-            open.giveUp(sent);
+            pending.giveUp(sent);
             Thread.currentThread().interrupt();
             throw new RequestFailedException("interrupted while waiting for " + name + ": " + what + " was requested");
         } catch (ExecutionException e) {
             checkOpen();
-            throw new LineClosedException(e.getCause().getMessage());
+            throw new ConnectionClosedException(e.getCause().getMessage());
         }
     }
 
-    private DeviceReply decode(Message message) {
+    private DeviceReply decode(WireMessage message) {
         var header = message.header();
         try {
-            return ReplyMessages.decode(
+            return ReplyCodec.decode(
                     header.address().interfaceCode(), header.type(), header.subtype(), message.payload());
         } catch (WireException e) {
             return new DeviceReply.Nack("the reply cannot be read: " + e.getMessage());
@@ -329,7 +329,7 @@ final class RemoteLine implements PlayerConnection {
         byte[] payload = content.payload();
         var header = new Header(device, type, content.subtype(), 0, sequence, payload.length);
         checkOpen();
-        sending(() -> socket.send(new Message(header, payload).bytes(), deadline), deadline, nothingSent);
+        sending(() -> socket.send(new WireMessage(header, payload).bytes(), deadline), deadline, nothingSent);
     }
 
     private interface Sending {
@@ -373,7 +373,7 @@ final class RemoteLine implements PlayerConnection {
             if (ended.lost()) {
                 sink.lost(ended.reason());
             }
-            throw new LineClosedException(ended.reason());
+            throw new ConnectionClosedException(ended.reason());
         }
     }
 
@@ -393,8 +393,8 @@ final class RemoteLine implements PlayerConnection {
             return;
         }
         try {
-            if (keep(frame)) {
-                space.execute(() -> sink.frame(takeKept()));
+            if (enqueueForSpace(frame)) {
+                space.execute(() -> sink.frame(dequeueForSpace()));
             }
             if (frames.mode() == Delivery.PULL) {
                 space.onIdle(() -> {
@@ -417,7 +417,7 @@ final class RemoteLine implements PlayerConnection {
             answered(tick);
         } catch (RequestFailedException e) {
             lose("data cannot be asked for: " + e.getMessage());
-        } catch (LineClosedException e) {
+        } catch (ConnectionClosedException e) {
             LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage()); // and the sink was notified
         }
     }
@@ -430,11 +430,11 @@ final class RemoteLine implements PlayerConnection {
      * Sends a request that every server answers at once. It runs on a separate thread, because sending may block; a
      * platform thread, because virtual threads may find no free carrier.
      */
-    void askForSign() {
+    void sendKeepAlive() {
         Thread.ofPlatform().daemon().name("player-ask-" + name).start(() -> {
-            Content question = PlayerMessages.encode(new PlayerRequest.DeviceList());
+            Content keepAlive = PlayerDeviceCodec.encode(new PlayerRequest.DeviceList());
             try {
-                send(PLAYER, question, open.addUnawaited(PLAYER, question.subtype()), deadline());
+                send(PLAYER, keepAlive, pending.addUnawaited(PLAYER, keepAlive.subtype()), deadline());
             } catch (RuntimeException notSent) {
                 LOG.log(Level.DEBUG, "{0} was not asked for a sign of life: {1}", name, notSent.getMessage());
             }
@@ -442,7 +442,7 @@ final class RemoteLine implements PlayerConnection {
     }
 
     /** The server is connected but has sent nothing for the whole limit. */
-    void silent() {
+    void serverSilent() {
         sink.lost("the Player server at " + name + " is connected and silent: nothing has come from it for "
                 + Deadline.nanos(silenceLimit) / 1_000_000 + " ms, and no answer to a request");
     }
@@ -451,22 +451,22 @@ final class RemoteLine implements PlayerConnection {
      * Queues a frame for the space. False if the queue was full and the oldest frame was dropped; the turn queued for
      * that frame then delivers this one.
      */
-    private boolean keep(Frame frame) {
+    private boolean enqueueForSpace(Frame frame) {
         synchronized (forSpace) {
             forSpace.add(frame);
-            if (forSpace.size() <= MOST_KEPT) {
+            if (forSpace.size() <= MAX_QUEUED_FRAMES) {
                 return true;
             }
             forSpace.remove();
         }
-        if (!keptTooMany) {
-            keptTooMany = true;
+        if (!overflowLogged) {
+            overflowLogged = true;
             LOG.log(Level.WARNING, "{0}: actor space {1} is too slow, the oldest data are dropped", name, space);
         }
         return false;
     }
 
-    private Frame takeKept() {
+    private Frame dequeueForSpace() {
         synchronized (forSpace) {
             return forSpace.remove();
         }
@@ -490,7 +490,7 @@ final class RemoteLine implements PlayerConnection {
             } catch (IOException e) {
                 LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
             }
-            open.failAll(new LineClosedException(how.reason()));
+            pending.failAll(new ConnectionClosedException(how.reason()));
         }
     }
 }

@@ -18,11 +18,11 @@ import org.jspecify.annotations.Nullable;
  * drops a request, each later request of the same kind fails, because its reply cannot be distinguished from the late
  * reply to the request before. That ends when there has been no request of this kind, and no reply to one, for
  * {@link #QUIET}: then the requests that were given up are forgotten. A reply may be matched to a wrong request if it
- * is later than that, or if more than {@value #MOST_GIVEN_UP} requests were given up after its own.
+ * is later than that, or if more than {@value #MAX_GIVEN_UP} requests were given up after its own.
  */
-final class OpenRequests {
+final class PendingRequests {
     /** Bound of requests that were given up and are still remembered; the oldest is forgotten first. */
-    private static final int MOST_GIVEN_UP = 256;
+    private static final int MAX_GIVEN_UP = 256;
 
     static final Duration QUIET = Duration.ofSeconds(30);
 
@@ -30,7 +30,7 @@ final class OpenRequests {
         final DeviceAddress device;
         final int subtype;
         final int sequence;
-        final CompletableFuture<Message> reply = new CompletableFuture<>();
+        final CompletableFuture<WireMessage> reply = new CompletableFuture<>();
         boolean givenUp;
         long touchedNanos; // time of the latest event of its kind
 
@@ -58,14 +58,14 @@ final class OpenRequests {
      * @param sequence its number, never 0
      * @param reply completes with the reply; already failed after {@link #failAll}
      */
-    record Request(int sequence, CompletableFuture<Message> reply) {}
+    record Request(int sequence, CompletableFuture<WireMessage> reply) {}
 
     private final Clock clock;
     private final List<Entry> entries = new ArrayList<>();
     private int lastSequence;
     private @Nullable RuntimeException failure;
 
-    OpenRequests(Clock clock) {
+    PendingRequests(Clock clock) {
         this.clock = clock;
     }
 
@@ -113,18 +113,18 @@ final class OpenRequests {
                 touch(each.device, each.subtype);
             }
         }
-        if (entries.stream().filter(each -> each.givenUp).count() > MOST_GIVEN_UP) {
+        if (entries.stream().filter(each -> each.givenUp).count() > MAX_GIVEN_UP) {
             entries.stream().filter(each -> each.givenUp).findFirst().ifPresent(entries::remove);
         }
     }
 
     /** False if no caller waits for this reply. */
-    boolean answer(Message message) {
-        CompletableFuture<Message> answered = take(message.header());
+    boolean answer(WireMessage message) {
+        CompletableFuture<WireMessage> answered = take(message.header());
         return answered != null && answered.complete(message);
     }
 
-    private synchronized @Nullable CompletableFuture<Message> take(Header header) {
+    private synchronized @Nullable CompletableFuture<WireMessage> take(Header header) {
         for (var each : entries) {
             if (each.isAnsweredBy(header)) {
                 entries.remove(each);

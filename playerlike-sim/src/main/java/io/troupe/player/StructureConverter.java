@@ -6,8 +6,8 @@ import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.Size3d;
 
 /** Converts poses and sizes of the wire protocol to the client's structures. */
-final class Shapes {
-    private Shapes() {}
+final class StructureConverter {
+    private StructureConverter() {}
 
     static PlayerPose3d pose(Pose3d pose) {
         var converted = new PlayerPose3d();

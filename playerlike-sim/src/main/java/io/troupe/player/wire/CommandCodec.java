@@ -11,8 +11,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /** Encodes and decodes CMD messages to devices. */
-final class CommandMessages {
-    private CommandMessages() {}
+final class CommandCodec {
+    private CommandCodec() {}
 
     static Content encode(DeviceCommand command) {
         var out = new XdrWriter();

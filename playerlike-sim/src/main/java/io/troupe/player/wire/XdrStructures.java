@@ -1,12 +1,12 @@
 package io.troupe.player.wire;
 
 /** Encodes and decodes structures that several messages share. */
-final class Shapes {
+final class XdrStructures {
     static final int POSE3D_BYTES = 48;
     static final int SIZE3D_BYTES = 24;
     static final int ADDRESS_BYTES = 16;
 
-    private Shapes() {}
+    private XdrStructures() {}
 
     static Pose3d pose3d(XdrReader in) throws WireException {
         return new Pose3d(

@@ -15,7 +15,7 @@ import java.util.function.Supplier;
  *
  * <p><b>Threads.</b> The reading thread only.
  */
-final class PatientInput extends FilterInputStream {
+final class KeepAliveInput extends FilterInputStream {
     private final Clock clock;
     private final Supplier<Duration> limit;
     private final Runnable ask;
@@ -29,7 +29,7 @@ final class PatientInput extends FilterInputStream {
      * @param ask sends a request that every server answers
      * @param silent notified when the limit has expired
      */
-    PatientInput(InputStream in, Clock clock, Supplier<Duration> limit, Runnable ask, Runnable silent) {
+    KeepAliveInput(InputStream in, Clock clock, Supplier<Duration> limit, Runnable ask, Runnable silent) {
         super(in);
         this.clock = clock;
         this.limit = limit;

@@ -1,8 +1,8 @@
 package io.troupe.player;
 
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.RequestFailedException;
 import java.util.Arrays;
@@ -11,11 +11,11 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
 /** The {@code requestInterface} methods of the supported interfaces, and the client's subscriptions. */
-abstract class OfferedInterfaces extends UnofferedInterfaces {
+abstract class SupportedInterfaces extends UnsupportedInterfaces {
     final Subscriptions subscriptions = new Subscriptions();
     private final AtomicBoolean deviceGranted = new AtomicBoolean();
 
-    OfferedInterfaces(String threadName) {
+    SupportedInterfaces(String threadName) {
         super(threadName);
     }
 
@@ -58,7 +58,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
             case PLAYER_LASER_CODE -> requestInterfaceLaser(index, access);
             case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
             case PLAYER_SIMULATION_CODE -> requestInterfaceSimulation(index, access);
-            default -> throw notOffered(Interfaces.name(type) + ":" + index);
+            default -> throw notSupported(Interfaces.name(type) + ":" + index);
         };
     }
 
@@ -74,8 +74,8 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
             throw new PlayerException("access mode of " + type.playerName() + ":" + index + " is " + access
                     + ", expected PLAYER_OPEN_MODE (1) or PLAYER_CLOSE_MODE (2)");
         }
-        var line = connection();
-        DeviceAddress address = calling(line::devices).stream()
+        var connection = connection();
+        DeviceAddress address = compute(connection::devices).stream()
                 .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
                 .findFirst()
                 .orElseThrow(() -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":"
@@ -84,22 +84,22 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
         if (access == PLAYER_OPEN_MODE) {
             subscriptions.add(device); // before its first data can arrive
             try {
-                tell(() -> line.subscribe(address));
+                execute(() -> connection.subscribe(address));
             } catch (PlayerException refused) {
                 subscriptions.remove(device);
                 throw refused;
             }
         } else {
-            tell(() -> line.unsubscribe(address));
+            execute(() -> connection.unsubscribe(address));
             subscriptions.removeAll(address);
         }
-        device.setDeviceDriverName(calling(() -> line.driverName(address)));
+        device.setDeviceDriverName(compute(() -> connection.driverName(address)));
         deviceGranted.set(true);
         return device;
     }
 
     @Override
-    PlayerException notOffered(String device) {
+    PlayerException notSupported(String device) {
         String offered =
                 Arrays.stream(Interfaces.values()).map(Interfaces::playerName).collect(Collectors.joining(", "));
         return new PlayerException("[PlayerClient] Requested device " + device
@@ -107,22 +107,24 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
     }
 
     private String listed() {
-        return calling(connection()::devices).stream()
+        return compute(connection()::devices).stream()
                 .map(each -> Interfaces.name(each.interfaceCode()) + ":" + each.index())
                 .collect(Collectors.joining(", "));
     }
 
-    static void tell(Runnable call) {
-        calling(() -> {
+    /** Runs a call of the connection; its exceptions become {@link PlayerException}. */
+    static void execute(Runnable call) {
+        compute(() -> {
             call.run();
             return true;
         });
     }
 
-    static <T> T calling(Supplier<T> call) {
+    /** The result of a call of the connection; its exceptions become {@link PlayerException}. */
+    static <T> T compute(Supplier<T> call) {
         try {
             return call.get();
-        } catch (LineClosedException | RequestFailedException | IllegalArgumentException refused) {
+        } catch (ConnectionClosedException | RequestFailedException | IllegalArgumentException refused) {
             throw new PlayerException(refused.getMessage(), refused);
         }
     }

@@ -24,11 +24,11 @@ import io.troupe.player.wire.DeviceRequest.Unknown;
 import io.troupe.player.wire.DeviceRequest.VelocityMode;
 
 /** Encodes and decodes REQ messages to devices. */
-final class RequestMessages {
+final class RequestCodec {
     private static final int CAPABILITY = 255;
     private static final int SET_INTEGER_PROPERTY = 253;
 
-    private RequestMessages() {}
+    private RequestCodec() {}
 
     static Content encode(int interfaceCode, DeviceRequest request) {
         var out = new XdrWriter();
@@ -63,11 +63,11 @@ final class RequestMessages {
             case Intensities intensities -> subtype(3, out.bool(intensities.on()));
             case GetConfiguration configuration -> laser ? 3 : 5;
             case SetRangerConfiguration set -> {
-                Shapes.rangerConfiguration(out, set.configuration());
+                XdrStructures.rangerConfiguration(out, set.configuration());
                 yield 4;
             }
             case SetLaserConfiguration set -> {
-                Shapes.laserConfiguration(out, set.configuration());
+                XdrStructures.laserConfiguration(out, set.configuration());
                 yield 2;
             }
             case LaserId id -> 5;
@@ -167,7 +167,7 @@ final class RequestMessages {
             case 1 -> new Geometry();
             case 2 -> ended(new Power(in.bool("state")), in);
             case 3 -> ended(new Intensities(in.bool("state")), in);
-            case 4 -> ended(new SetRangerConfiguration(Shapes.rangerConfiguration(in)), in);
+            case 4 -> ended(new SetRangerConfiguration(XdrStructures.rangerConfiguration(in)), in);
             case 5 -> new GetConfiguration();
             default -> new Unknown(subtype);
         };
@@ -176,7 +176,7 @@ final class RequestMessages {
     private static DeviceRequest laser(int subtype, XdrReader in) throws WireException {
         return switch (subtype) {
             case 1 -> new Geometry();
-            case 2 -> ended(new SetLaserConfiguration(Shapes.laserConfiguration(in)), in);
+            case 2 -> ended(new SetLaserConfiguration(XdrStructures.laserConfiguration(in)), in);
             case 3 -> new GetConfiguration();
             case 4 -> ended(new Power(in.bool("state")), in);
             case 5 -> new LaserId();

@@ -3,8 +3,8 @@ package io.troupe.player;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.player.structures.PlayerConstants;
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.PlayerConnection;
 import java.util.ArrayDeque;
@@ -29,21 +29,21 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Order.</b> Data are dispatched under the lock too, so frames never mix.
  */
-final class Incoming implements DataSink {
+final class ClientInbox implements DataSink {
     /**
      * Bound of queued frames, for a program that stops reading while the server keeps sending; in lock step there is
      * one.
      */
-    private static final int MOST_FRAMES = 1024;
+    private static final int MAX_FRAMES = 1024;
 
     private final Object lock = new Object();
     private final Queue<Frame> frames = new ArrayDeque<>();
     private final List<Deferred<@Nullable Void>> waiting = new ArrayList<>();
-    private final AnswerPoint answerPoint = new AnswerPoint();
-    private final Consumer<DataMessage> dispatcher;
+    private final IdlePollDetector idlePolls = new IdlePollDetector();
+    private final Consumer<DeviceDataMessage> dispatcher;
     private final LongConsumer answer;
     private final boolean onSpace;
-    private int read; // number of messages of the oldest frame already dispatched
+    private int dispatched; // number of messages of the oldest frame already dispatched
     private long shownTick = PlayerConnection.NO_TICK;
     private int openRequests;
     private int unreadReply; // type of the newest reply that readAll has not returned yet; 0 = none
@@ -54,7 +54,7 @@ final class Incoming implements DataSink {
      * @param answer notifies the server that the program waits for data newer than a tick
      * @param onSpace true on an actor space, where each frame arrives in a separate turn
      */
-    Incoming(Consumer<DataMessage> dispatcher, LongConsumer answer, boolean onSpace) {
+    ClientInbox(Consumer<DeviceDataMessage> dispatcher, LongConsumer answer, boolean onSpace) {
         this.dispatcher = dispatcher;
         this.answer = answer;
         this.onSpace = onSpace;
@@ -66,9 +66,9 @@ final class Incoming implements DataSink {
     public void frame(Frame frame) {
         List<Deferred<@Nullable Void>> ready = List.of();
         synchronized (lock) {
-            if (frames.size() == MOST_FRAMES) {
+            if (frames.size() == MAX_FRAMES) {
                 frames.remove(); // drop the oldest frame: a robot needs the latest data
-                read = 0;
+                dispatched = 0;
             }
             frames.add(frame);
             if (onSpace) {
@@ -125,27 +125,27 @@ final class Incoming implements DataSink {
      *
      * @param everythingSeen true if no device has unread data
      */
-    boolean poll(Latest<?> asked, BooleanSupplier everythingSeen, long patienceMillis) {
+    boolean poll(LatestValue<?> polled, BooleanSupplier everythingSeen, long patienceMillis) {
         long tick;
         synchronized (lock) {
-            if (asked.takeNew()) {
-                answerPoint.newsTaken();
+            if (polled.takeNew()) {
+                idlePolls.dataRead();
                 return true;
             }
             throwIfLost();
             // On a space the polling turn may have queued further turns, so only a repeated poll counts as waiting.
-            if (!answerPoint.isAt(asked, !onSpace && everythingSeen.getAsBoolean())) {
+            if (!idlePolls.isWaiting(polled, !onSpace && everythingSeen.getAsBoolean())) {
                 return false;
             }
             tick = shownTick;
         }
         answer.accept(tick);
-        return !onSpace && awaitFrame(asked, patienceMillis);
+        return !onSpace && awaitFrame(polled, patienceMillis);
     }
 
-    private boolean awaitFrame(Latest<?> asked, long patienceMillis) {
+    private boolean awaitFrame(LatestValue<?> polled, long patienceMillis) {
         List<Deferred<@Nullable Void>> ready;
-        boolean news;
+        boolean newData;
         synchronized (lock) {
             if (frames.isEmpty() && lost == null) {
                 pause(patienceMillis);
@@ -154,16 +154,16 @@ final class Incoming implements DataSink {
                 throwIfLost();
             }
             ready = showAll();
-            news = asked.takeNew();
+            newData = polled.takeNew();
         }
         ready.forEach(each -> each.resolve(null));
-        return news;
+        return newData;
     }
 
     /** Polls for new data in a program that calls readAll; there an unsuccessful poll does not answer the tick. */
-    boolean takeNew(Latest<?> asked) {
+    boolean takeNew(LatestValue<?> polled) {
         synchronized (lock) {
-            if (asked.takeNew()) {
+            if (polled.takeNew()) {
                 return true;
             }
             throwIfLost();
@@ -175,12 +175,12 @@ final class Incoming implements DataSink {
      * Polls for a reply. While a request is open this waits briefly, because programs also wait for replies in busy
      * loops.
      */
-    boolean takeReply(Latest<?> asked, long patienceMillis) {
+    boolean takeReply(LatestValue<?> polled, long patienceMillis) {
         synchronized (lock) {
-            if (!asked.isNew() && openRequests > 0 && lost == null) {
+            if (!polled.isNew() && openRequests > 0 && lost == null) {
                 pause(patienceMillis);
             }
-            if (asked.takeNew()) {
+            if (polled.takeNew()) {
                 return true;
             }
             throwIfLost();
@@ -221,7 +221,7 @@ final class Incoming implements DataSink {
                 dispatchOldest();
             }
             unreadReply = 0;
-            ready = read == 0 ? takeWaiting() : List.of();
+            ready = dispatched == 0 ? takeWaiting() : List.of();
         }
         ready.forEach(each -> each.resolve(null));
         return wholeFrame ? PlayerConstants.PLAYER_MSGTYPE_SYNCH : PlayerConstants.PLAYER_MSGTYPE_DATA;
@@ -283,7 +283,7 @@ final class Incoming implements DataSink {
     }
 
     private boolean isForReader() {
-        return !frames.isEmpty() && (!answerPoint.isReached() || !waiting.isEmpty() || frames.size() > 1);
+        return !frames.isEmpty() && (!idlePolls.hasWaited() || !waiting.isEmpty() || frames.size() > 1);
     }
 
     /** Wakes all waiting threads, which check their conditions again. */
@@ -300,8 +300,8 @@ final class Incoming implements DataSink {
             return List.of();
         }
         while (!frames.isEmpty()) {
-            while (read < frames.element().messages().size()) {
-                dispatcher.accept(frames.element().messages().get(read++));
+            while (dispatched < frames.element().messages().size()) {
+                dispatcher.accept(frames.element().messages().get(dispatched++));
             }
             completeFrame();
         }
@@ -318,16 +318,16 @@ final class Incoming implements DataSink {
 
     private void dispatchOldest() {
         var messages = frames.element().messages();
-        dispatcher.accept(messages.get(read++));
-        if (read == messages.size()) {
+        dispatcher.accept(messages.get(dispatched++));
+        if (dispatched == messages.size()) {
             completeFrame();
         }
     }
 
     private void completeFrame() {
         shownTick = frames.remove().tick();
-        read = 0;
-        answerPoint.frameShown();
+        dispatched = 0;
+        idlePolls.frameShown();
     }
 
     private List<Deferred<@Nullable Void>> takeWaiting() {
