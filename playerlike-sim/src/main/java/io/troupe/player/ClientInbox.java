@@ -9,8 +9,11 @@ import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.PlayerConnection;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Queue;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.LongConsumer;
@@ -356,6 +359,50 @@ final class ClientInbox implements DataSink {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new PlayerException("interrupted while waiting for the Player server", e);
+        }
+    }
+
+    /**
+     * Decides which unsuccessful {@code isDataReady()} call counts as the program waiting for the next frame.
+     *
+     * <p>An unsuccessful call alone is not enough. In {@code if (pos.isDataReady()) ..; if (son.isDataReady()) ..} the
+     * position poll may return false although unread sonar data follow. The program waits in a call if it has already
+     * seen all data, or if it polls the same device unsuccessfully for the second time. That device stays the waiting
+     * point until the next frame, and the next frame becomes visible only in a call for that device. So the place in a
+     * program's loop where new data appear does not depend on the speed of any thread. If the program later polls
+     * another device unsuccessfully twice, and no longer the waiting point, that device becomes the waiting point.
+     *
+     * <p><b>Threads.</b> Not thread-safe; guarded by the lock of {@link ClientInbox}.
+     */
+    private static final class IdlePollDetector {
+        private final Set<Object> unsuccessfulPolls = Collections.newSetFromMap(new IdentityHashMap<>());
+        private @Nullable Object waitingPoint;
+
+        /** True if the program waits in this unsuccessful call. */
+        boolean isWaiting(Object polled, boolean everythingSeen) {
+            boolean waits =
+                    polled == waitingPoint || waitingPoint == null && everythingSeen || !unsuccessfulPolls.add(polled);
+            if (waits) {
+                waitingPoint = polled;
+                unsuccessfulPolls.clear();
+            }
+            return waits;
+        }
+
+        /** True if the program has waited since the newest frame. */
+        boolean hasWaited() {
+            return waitingPoint != null;
+        }
+
+        /** The program has read new data. */
+        void dataRead() {
+            unsuccessfulPolls.clear();
+        }
+
+        /** A frame has become visible. */
+        void frameShown() {
+            waitingPoint = null;
+            unsuccessfulPolls.clear();
         }
     }
 }

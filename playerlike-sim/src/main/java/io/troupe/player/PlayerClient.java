@@ -2,6 +2,9 @@ package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
+import io.troupe.player.structures.PlayerDevAddr;
+import io.troupe.player.structures.player.PlayerDeviceDevlist;
+import io.troupe.player.structures.player.PlayerDeviceDriverInfo;
 import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
@@ -11,11 +14,14 @@ import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.RemoteServer;
+import io.troupe.player.wire.ReplaceRule;
 import io.troupe.player.wire.RequestFailedException;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -41,7 +47,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> {@link PlayerException}; waiting calls throw it too when the connection is lost. The client does
  * not reconnect; that is the program's decision.
  */
-public class PlayerClient extends ServerRequests {
+public class PlayerClient extends SupportedInterfaces {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final Set<String> THIS_MACHINE = Set.of("localhost", "127.0.0.1", "::1");
     /**
@@ -50,13 +56,19 @@ public class PlayerClient extends ServerRequests {
      */
     private static final long PATIENCE_MILLIS = 1;
 
+    private static final long REPLY_LIMIT_MILLIS = 10_000;
+
     private final @Nullable ActorSpace space = ActorSpace.current();
-    private final ClientInbox incoming = new ClientInbox(subscriptions::dispatch, this::answer, space != null);
+    private final ClientInbox inbox = new ClientInbox(subscriptions::dispatch, this::answer, space != null);
     private final PlayerConnection connection;
     private final Object threading = new Object();
     private volatile boolean threaded;
     private volatile boolean pull;
     private final AtomicBoolean commandLimitWasRefused = new AtomicBoolean();
+    final LatestValue<Devices> devices = new LatestValue<>();
+    private final LatestValue<PlayerDeviceDriverInfo> driverInfo = new LatestValue<>();
+    private final int port;
+    private volatile long readTimeoutMillis = REPLY_LIMIT_MILLIS;
 
     /**
      * Connects and requests the list of devices; {@link #getPDDList} returns it from the start.
@@ -64,14 +76,15 @@ public class PlayerClient extends ServerRequests {
      * @throws PlayerException if there is no server
      */
     public PlayerClient(String serverName, int portNumber) {
-        super("player-client-" + portNumber, portNumber);
+        super("player-client-" + portNumber);
+        port = portNumber;
         boolean thisMachine = THIS_MACHINE.contains(serverName);
         PlayerServer server = thisMachine ? PlayerPorts.find(portNumber).orElse(null) : null;
         try {
             if (server == null) {
                 server = new RemoteServer(serverName, portNumber);
             }
-            connection = server.connect(incoming, space);
+            connection = server.connect(inbox, space);
             devices.put(new Devices(connection.devices())); // the connection has fetched the list already
         } catch (ConnectionClosedException | RequestFailedException | IllegalArgumentException e) {
             throw new PlayerException(
@@ -104,7 +117,7 @@ public class PlayerClient extends ServerRequests {
                 throw new PlayerException(
                         getName() + " was threaded before: a thread starts once, make a new PlayerClient");
             }
-            incoming.begin();
+            inbox.begin();
             threaded = true;
             if (space == null) {
                 start();
@@ -120,7 +133,7 @@ public class PlayerClient extends ServerRequests {
             }
             threaded = false;
         }
-        incoming.wakeAll();
+        inbox.wakeAll();
         if (space == null && Thread.currentThread() != this) {
             try {
                 join();
@@ -134,12 +147,12 @@ public class PlayerClient extends ServerRequests {
     @Override
     public void run() {
         try {
-            incoming.showWhile(() -> threaded);
+            inbox.showWhile(() -> threaded);
         } catch (PlayerException serverHasGone) {
             // each waiting call of the program throws the same error
             LOG.log(Level.DEBUG, "{0}: no more data: {1}", getName(), serverHasGone.getMessage());
         } catch (RuntimeException | Error e) { // otherwise the program would wait for data for ever
-            incoming.lost("[PlayerClient] the thread of " + getName() + " has failed: " + e);
+            inbox.lost("[PlayerClient] the thread of " + getName() + " has failed: " + e);
             throw e;
         }
     }
@@ -160,7 +173,7 @@ public class PlayerClient extends ServerRequests {
             throw new PlayerException(
                     "readAll() would hold the thread of actor space " + space + ": use nextData() there");
         }
-        return incoming.read(pull);
+        return inbox.read(pull);
     }
 
     /**
@@ -191,7 +204,7 @@ public class PlayerClient extends ServerRequests {
      * the tick.
      */
     public Promise<@Nullable Void> nextData() {
-        return incoming.next();
+        return inbox.next();
     }
 
     /**
@@ -212,9 +225,118 @@ public class PlayerClient extends ServerRequests {
 
     /** Stops the thread and disconnects. Every waiting call and every later one throws {@link PlayerException}. */
     public void close() {
-        incoming.lost("[PlayerClient] this client is closed");
+        inbox.lost("[PlayerClient] this client is closed");
         setNotThreaded();
         connection.close();
+    }
+
+    // ---- requests to the server itself
+
+    /** Requests the list of devices; the reply has arrived when this call returns. */
+    public void requestDeviceList() {
+        devices.put(new Devices(compute(connection::devices)));
+    }
+
+    /** True once for each reply to {@link #requestDeviceList}, and once for the list that a new client starts with. */
+    public boolean isReadyPDDList() {
+        return devices.takeNew();
+    }
+
+    /** The server's devices: the list from connecting, or the newest reply to {@link #requestDeviceList}. */
+    public @Nullable PlayerDeviceDevlist getPDDList() {
+        Devices newest = devices.get();
+        return newest == null ? null : newest.list();
+    }
+
+    /** Requests the driver of a device; the reply has arrived when this call returns. */
+    public void requestDriverInfo(PlayerDevAddr device) {
+        var answer = new PlayerDeviceDriverInfo();
+        answer.setAddr(device);
+        answer.setDriverName(compute(() -> connection.driverName(PlayerDevice.convert(device))));
+        driverInfo.put(answer);
+    }
+
+    /** True once for each reply to {@link #requestDriverInfo}. */
+    public boolean isReadyPDDI() {
+        return driverInfo.takeNew();
+    }
+
+    /** The newest reply to {@link #requestDriverInfo}, or null before the first. */
+    public @Nullable PlayerDeviceDriverInfo getPDDI() {
+        return driverInfo.get();
+    }
+
+    /**
+     * Sets what the server does with messages queued for this client; the newest matching rule applies.
+     *
+     * @param interf code of an interface; -1 in this and the next three parameters matches everything
+     * @param type type of message, for example {@code PLAYER_MSGTYPE_DATA}
+     * @param replace 0: messages queue up; 1: a new message replaces the newest queued one of its kind; 2: messages are
+     *     dropped
+     */
+    public void requestAddReplaceRule(int interf, int index, int type, int subtype, int replace) {
+        if (replace < ReplaceRule.ACCEPT || replace > ReplaceRule.IGNORE) {
+            throw new PlayerException("replace is " + replace + ", expected 0 (accept), 1 (replace) or 2 (ignore)");
+        }
+        execute(() -> connection.replace(new ReplaceRule(interf, index, type, subtype, replace)));
+    }
+
+    /** Only logs a warning: no Player 3 server authenticates its clients, so nothing is sent. */
+    public void requestAuthentication(byte[] key) {
+        notServed("authentication");
+    }
+
+    /** Always false: see {@link #requestAuthentication}. */
+    public boolean isAuthenticated() {
+        return false;
+    }
+
+    /** Only logs a warning: no Player 3 server maps robot names to ports, so nothing is sent. */
+    public void requestNameService(char[] name) {
+        notServed("name service");
+    }
+
+    /** Always false: see {@link #requestNameService}. */
+    public boolean isReadyPortNumber() {
+        return false;
+    }
+
+    /** The port that this client is connected to. */
+    public int getPortNumber() {
+        return port;
+    }
+
+    /**
+     * Only logs a warning: Player 3 has no such request. Its servers send their identification when a client connects;
+     * the client logs it.
+     */
+    public void requestIdent() {
+        notServed("identification");
+    }
+
+    private void notServed(String what) {
+        LOG.log(Level.WARNING, "{0}: Player 3 servers have no {1}", getName(), what);
+    }
+
+    /**
+     * Limit of a call in milliseconds, for sending and for waiting for the reply together; 10,000 by default. Waiting
+     * for data has no limit.
+     */
+    public long getReadTimeout() {
+        return readTimeoutMillis;
+    }
+
+    public void setReadTimeout(long millis) {
+        if (millis < 1) {
+            throw new PlayerException("read timeout is " + millis + " ms, expected at least 1");
+        }
+        execute(() -> connection.replyLimit(Duration.ofMillis(millis)));
+        readTimeoutMillis = millis;
+    }
+
+    /** The logger of a client's warnings. */
+    public Logger getLogger() {
+        return Logger.getLogger(PlayerClient.class.getName());
     }
 
     // ---- called by devices
@@ -222,9 +344,9 @@ public class PlayerClient extends ServerRequests {
     /** True if a device has new data; an unsuccessful call may answer the tick. */
     boolean hasNewData(LatestValue<?> asked) {
         if (threaded || space != null) {
-            return incoming.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
+            return inbox.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
         }
-        boolean news = incoming.takeNew(asked);
+        boolean news = inbox.takeNew(asked);
         if (!news) {
             Thread.onSpinWait();
         }
@@ -233,7 +355,7 @@ public class PlayerClient extends ServerRequests {
 
     /** True if the reply to a request has arrived. */
     boolean hasReply(LatestValue<?> asked) {
-        return incoming.takeReply(asked, PATIENCE_MILLIS);
+        return inbox.takeReply(asked, PATIENCE_MILLIS);
     }
 
     void command(DeviceAddress device, DeviceCommand command) {
@@ -242,16 +364,16 @@ public class PlayerClient extends ServerRequests {
 
     void request(PlayerDevice device, DeviceRequest request) {
         var address = device.address();
-        incoming.requestBegins();
+        inbox.requestBegins();
         try {
             execute(() -> connection.request(
                     address,
                     request,
-                    reply -> incoming.requestEnds(
+                    reply -> inbox.requestEnds(
                             reply instanceof DeviceReply.Nack ? PLAYER_MSGTYPE_RESP_NACK : PLAYER_MSGTYPE_RESP_ACK,
                             () -> device.receive(request, reply))));
         } catch (PlayerException notSent) {
-            incoming.requestFails();
+            inbox.requestFails();
             throw notSent;
         }
     }
@@ -281,5 +403,29 @@ public class PlayerClient extends ServerRequests {
     @Override
     PlayerConnection connection() {
         return connection;
+    }
+
+    /**
+     * The devices of a server, converted when first read: a thousand clients of a world with three thousand devices
+     * share one list of addresses.
+     */
+    static final class Devices {
+        private final List<DeviceAddress> addresses;
+        private @Nullable PlayerDeviceDevlist converted;
+
+        Devices(List<DeviceAddress> addresses) {
+            this.addresses = addresses;
+        }
+
+        synchronized PlayerDeviceDevlist list() {
+            PlayerDeviceDevlist list = converted;
+            if (list == null) {
+                list = new PlayerDeviceDevlist();
+                list.setDevList(addresses.stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
+                list.setDeviceCount(list.getDevList().length);
+                converted = list;
+            }
+            return list;
+        }
     }
 }

@@ -10,6 +10,7 @@ import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
+import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.lang.System.Logger.Level;
@@ -42,7 +43,7 @@ public abstract class PlayerDevice implements PlayerConstants {
     protected final InputStream is = InputStream.nullInputStream();
 
     /** Rejects every write: commands and requests are sent by the methods of the device. */
-    protected final OutputStream os = new ClosedOutput();
+    protected final OutputStream os = new RejectingOutputStream();
 
     private @Nullable DeviceData arrived; // guarded by the lock of ClientInbox, as is the next field
     private @Nullable DeviceReply answer;
@@ -222,5 +223,16 @@ public abstract class PlayerDevice implements PlayerConstants {
         return bound == null
                 ? getClass().getSimpleName()
                 : Interfaces.name(bound.interfaceCode()) + ":" + bound.index();
+    }
+
+    /**
+     * The output stream of a device. In the original client a device writes its messages here; this one rejects every
+     * write with an error that names the alternative.
+     */
+    private static final class RejectingOutputStream extends OutputStream {
+        @Override
+        public void write(int octet) throws IOException {
+            throw new IOException("bytes cannot be written to a device: use the methods of its class");
+        }
     }
 }

@@ -230,7 +230,7 @@ class DevicesTest implements PlayerConstants {
     }
 
     @Test
-    void lineSettings_reachTheServer_orAreRefusedByTheirValue() {
+    void connectionSettings_reachTheServer_orAreRefusedByTheirValue() {
         client.requestAddReplaceRule(-1, -1, PLAYER_MSGTYPE_DATA, -1, 1);
         assertThat(server.rules).containsExactly(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
         refused("replace is 3", () -> client.requestAddReplaceRule(-1, -1, 1, -1, 3));
@@ -273,7 +273,7 @@ class DevicesTest implements PlayerConstants {
                 return 3_000;
             }
         };
-        var devices = new ServerRequests.Devices(addresses);
+        var devices = new PlayerClient.Devices(addresses);
         assertThat(addresses.reads).isZero();
         PlayerDeviceDevlist list = devices.list();
         assertThat(list.getDeviceCount()).isEqualTo(3_000);

@@ -58,7 +58,7 @@ class LockStepTest {
     /** A client that reacts to every frame in the same way. */
     private final class Client implements DataSink {
         final List<Frame> frames = new ArrayList<>();
-        final PlayerConnection line = PlayerPorts.find(PORT).orElseThrow().connect(this, null);
+        final PlayerConnection connection = PlayerPorts.find(PORT).orElseThrow().connect(this, null);
         private final BiConsumer<Client, Frame> move;
 
         @Nullable
@@ -67,19 +67,19 @@ class LockStepTest {
         Client(BiConsumer<Client, Frame> move, int robot, Interfaces... types) {
             this.move = move;
             for (var type : types) {
-                line.subscribe(device(type, robot));
+                connection.subscribe(device(type, robot));
             }
         }
 
         DeviceAddress device(Interfaces type, int robot) {
-            return line.devices().stream()
+            return connection.devices().stream()
                     .filter(each -> each.interfaceCode() == type.code() && each.index() == robot)
                     .findFirst()
                     .orElseThrow();
         }
 
         void drive(int robot, double speedMps) {
-            line.command(device(Interfaces.POSITION2D, robot), new Velocity(speedMps, 0, 0, true));
+            connection.command(device(Interfaces.POSITION2D, robot), new Velocity(speedMps, 0, 0, true));
         }
 
         @Override
@@ -103,7 +103,7 @@ class LockStepTest {
         var client = new Client(
                 (self, frame) -> {
                     self.drive(0, 0.1);
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                     self.drive(0, 0.5);
                 },
                 0,
@@ -121,7 +121,7 @@ class LockStepTest {
     void command_afterTheAnswer_countsForTheNextTick_ifNothingNewerIsSaid() {
         new Client(
                 (self, frame) -> {
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                     if (frame.tick() == 0) {
                         self.drive(0, 0.5);
                     }
@@ -140,9 +140,9 @@ class LockStepTest {
         new Client(
                 (self, frame) -> {
                     self.drive(0, 0.4);
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                     first.drive(0, 0.1);
-                    first.line.answered(frame.tick());
+                    first.connection.answered(frame.tick());
                 },
                 0,
                 Interfaces.POSITION2D);
@@ -152,10 +152,10 @@ class LockStepTest {
 
     @Test
     void frame_hasTheSubscribedDevicesOnly_inTheOrderOfRobotsAndDevices_inSimulatedTime() {
-        var client = new Client((self, frame) -> self.line.answered(frame.tick()), 1, Interfaces.BLOBFINDER);
-        client.line.subscribe(client.device(Interfaces.SONAR, 0));
-        client.line.subscribe(client.device(Interfaces.POSITION2D, 1));
-        client.line.subscribe(client.device(Interfaces.BLOBFINDER, 0));
+        var client = new Client((self, frame) -> self.connection.answered(frame.tick()), 1, Interfaces.BLOBFINDER);
+        client.connection.subscribe(client.device(Interfaces.SONAR, 0));
+        client.connection.subscribe(client.device(Interfaces.POSITION2D, 1));
+        client.connection.subscribe(client.device(Interfaces.BLOBFINDER, 0));
         simulation.tick();
         simulation.tick();
         assertThat(client.frames.getLast().timeSeconds()).isEqualTo(0.1);
@@ -178,10 +178,10 @@ class LockStepTest {
         var client = new Client(
                 (self, frame) -> {
                     if (frame.tick() == 1) {
-                        self.line.close();
+                        self.connection.close();
                     } else {
                         self.drive(0, 0.5);
-                        self.line.answered(frame.tick());
+                        self.connection.answered(frame.tick());
                     }
                 },
                 0,
@@ -196,29 +196,29 @@ class LockStepTest {
 
     @Test
     void robotThatSomebodyElseStillDrives_doesNotStop() {
-        var leaving = new Client((self, frame) -> self.line.answered(frame.tick()), 0, Interfaces.POSITION2D);
+        var leaving = new Client((self, frame) -> self.connection.answered(frame.tick()), 0, Interfaces.POSITION2D);
         new Client(
                 (self, frame) -> {
                     if (frame.tick() == 0) {
                         self.drive(0, 0.5);
                     }
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                 },
                 0,
                 Interfaces.POSITION2D);
         simulation.tick();
-        leaving.line.close();
+        leaving.connection.close();
         simulation.tick();
         assertThat(x(0)).isCloseTo(0.10, within(1e-9));
     }
 
     @Test
     void closedSimulation_tellsItsClients_andTicksNoMore() {
-        var client = new Client((self, frame) -> self.line.answered(frame.tick()), 0, Interfaces.SONAR);
+        var client = new Client((self, frame) -> self.connection.answered(frame.tick()), 0, Interfaces.SONAR);
         simulation.close();
         assertThat(client.lost).contains("closed");
         assertThatThrownBy(simulation::tick).isInstanceOf(IllegalStateException.class);
-        assertThatThrownBy(() -> client.line.answered(0)).isInstanceOf(ConnectionClosedException.class);
+        assertThatThrownBy(() -> client.connection.answered(0)).isInstanceOf(ConnectionClosedException.class);
         assertThat(PlayerPorts.find(PORT)).isEmpty();
     }
 
@@ -231,7 +231,7 @@ class LockStepTest {
                 .hasMessageContaining("tick 0")
                 .hasMessageContaining("sonar:0");
         assertThat(simulation.latest().tick()).isZero();
-        client.line.answered(0);
+        client.connection.answered(0);
         assertThat(simulation.tick().tick()).isEqualTo(1);
     }
 

@@ -53,7 +53,7 @@ class RemoteLimitsTest implements PlayerConstants {
     }
 
     @Test
-    void serverThatReadsNoMore_endsSendingAfterTheLimit_andByAnInterrupt_andTheLineGoesOn() throws Exception {
+    void serverThatReadsNoMore_endsSendingAfterTheLimit_andByAnInterrupt_andTheConnectionGoesOn() throws Exception {
         var readOn = new CountDownLatch(1);
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 1, 10)) {
@@ -113,14 +113,14 @@ class RemoteLimitsTest implements PlayerConstants {
             }
             return true;
         })) {
-            var line = new RemoteServer("localhost", server.port()).connect(new Sink(), null);
-            line.replyLimit(Duration.ofMillis(50));
-            assertThatThrownBy(() -> line.request(SIMULATION, new DeviceRequest.GetPose("a")))
+            var connection = new RemoteServer("localhost", server.port()).connect(new Sink(), null);
+            connection.replyLimit(Duration.ofMillis(50));
+            assertThatThrownBy(() -> connection.request(SIMULATION, new DeviceRequest.GetPose("a")))
                     .isInstanceOf(RequestFailedException.class);
-            line.replyLimit(Duration.ofMinutes(1));
-            assertThat(line.request(SIMULATION, new DeviceRequest.GetPose("b")))
+            connection.replyLimit(Duration.ofMinutes(1));
+            assertThat(connection.request(SIMULATION, new DeviceRequest.GetPose("b")))
                     .isEqualTo(new DeviceReply.ModelPose("b", 2, 0, 0));
-            line.close();
+            connection.close();
         }
     }
 
@@ -149,17 +149,17 @@ class RemoteLimitsTest implements PlayerConstants {
                 }
             }
         };
-        var line = new RemoteServer("localhost", server.port()).connect(sink, null);
+        var connection = new RemoteServer("localhost", server.port()).connect(sink, null);
         server.close();
         toldByReader.await();
-        assertThatThrownBy(line::devices).hasMessageContaining("has gone");
+        assertThatThrownBy(connection::devices).hasMessageContaining("has gone");
         assertThat(toldBy).as("told before the call failed").hasSize(2).contains(Thread.currentThread());
         goOn.countDown();
-        line.close();
+        connection.close();
     }
 
     @Test
-    void errorOfTheSink_endsTheLine_andEveryCallThatWaits() throws Exception {
+    void errorOfTheSink_endsTheConnection_andEveryCallThatWaits() throws Exception {
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 4, 1)) {
                 self.send(self.position(1)); // and sends no reply
@@ -173,12 +173,13 @@ class RemoteLimitsTest implements PlayerConstants {
                     throw new NoClassDefFoundError("of a class that could not be read");
                 }
             };
-            var line = new RemoteServer("localhost", server.port()).connect(sink, null);
-            line.replyLimit(Duration.ofHours(1));
-            assertThatThrownBy(() -> line.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()))
+            var connection = new RemoteServer("localhost", server.port()).connect(sink, null);
+            connection.replyLimit(Duration.ofHours(1));
+            assertThatThrownBy(() ->
+                            connection.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()))
                     .isInstanceOf(ConnectionClosedException.class)
                     .hasMessageContaining("NoClassDefFoundError");
-            line.close();
+            connection.close();
         }
     }
 
@@ -196,17 +197,17 @@ class RemoteLimitsTest implements PlayerConstants {
                     return false;
                 })) {
             var sink = new Sink();
-            var line = new RemoteServer("localhost", server.port()).connect(sink, space);
+            var connection = new RemoteServer("localhost", server.port()).connect(sink, space);
             space.execute(() -> awaitQuietly(goOn));
-            line.replyLimit(Duration.ofMinutes(1));
-            line.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()); // after all data
+            connection.replyLimit(Duration.ofMinutes(1));
+            connection.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()); // after all data
             goOn.countDown();
             var done = new CountDownLatch(1);
             space.execute(done::countDown);
             done.await();
             assertThat(sink.frames).hasSize(1024);
             assertThat(List.copyOf(sink.frames).getLast().timeSeconds()).isEqualTo(sent);
-            line.close();
+            connection.close();
         }
     }
 

@@ -68,11 +68,11 @@ class RemoteSendingTest {
     }
 
     /** Sends until all buffers are full and far more remains than a buffer can grow by. */
-    private static void fill(PlayerConnection line) {
+    private static void fill(PlayerConnection connection) {
         var large = new DeviceRequest.GetPose("a".repeat(900_000));
         RequestFailedException failed;
         do {
-            failed = catchThrowableOfType(RequestFailedException.class, () -> line.request(SIMULATION, large));
+            failed = catchThrowableOfType(RequestFailedException.class, () -> connection.request(SIMULATION, large));
         } while (!failed.getMessage().contains("has not taken a message"));
     }
 
@@ -89,19 +89,19 @@ class RemoteSendingTest {
             }
             return false;
         })) {
-            var line = connect(server, sink(frame::complete, reason -> {}));
-            line.delivery(Delivery.PULL);
-            line.replyLimit(SHORT);
-            assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
+            var connection = connect(server, sink(frame::complete, reason -> {}));
+            connection.delivery(Delivery.PULL);
+            connection.replyLimit(SHORT);
+            assertThatThrownBy(() -> connection.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class);
-            fill(line);
-            assertThatThrownBy(() -> line.answered(PlayerConnection.NO_TICK))
+            fill(connection);
+            assertThatThrownBy(() -> connection.answered(PlayerConnection.NO_TICK))
                     .isInstanceOf(RequestFailedException.class);
             readOn.countDown();
-            line.replyLimit(LONG);
-            line.answered(PlayerConnection.NO_TICK);
+            connection.replyLimit(LONG);
+            connection.answered(PlayerConnection.NO_TICK);
             assertThat(frame.get(30, TimeUnit.SECONDS).timeSeconds()).isEqualTo(1);
-            line.close();
+            connection.close();
         } finally {
             readOn.countDown();
         }
@@ -110,7 +110,7 @@ class RemoteSendingTest {
     @Test
     void pull_onAnActorSpace_questionForDataThatCannotBeSent_losesTheLine() throws Exception {
         var lost = new CompletableFuture<String>();
-        var line = new CompletableFuture<PlayerConnection>();
+        var connection = new CompletableFuture<PlayerConnection>();
         try (var space = ActorSpace.create(SpaceSettings.named("asking"));
                 var server = new ScriptedSocket((message, self) -> {
                     if (is(message, 1, 4)) {
@@ -120,15 +120,15 @@ class RemoteSendingTest {
                     }
                     return false;
                 })) {
-            var sink = sink(frame -> fill(line.join()), lost::complete);
-            line.complete(new RemoteServer("localhost", server.port()).connect(sink, space));
-            line.join().delivery(Delivery.PULL);
-            line.join().replyLimit(SHORT);
-            line.join().answered(PlayerConnection.NO_TICK);
+            var sink = sink(frame -> fill(connection.join()), lost::complete);
+            connection.complete(new RemoteServer("localhost", server.port()).connect(sink, space));
+            connection.join().delivery(Delivery.PULL);
+            connection.join().replyLimit(SHORT);
+            connection.join().answered(PlayerConnection.NO_TICK);
             assertThat(lost.get(30, TimeUnit.SECONDS))
                     .startsWith("data cannot be asked for: localhost:" + server.port() + " has not taken a message");
             readOn.countDown();
-            line.join().close();
+            connection.join().close();
         } finally {
             readOn.countDown();
         }
@@ -155,16 +155,16 @@ class RemoteSendingTest {
             }
             return true;
         })) {
-            var line = connect(server, sink(frame -> {}, reason -> {}));
-            line.replyLimit(SHORT);
-            assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
+            var connection = connect(server, sink(frame -> {}, reason -> {}));
+            connection.replyLimit(SHORT);
+            assertThatThrownBy(() -> connection.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class);
-            fill(line);
+            fill(connection);
             readOn.countDown();
-            line.replyLimit(LONG);
-            assertThat(line.request(SIMULATION, new DeviceRequest.GetPose("b")))
+            connection.replyLimit(LONG);
+            assertThat(connection.request(SIMULATION, new DeviceRequest.GetPose("b")))
                     .isEqualTo(new DeviceReply.ModelPose("b", 0, 0, 0));
-            line.close();
+            connection.close();
         } finally {
             readOn.countDown();
         }
@@ -208,7 +208,7 @@ class RemoteSendingTest {
             }
             return false;
         })) {
-            var line = (RemoteConnection) connect(server, sink(frame -> {}, reason -> {}));
+            var connection = (RemoteConnection) connect(server, sink(frame -> {}, reason -> {}));
             int carriers = Runtime.getRuntime().availableProcessors();
             var spinning = new CountDownLatch(carriers);
             var threads = new ArrayList<Thread>();
@@ -222,7 +222,7 @@ class RemoteSendingTest {
             }
             try {
                 spinning.await();
-                line.sendKeepAlive();
+                connection.sendKeepAlive();
                 assertThat(asked.await(20, TimeUnit.SECONDS)).isTrue();
             } finally {
                 stop.set(true);
@@ -230,7 +230,7 @@ class RemoteSendingTest {
                     each.join();
                 }
             }
-            line.close();
+            connection.close();
         }
     }
 
@@ -258,14 +258,14 @@ class RemoteSendingTest {
             }
         };
         try (var server = new ScriptedSocket((message, self) -> is(message, 1, 10))) {
-            var line = new RemoteServer("localhost", server.port(), LONG, clock)
+            var connection = new RemoteServer("localhost", server.port(), LONG, clock)
                     .connect(sink(frame -> {}, reason -> {}), null);
             slow.set(true);
-            line.replyLimit(Duration.ofMinutes(59));
-            assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
+            connection.replyLimit(Duration.ofMinutes(59));
+            assertThatThrownBy(() -> connection.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class)
                     .hasMessageContaining("did not answer within 3540000 ms");
-            line.close();
+            connection.close();
         }
     }
 

@@ -38,7 +38,7 @@ class SilentServerTest implements PlayerConstants {
      * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end of the stream. The
      * limit is four seconds.
      */
-    private KeepAliveInput input(Integer... reads) {
+    private RemoteReader.KeepAliveInput input(Integer... reads) {
         Queue<Integer> next = new ArrayDeque<>(List.of(reads));
         var in = new InputStream() {
             @Override
@@ -57,7 +57,8 @@ class SilentServerTest implements PlayerConstants {
                 return count;
             }
         };
-        return new KeepAliveInput(in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
+        return new RemoteReader.KeepAliveInput(
+                in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
     }
 
     @Test
