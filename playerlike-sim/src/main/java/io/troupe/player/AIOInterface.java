@@ -3,26 +3,28 @@ package io.troupe.player;
 import io.troupe.player.structures.aio.PlayerAioData;
 
 /**
- * Analogue inputs and outputs, which this client does not offer: a name for programs that mention it.
+ * Analogue inputs and outputs. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface aio.
  */
-public class AIOInterface extends UnofferedDevice {
+public class AIOInterface extends UnsupportedDevice {
     public AIOInterface(PlayerClient client) {
         super(client, "aio");
     }
 
     public PlayerAioData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setState(int id, float voltage) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -16,8 +16,8 @@ public abstract class AbstractPositionDevice extends PlayerDevice {
     public abstract double getYaw();
 
     /**
-     * Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told
-     * otherwise.
+     * Drives at a speed in metres per second and a turn rate in radians per second (left positive) until the next
+     * command.
      */
     public abstract void setSpeed(double speed, double turnrate);
 }

@@ -4,58 +4,59 @@ import io.troupe.player.structures.actarray.PlayerActarrayData;
 import io.troupe.player.structures.actarray.PlayerActarrayGeom;
 
 /**
- * An array of actuators, which this client does not offer: a name for programs that mention it.
+ * An array of actuators. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface actarray.
  */
-public class ActarrayInterface extends UnofferedDevice {
+public class ActarrayInterface extends UnsupportedDevice {
     public ActarrayInterface(PlayerClient client) {
         super(client, "actarray");
     }
 
     public void setPosition(int joint, float position) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setSpeed(int joint, float speed) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void homeCmd(int joint) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPower(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setBrakes(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setSpeedConfig(int joint, float speed) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerActarrayData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerActarrayGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

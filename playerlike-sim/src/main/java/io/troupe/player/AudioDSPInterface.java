@@ -5,42 +5,43 @@ import io.troupe.player.structures.audiodsp.PlayerAudiodspConfig;
 import io.troupe.player.structures.audiodsp.PlayerAudiodspData;
 
 /**
- * A sound processor, which this client does not offer: a name for programs that mention it.
+ * Audio signal processing. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface audiodsp.
  */
-public class AudioDSPInterface extends UnofferedDevice {
+public class AudioDSPInterface extends UnsupportedDevice {
     public AudioDSPInterface(PlayerClient client) {
         super(client, "audiodsp");
     }
 
     public PlayerAudiodspData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudiodspConfig getConfig() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isConfigReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void playTone(int subtype, PlayerAudiodspCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getAudioProperties() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setAudioProperties(PlayerAudiodspConfig value) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -9,110 +9,111 @@ import io.troupe.player.structures.audio.PlayerAudioState;
 import io.troupe.player.structures.audio.PlayerAudioWav;
 
 /**
- * Sound, which this client does not offer: a name for programs that mention it.
+ * Audio. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface audio.
  */
-public class AudioInterface extends UnofferedDevice {
+public class AudioInterface extends UnsupportedDevice {
     public AudioInterface(PlayerClient client) {
         super(client, "audio");
     }
 
     public PlayerAudioWav getWaveformData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isWaveformDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudioSample getSampleData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isSampleDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudioSeq getSequenceData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isSequenceDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudioMixerChannelList getChannelsData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isChannelsDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudioMixerChannelListDetail getDetailsData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDetailsDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudioState getStateData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isStateDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void playWaveform(PlayerAudioWav value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void recordWavStream(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void playSample(int index) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void playSequence(PlayerAudioSeq value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void mixerChannel(PlayerAudioMixerChannel value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void mixerMultiChannels(PlayerAudioMixerChannelList value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void recordWaveform() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void loadSample(PlayerAudioSample value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void retrieveSample(int index) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void recordSample(int index, int length) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getMixerDetails() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getMixerLevels() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -4,30 +4,31 @@ import io.troupe.player.structures.audiomixer.PlayerAudiomixerCmd;
 import io.troupe.player.structures.audiomixer.PlayerAudiomixerConfig;
 
 /**
- * A sound mixer, which this client does not offer: a name for programs that mention it.
+ * An audio mixer. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface audiomixer.
  */
-public class AudioMixerInterface extends UnofferedDevice {
+public class AudioMixerInterface extends UnsupportedDevice {
     public AudioMixerInterface(PlayerClient client) {
         super(client, "audiomixer");
     }
 
     public void setVolume(int subtype, PlayerAudiomixerCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getLevels(byte subtype) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerAudiomixerConfig getConfig() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isConfigReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

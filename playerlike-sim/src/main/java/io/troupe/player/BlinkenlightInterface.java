@@ -4,42 +4,43 @@ import io.troupe.player.structures.PlayerColor;
 import io.troupe.player.structures.blinkenlight.PlayerBlinkenlightData;
 
 /**
- * A lamp, which this client does not offer: a name for programs that mention it.
+ * A light. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface blinkenlight.
  */
-public class BlinkenlightInterface extends UnofferedDevice {
+public class BlinkenlightInterface extends UnsupportedDevice {
     public BlinkenlightInterface(PlayerClient client) {
         super(client, "blinkenlight");
     }
 
     public PlayerBlinkenlightData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setState(PlayerBlinkenlightData value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPower(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setColor(PlayerColor color) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPeriod(int period) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDutycycle(int dutycycle) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -9,30 +9,30 @@ import io.troupe.player.wire.DeviceRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A camera that reports patches of colour.
+ * A camera that reports colour blobs.
  *
  * <p><b>Units and shapes.</b> Pixels, x to the right and y down; colours {@code 0x00RRGGBB}; ranges in metres.
  *
  * <p><b>Source.</b> Player interface blobfinder.
  */
 public class BlobfinderInterface extends PlayerDevice {
-    private final Latest<PlayerBlobfinderData> data = new Latest<>();
+    private final LatestValue<PlayerBlobfinderData> data = new LatestValue<>();
 
     public BlobfinderInterface(PlayerClient client) {
         super(client);
     }
 
-    /** The newest data, or null before there are any. */
+    /** The newest data, or null before the first message. */
     public @Nullable PlayerBlobfinderData getData() {
         return data.get();
     }
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
-    /** Chooses the colours that one channel tracks. */
+    /** Sets the colours that one channel tracks. */
     public void setTrackingColor(PlayerBlobfinderColorConfig config) {
         ask(new DeviceRequest.SetColour(
                 config.getChannel(),
@@ -44,14 +44,14 @@ public class BlobfinderInterface extends PlayerDevice {
                 config.getBmax()));
     }
 
-    /** Sets the camera; -1 leaves a value as it is. */
+    /** Sets the camera's parameters; -1 leaves a value unchanged. */
     public void setImagerParams(PlayerBlobfinderImagerConfig config) {
         ask(new DeviceRequest.SetImager(
                 config.getBrightness(), config.getContrast(), config.getColormode(), config.getAutogain()));
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 

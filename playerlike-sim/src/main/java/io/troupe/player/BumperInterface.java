@@ -4,34 +4,35 @@ import io.troupe.player.structures.bumper.PlayerBumperData;
 import io.troupe.player.structures.bumper.PlayerBumperGeom;
 
 /**
- * Bumpers, which this client does not offer: a name for programs that mention it.
+ * Bumpers. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface bumper.
  */
-public class BumperInterface extends UnofferedDevice {
+public class BumperInterface extends UnsupportedDevice {
     public BumperInterface(PlayerClient client) {
         super(client, "bumper");
     }
 
     public PlayerBumperData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerBumperGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -3,26 +3,27 @@ package io.troupe.player;
 import io.troupe.player.structures.camera.PlayerCameraData;
 
 /**
- * A camera, which this client does not offer: a name for programs that mention it.
+ * A camera. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface camera.
  */
-public class CameraInterface extends UnofferedDevice {
+public class CameraInterface extends UnsupportedDevice {
     public CameraInterface(PlayerClient client) {
         super(client, "camera");
     }
 
     public void getImage() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerCameraData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -3,26 +3,28 @@ package io.troupe.player;
 import io.troupe.player.structures.dio.PlayerDioData;
 
 /**
- * Digital inputs and outputs, which this client does not offer: a name for programs that mention it.
+ * Digital inputs and outputs. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface dio.
  */
-public class DIOInterface extends UnofferedDevice {
+public class DIOInterface extends UnsupportedDevice {
     public DIOInterface(PlayerClient client) {
         super(client, "dio");
     }
 
     public PlayerDioData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setOutputBitfield(int count, int bits) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -5,66 +5,68 @@ import io.troupe.player.structures.fiducial.PlayerFiducialFov;
 import io.troupe.player.structures.fiducial.PlayerFiducialGeom;
 
 /**
- * A finder of marks, which this client does not offer: a name for programs that mention it.
+ * A fiducial marker detector. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface fiducial.
  */
-public class FiducialInterface extends UnofferedDevice {
+public class FiducialInterface extends UnsupportedDevice {
     public FiducialInterface(PlayerClient client) {
         super(client, "fiducial");
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryFOV() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setFov(PlayerFiducialFov value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryFiducialVal() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setFiducialVal(int id) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerFiducialData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerFiducialGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerFiducialFov getFOV() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public int getID() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isFOVReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isIDReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -3,22 +3,23 @@ package io.troupe.player;
 import io.troupe.player.structures.gps.PlayerGpsData;
 
 /**
- * A satellite receiver, which this client does not offer: a name for programs that mention it.
+ * A GPS receiver. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface gps.
  */
-public class GPSInterface extends UnofferedDevice {
+public class GPSInterface extends UnsupportedDevice {
     public GPSInterface(PlayerClient client) {
         super(client, "gps");
     }
 
     public PlayerGpsData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

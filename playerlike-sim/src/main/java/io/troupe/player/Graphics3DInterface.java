@@ -3,22 +3,23 @@ package io.troupe.player;
 import io.troupe.player.structures.graphics3d.PlayerGraphics3dCmdDraw;
 
 /**
- * Drawings in space, which this client does not offer: a name for programs that mention it.
+ * 3D graphics. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface graphics3d.
  */
-public class Graphics3DInterface extends UnofferedDevice {
+public class Graphics3DInterface extends UnsupportedDevice {
     public Graphics3DInterface(PlayerClient client) {
         super(client, "graphics3d");
     }
 
     public void clearScreen() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void draw(PlayerGraphics3dCmdDraw value) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -4,58 +4,59 @@ import io.troupe.player.structures.gripper.PlayerGripperData;
 import io.troupe.player.structures.gripper.PlayerGripperGeom;
 
 /**
- * A gripper, which this client does not offer: a name for programs that mention it.
+ * A gripper. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface gripper.
  */
-public class GripperInterface extends UnofferedDevice {
+public class GripperInterface extends UnsupportedDevice {
     public GripperInterface(PlayerClient client) {
         super(client, "gripper");
     }
 
     public void open() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void close() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void stop() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void store() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void retrieve() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setGripper(int cmd) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerGripperData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerGripperGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -3,22 +3,24 @@ package io.troupe.player;
 import io.troupe.player.structures.health.PlayerHealthData;
 
 /**
- * The load of a machine, which this client does not offer: a name for programs that mention it.
+ * The load of the server machine. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface health.
  */
-public class HealthInterface extends UnofferedDevice {
+public class HealthInterface extends UnsupportedDevice {
     public HealthInterface(PlayerClient client) {
         super(client, "health");
     }
 
     public PlayerHealthData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -1,13 +1,14 @@
 package io.troupe.player;
 
 /**
- * An inertial sensor, which this client does not offer: a name for programs that mention it.
+ * An inertial sensor. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface imu.
  */
-public class IMUInterface extends UnofferedDevice {
+public class IMUInterface extends UnsupportedDevice {
     public IMUInterface(PlayerClient client) {
         super(client, "imu");
     }

@@ -4,38 +4,39 @@ import io.troupe.player.structures.ir.PlayerIrData;
 import io.troupe.player.structures.ir.PlayerIrPose;
 
 /**
- * Infrared sensors, which this client does not offer: a name for programs that mention it.
+ * Infrared sensors. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface ir.
  */
-public class IRInterface extends UnofferedDevice {
+public class IRInterface extends UnsupportedDevice {
     public IRInterface(PlayerClient client) {
         super(client, "ir");
     }
 
     public PlayerIrData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerIrPose getPose() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isPoseReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryPose() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setIRPower(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 }

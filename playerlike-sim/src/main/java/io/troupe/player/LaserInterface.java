@@ -15,71 +15,71 @@ import org.jspecify.annotations.Nullable;
  * A scanning laser.
  *
  * <p><b>Units and shapes.</b> Metres and radians; a scan runs from the least angle (right) to the greatest (left).
- * Every message has arrays of its own, which may be changed.
+ * Every message has a separate copy of its arrays, which the program may change.
  *
  * <p><b>Source.</b> Player interface laser.
  */
 public class LaserInterface extends PlayerDevice {
-    private final Latest<PlayerLaserData> data = new Latest<>();
-    private final Latest<PlayerLaserDataScanpose> scanPose = new Latest<>();
-    private final Latest<PlayerLaserGeom> geometry = new Latest<>();
-    private final Latest<PlayerLaserConfig> configuration = new Latest<>();
+    private final LatestValue<PlayerLaserData> data = new LatestValue<>();
+    private final LatestValue<PlayerLaserDataScanpose> scanPose = new LatestValue<>();
+    private final LatestValue<PlayerLaserGeom> geometry = new LatestValue<>();
+    private final LatestValue<PlayerLaserConfig> configuration = new LatestValue<>();
 
     public LaserInterface(PlayerClient client) {
         super(client);
     }
 
-    /** The newest scan, or null before there is any. */
+    /** The newest scan, or null before the first. */
     public @Nullable PlayerLaserData getData() {
         return data.get();
     }
 
-    /** The newest scan with the robot's pose, or null before there is any: simulated lasers send scans without. */
+    /** The newest scan with the robot's pose, or null before the first. Simulated lasers send scans without poses. */
     public @Nullable PlayerLaserDataScanpose getDataScanPose() {
         return scanPose.get();
     }
 
-    /** The answer to {@link #queryGeometry}, or null before. */
+    /** The newest reply to {@link #queryGeometry}, or null before the first. */
     public @Nullable PlayerLaserGeom getPlayerLaserGeom() {
         return geometry.get();
     }
 
-    /** The answer to {@link #getScanProperties}, or null before. */
+    /** The newest reply to {@link #getScanProperties}, or null before the first. */
     public @Nullable PlayerLaserConfig getPlayerLaserConfig() {
         return configuration.get();
     }
 
     /** True once for each new scan. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** True once for each new scan with the robot's pose. */
     public boolean isDataScanposeReady() {
-        return pc.findsReply(scanPose);
+        return pc.hasReply(scanPose);
     }
 
-    /** True once for each answer to {@link #queryGeometry}. */
+    /** True once for each reply to {@link #queryGeometry}. */
     public boolean isReadyPlgeom() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
-    /** True once for each answer to {@link #getScanProperties}. */
+    /** True once for each reply to {@link #getScanProperties}. */
     public boolean isReadyPlconfig() {
-        return pc.findsReply(configuration);
+        return pc.hasReply(configuration);
     }
 
-    /** Asks where the laser is. */
+    /** Requests the pose and size of the laser. */
     public void queryGeometry() {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Asks how the laser scans; the answer is there when {@link #isReadyPlconfig} is true. */
+    /** Requests the scan configuration; {@link #isReadyPlconfig} is true when the reply has arrived. */
     public void getScanProperties() {
         ask(new DeviceRequest.GetConfiguration());
     }
 
-    /** Sets how the laser scans; the server answers with what it makes of it. */
+    /** Sets the scan configuration; the reply contains the one that the server actually uses. */
     public void setScanProperties(PlayerLaserConfig config) {
         ask(new DeviceRequest.SetLaserConfiguration(new LaserConfiguration(
                 config.getMin_angle(),
@@ -97,7 +97,7 @@ public class LaserInterface extends PlayerDevice {
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 
@@ -135,20 +135,20 @@ public class LaserInterface extends PlayerDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.LaserGeometry where) {
-            var told = new PlayerLaserGeom();
-            told.setPose(Shapes.pose(where.pose()));
-            told.setSize(Shapes.box(where.size()));
-            geometry.put(told);
+            var result = new PlayerLaserGeom();
+            result.setPose(StructureConverter.pose(where.pose()));
+            result.setSize(StructureConverter.box(where.size()));
+            geometry.put(result);
         } else if (reply instanceof DeviceReply.OfLaser(LaserConfiguration how)) {
-            var told = new PlayerLaserConfig();
-            told.setMin_angle(how.minAngleRad());
-            told.setMax_angle(how.maxAngleRad());
-            told.setResolution(how.resolutionRad());
-            told.setMax_range(how.maxRangeM());
-            told.setRange_res(how.rangeResolutionM());
-            told.setIntensity((byte) (how.intensities() ? 1 : 0));
-            told.setScanning_frequency(how.frequencyHz());
-            configuration.put(told);
+            var result = new PlayerLaserConfig();
+            result.setMin_angle(how.minAngleRad());
+            result.setMax_angle(how.maxAngleRad());
+            result.setResolution(how.resolutionRad());
+            result.setMax_range(how.maxRangeM());
+            result.setRange_res(how.rangeResolutionM());
+            result.setIntensity((byte) (how.intensities() ? 1 : 0));
+            result.setScanning_frequency(how.frequencyHz());
+            configuration.put(result);
         }
     }
 }

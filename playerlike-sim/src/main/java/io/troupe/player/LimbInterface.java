@@ -5,66 +5,67 @@ import io.troupe.player.structures.limb.PlayerLimbData;
 import io.troupe.player.structures.limb.PlayerLimbGeomReq;
 
 /**
- * An arm, which this client does not offer: a name for programs that mention it.
+ * A robot arm. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface limb.
  */
-public class LimbInterface extends UnofferedDevice {
+public class LimbInterface extends UnsupportedDevice {
     public LimbInterface(PlayerClient client) {
         super(client, "limb");
     }
 
     public void homeCmd() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void stopCmd() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPose(PlayerPoint3d position, PlayerPoint3d approach, PlayerPoint3d orientation) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPosition(PlayerPoint3d position) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void vectorMove(PlayerPoint3d direction, float length) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPower(int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setBrakes(int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setSpeed(float speed) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLimbData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLimbGeomReq getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -5,38 +5,39 @@ import io.troupe.player.structures.localize.PlayerLocalizeGetParticles;
 import io.troupe.player.structures.localize.PlayerLocalizeSetPose;
 
 /**
- * A localization, which this client does not offer: a name for programs that mention it.
+ * Localization. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface localize.
  */
-public class LocalizeInterface extends UnofferedDevice {
+public class LocalizeInterface extends UnsupportedDevice {
     public LocalizeInterface(PlayerClient client) {
         super(client, "localize");
     }
 
     public void setPose(PlayerLocalizeSetPose value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryParticles() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLocalizeData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLocalizeGetParticles getParticleData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isParticleDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -3,42 +3,43 @@ package io.troupe.player;
 import io.troupe.player.structures.log.PlayerLogGetState;
 
 /**
- * A recorder, which this client does not offer: a name for programs that mention it.
+ * Data logging. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface log.
  */
-public class LogInterface extends UnofferedDevice {
+public class LogInterface extends UnsupportedDevice {
     public LogInterface(PlayerClient client) {
         super(client, "log");
     }
 
     public void setWriteState(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setReadState(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void rewindPlayback() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryState() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setFileName(String fileName) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerLogGetState getState() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -5,50 +5,51 @@ import io.troupe.player.structures.map.PlayerMapDataVector;
 import io.troupe.player.structures.map.PlayerMapInfo;
 
 /**
- * A map, which this client does not offer: a name for programs that mention it.
+ * A map. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface map.
  */
-public class MapInterface extends UnofferedDevice {
+public class MapInterface extends UnsupportedDevice {
     public MapInterface(PlayerClient client) {
         super(client, "map");
     }
 
     public void requestMapInformation() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void requestMapData(PlayerMapData value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void requestMapDataVector() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMapInfo getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMapData getGridData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGridDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerMapDataVector getMapDataVector() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isMapDataVectorReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -5,42 +5,43 @@ import io.troupe.player.structures.planner.PlayerPlannerData;
 import io.troupe.player.structures.planner.PlayerPlannerWaypointsReq;
 
 /**
- * A path planner, which this client does not offer: a name for programs that mention it.
+ * A path planner. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface planner.
  */
-public class PlannerInterface extends UnofferedDevice {
+public class PlannerInterface extends UnsupportedDevice {
     public PlannerInterface(PlayerClient client) {
         super(client, "planner");
     }
 
     public void setGoal(PlayerPose2d goal) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void getWaypoints() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setRobotMotion(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPlannerData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPlannerWaypointsReq getWaypointData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isReadyWaypointData() {
-        throw notOffered();
+        throw notSupported();
     }
 }

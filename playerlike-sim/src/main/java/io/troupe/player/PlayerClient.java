@@ -2,78 +2,91 @@ package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
+import io.troupe.player.structures.PlayerDevAddr;
+import io.troupe.player.structures.player.PlayerDeviceDevlist;
+import io.troupe.player.structures.player.PlayerDeviceDriverInfo;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.RemoteServer;
+import io.troupe.player.wire.ReplaceRule;
 import io.troupe.player.wire.RequestFailedException;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
+import java.util.List;
 import java.util.Set;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A connection with a Player server, and the way to its devices.
+ * A connection to a Player server that gives access to its devices.
  *
- * <p><b>Role.</b> Made by a program that drives robots; the names are those of the Player Java client. A server in this
- * JVM is found by its port without a socket (see {@link PlayerPorts}); every other one, ours or a real one of Player 3,
- * is connected over TCP.
+ * <p><b>Role.</b> Created by a program that drives robots; the names are those of the Player Java client. A server in
+ * this JVM is found by its port and needs no socket (see {@link PlayerPorts}). Any other server, ours or a real Player
+ * 3 server, is connected over TCP.
  *
- * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) new data appear by themselves and a
- * thread keeps the JVM alive, as in the original; else {@link #readAll} brings them. A client made on the thread of an
- * actor space belongs to that space: what arrives is dispatched as a turn of the space, {@code runThreaded} starts no
- * thread, and {@link #nextData} says when to look.
+ * <p><b>Threads.</b> Any thread. In the threaded style ({@link #runThreaded}) new data appear without a call, and a
+ * thread keeps the JVM alive, as in the original. Otherwise {@link #readAll} fetches them. A client created on the
+ * thread of an actor space belongs to that space: arriving data are dispatched as a turn of the space,
+ * {@code runThreaded} starts no thread, and {@link #nextData} signals new data.
  *
- * <p><b>Order.</b> In lock step the world waits until its clients have answered a tick: by {@code readAll} waiting, by
- * {@code isDataReady()} finding nothing new where everything was seen or where it was asked in vain before, or, on an
- * actor space, by the space having nothing left to do. In the threaded style a frame appears as a whole, and in the
- * call of {@code isDataReady()} by which the program waits for it: a program that uses its client from one thread does
- * the same every time, however fast anybody is. What it sends after its answer counts for the next tick. Use one client
- * per thread. A program that only reads {@code getData()} and never asks may meet the devices of one frame one after
- * the other.
+ * <p><b>Order.</b> In lock step the world waits until each client has answered the tick. A client answers when
+ * {@code readAll} waits, when {@code isDataReady()} returns false after all data were seen, or when it returns false
+ * for the second time on the same device. On an actor space a client answers when the space has no more work. In the
+ * threaded style a frame appears as a whole, in the {@code isDataReady()} call by which the program waits. So a program
+ * that uses its client from one thread behaves the same in every run, whatever the speed of its threads. Commands sent
+ * after the answer count for the next tick. Use one client per thread. A program that only calls {@code getData()}, and
+ * never {@code isDataReady()}, may see the devices of one frame change one after the other.
  *
- * <p><b>Errors.</b> {@link PlayerException}, from waiting calls too when the server goes away. Nothing reconnects: that
- * is for the program to decide.
+ * <p><b>Errors.</b> {@link PlayerException}; waiting calls throw it too when the connection is lost. The client does
+ * not reconnect; that is the program's decision.
  */
-public class PlayerClient extends ServerInquiries {
+public class PlayerClient extends SupportedInterfaces {
     private static final System.Logger LOG = System.getLogger(PlayerClient.class.getName());
     private static final Set<String> THIS_MACHINE = Set.of("localhost", "127.0.0.1", "::1");
     /**
-     * How long {@code isDataReady()} waits for news before it is false, so that a busy loop leaves the processor to the
-     * world.
+     * How long {@code isDataReady()} waits for data before it returns false, so that a busy loop leaves the processor
+     * to the world.
      */
     private static final long PATIENCE_MILLIS = 1;
 
+    private static final long REPLY_LIMIT_MILLIS = 10_000;
+
     private final @Nullable ActorSpace space = ActorSpace.current();
-    private final Incoming incoming = new Incoming(subscriptions::dispatch, this::answer, space != null);
+    private final ClientInbox inbox = new ClientInbox(subscriptions::dispatch, this::answer, space != null);
     private final PlayerConnection connection;
     private final Object threading = new Object();
     private volatile boolean threaded;
     private volatile boolean pull;
     private final AtomicBoolean commandLimitWasRefused = new AtomicBoolean();
+    final LatestValue<Devices> devices = new LatestValue<>();
+    private final LatestValue<PlayerDeviceDriverInfo> driverInfo = new LatestValue<>();
+    private final int port;
+    private volatile long readTimeoutMillis = REPLY_LIMIT_MILLIS;
 
     /**
-     * Connects, and asks for the server's devices: {@link #getPDDList} has them from the beginning.
+     * Connects and requests the list of devices; {@link #getPDDList} returns it from the start.
      *
      * @throws PlayerException if there is no server
      */
     public PlayerClient(String serverName, int portNumber) {
-        super("player-client-" + portNumber, portNumber);
+        super("player-client-" + portNumber);
+        port = portNumber;
         boolean thisMachine = THIS_MACHINE.contains(serverName);
         PlayerServer server = thisMachine ? PlayerPorts.find(portNumber).orElse(null) : null;
         try {
             if (server == null) {
                 server = new RemoteServer(serverName, portNumber);
             }
-            connection = server.connect(incoming, space);
-            devices.put(new Devices(connection.devices())); // connecting has asked for them
-        } catch (LineClosedException | RequestFailedException | IllegalArgumentException e) {
+            connection = server.connect(inbox, space);
+            devices.put(new Devices(connection.devices())); // the connection has fetched the list already
+        } catch (ConnectionClosedException | RequestFailedException | IllegalArgumentException e) {
             throw new PlayerException(
                     "[PlayerClient]: Error in PlayerClient init: " + e.getMessage()
                             + (thisMachine ? " (ports of worlds in this JVM: " + PlayerPorts.list() + ")" : ""),
@@ -85,18 +98,17 @@ public class PlayerClient extends ServerInquiries {
     // ---- waiting for data
 
     /**
-     * Lets data appear by themselves, and keeps the JVM alive until {@link #close} or {@link #setNotThreaded}. On an
-     * actor space both come from the space. A second call only logs a warning.
+     * Starts the threaded style: data appear without further calls, and the JVM stays alive until {@link #close} or
+     * {@link #setNotThreaded}. On an actor space both are done by the space. A second call only logs a warning.
      *
-     * <p>In lock step there is nothing to read ahead, so the pauses that a program asks for here do not delay its data;
-     * a program that looks for news by {@code isDataReady()} finds them in that call, and the thread shows them to one
-     * that does not.
+     * <p>In lock step nothing can be read ahead, so the pauses given here do not delay data. A program that polls
+     * {@code isDataReady()} finds new data in that call; for any other program the thread makes them visible.
      *
-     * @param millis of no effect; the original paused so long after each message
-     * @param nanos of no effect
+     * @param millis no effect; the original pauses this long after each message
+     * @param nanos no effect
      */
     public void runThreaded(long millis, int nanos) {
-        synchronized (threading) { // of several threads, one starts it
+        synchronized (threading) { // only one of several threads starts it
             if (threaded) {
                 LOG.log(Level.WARNING, "{0} is threaded already", getName());
                 return;
@@ -105,7 +117,7 @@ public class PlayerClient extends ServerInquiries {
                 throw new PlayerException(
                         getName() + " was threaded before: a thread starts once, make a new PlayerClient");
             }
-            incoming.begin();
+            inbox.begin();
             threaded = true;
             if (space == null) {
                 start();
@@ -113,7 +125,7 @@ public class PlayerClient extends ServerInquiries {
         }
     }
 
-    /** Ends what {@link #runThreaded} began, and waits until it has ended. */
+    /** Ends the threaded style; returns when its thread has ended. */
     public void setNotThreaded() {
         synchronized (threading) {
             if (!threaded) {
@@ -121,7 +133,7 @@ public class PlayerClient extends ServerInquiries {
             }
             threaded = false;
         }
-        incoming.wakeAll();
+        inbox.wakeAll();
         if (space == null && Thread.currentThread() != this) {
             try {
                 join();
@@ -131,27 +143,27 @@ public class PlayerClient extends ServerInquiries {
         }
     }
 
-    /** What the thread of {@link #runThreaded} does. */
+    /** Body of the thread that {@link #runThreaded} starts. */
     @Override
     public void run() {
         try {
-            incoming.showWhile(() -> threaded);
+            inbox.showWhile(() -> threaded);
         } catch (PlayerException serverHasGone) {
-            // every call the program waits in says so too
+            // each waiting call of the program throws the same error
             LOG.log(Level.DEBUG, "{0}: no more data: {1}", getName(), serverHasGone.getMessage());
-        } catch (RuntimeException | Error e) { // or the program would wait for data that nobody shows to it
-            incoming.lost("[PlayerClient] the thread of " + getName() + " has failed: " + e);
+        } catch (RuntimeException | Error e) { // otherwise the program would wait for data for ever
+            inbox.lost("[PlayerClient] the thread of " + getName() + " has failed: " + e);
             throw e;
         }
     }
 
     /**
-     * Dispatches what arrives, in the style without a thread: one message (push mode), or all of a frame (pull mode);
-     * waits until there is one.
+     * Dispatches arrived messages in the style without a thread: one message (push mode) or a whole frame (pull mode).
+     * Waits if there is none.
      *
      * @return the type of the last message read: {@code PLAYER_MSGTYPE_DATA} or {@code PLAYER_MSGTYPE_SYNCH}, or in
-     *     push mode that of a reply where there is nothing else; 0 at once if the client is threaded
-     * @throws PlayerException if the server has gone, or the client belongs to an actor space and is not threaded
+     *     push mode the type of a reply if nothing else is queued; 0 at once if the client is threaded
+     * @throws PlayerException if the connection is lost, or if the client belongs to an actor space and is not threaded
      */
     public int readAll() {
         if (threaded) {
@@ -161,106 +173,212 @@ public class PlayerClient extends ServerInquiries {
             throw new PlayerException(
                     "readAll() would hold the thread of actor space " + space + ": use nextData() there");
         }
-        return incoming.read(pull);
+        return inbox.read(pull);
     }
 
     /**
-     * Asks for data, as the pull mode needs it. {@link #readAll} and the threaded style do that by themselves, so there
-     * is nothing left to do.
+     * Requests data in pull mode. {@link #readAll} and the threaded style already do that, so this only checks the
+     * connection.
      */
     public void requestData() {
-        calling(connection::devices); // throws if the server has gone
+        compute(connection::devices); // throws if the connection is lost
     }
 
     /**
-     * Chooses between {@code PLAYER_DATAMODE_PUSH} (the default) and {@code PLAYER_DATAMODE_PULL}.
+     * Selects {@code PLAYER_DATAMODE_PUSH} (the default) or {@code PLAYER_DATAMODE_PULL}.
      *
-     * <p>Behind a socket only a client in pull mode is in lock step, if it has chosen that before its first
-     * subscription: a world of ours that has once had a push client keeps pace with real time. In this JVM both modes
-     * are in lock step.
+     * <p>Over a socket a client is in lock step only in pull mode, selected before its first subscription. A world of
+     * ours that has had a push client keeps pace with real time. In this JVM both modes are in lock step.
      */
     public void requestDataDeliveryMode(int mode) {
         if (mode != PLAYER_DATAMODE_PUSH && mode != PLAYER_DATAMODE_PULL) {
             throw new PlayerException("data delivery mode is " + mode + ", expected 1 (push) or 2 (pull)");
         }
-        tell(() -> connection.delivery(mode == PLAYER_DATAMODE_PULL ? Delivery.PULL : Delivery.PUSH));
+        execute(() -> connection.delivery(mode == PLAYER_DATAMODE_PULL ? Delivery.PULL : Delivery.PUSH));
         pull = mode == PLAYER_DATAMODE_PULL;
     }
 
     /**
-     * Fulfilled when the next frame is complete: all subscribed devices have new data. Our addition to the Player
-     * client, for actors; instead of a loop around {@code isDataReady()}. Off actor spaces, asking for it answers the
-     * tick.
+     * Completes with the next complete frame: all subscribed devices have new data. An addition to the Player client,
+     * for actors, which use it instead of a loop around {@code isDataReady()}. Outside actor spaces this call answers
+     * the tick.
      */
     public Promise<@Nullable Void> nextData() {
-        return incoming.next();
+        return inbox.next();
     }
 
     /**
-     * Lets this client notice that its server is connected and silent: when nothing has come from it for half of the
-     * limit it is asked for a sign of life, and when none comes in the other half, every call that waits, and every
-     * later one, throws {@link PlayerException}. Zero, as at the beginning, is no limit. Commands are still sent, until
-     * {@link #close}. Our addition to the Player client, which waits for as long as it takes.
+     * Sets a limit after which a connected but silent server counts as lost. If nothing arrives for half of the limit,
+     * the client sends a request that every server answers. If nothing arrives in the other half either, every waiting
+     * call and every later one throws {@link PlayerException}. Zero, the default, sets no limit. Commands are still
+     * sent until {@link #close}. An addition to the Player client, which waits without limit.
      *
-     * <p>By the machine's clock. A server whose time is paused, or whose lock step waits for another client, answers
-     * and is not silent; one in this JVM never is.
+     * <p>Measured in wall-clock time. A server that is paused, or whose lock step waits for another client, still
+     * answers and so is not silent. A server in this JVM is never silent.
      */
     public void setSilenceLimit(Duration limit) {
         if (!limit.isZero() && limit.compareTo(Duration.ofMillis(2)) < 0) {
             throw new PlayerException("silence limit is " + limit + ", expected 2 ms or more, or zero for none");
         }
-        tell(() -> connection.silenceLimit(limit));
+        execute(() -> connection.silenceLimit(limit));
     }
 
-    /**
-     * Stops the thread and disconnects; every later call, and every call that waits, throws {@link PlayerException}.
-     */
+    /** Stops the thread and disconnects. Every waiting call and every later one throws {@link PlayerException}. */
     public void close() {
-        incoming.lost("[PlayerClient] this client is closed");
+        inbox.lost("[PlayerClient] this client is closed");
         setNotThreaded();
         connection.close();
     }
 
-    // ---- for devices
+    // ---- requests to the server itself
 
-    /** Whether a device has news; where it has none, this may be how the program waits. */
-    boolean findsNews(Latest<?> asked) {
-        if (threaded || space != null) {
-            return incoming.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
+    /** Requests the list of devices; the reply has arrived when this call returns. */
+    public void requestDeviceList() {
+        devices.put(new Devices(compute(connection::devices)));
+    }
+
+    /** True once for each reply to {@link #requestDeviceList}, and once for the list that a new client starts with. */
+    public boolean isReadyPDDList() {
+        return devices.takeNew();
+    }
+
+    /** The server's devices: the list from connecting, or the newest reply to {@link #requestDeviceList}. */
+    public @Nullable PlayerDeviceDevlist getPDDList() {
+        Devices newest = devices.get();
+        return newest == null ? null : newest.list();
+    }
+
+    /** Requests the driver of a device; the reply has arrived when this call returns. */
+    public void requestDriverInfo(PlayerDevAddr device) {
+        var answer = new PlayerDeviceDriverInfo();
+        answer.setAddr(device);
+        answer.setDriverName(compute(() -> connection.driverName(PlayerDevice.convert(device))));
+        driverInfo.put(answer);
+    }
+
+    /** True once for each reply to {@link #requestDriverInfo}. */
+    public boolean isReadyPDDI() {
+        return driverInfo.takeNew();
+    }
+
+    /** The newest reply to {@link #requestDriverInfo}, or null before the first. */
+    public @Nullable PlayerDeviceDriverInfo getPDDI() {
+        return driverInfo.get();
+    }
+
+    /**
+     * Sets what the server does with messages queued for this client; the newest matching rule applies.
+     *
+     * @param interf code of an interface; -1 in this and the next three parameters matches everything
+     * @param type type of message, for example {@code PLAYER_MSGTYPE_DATA}
+     * @param replace 0: messages queue up; 1: a new message replaces the newest queued one of its kind; 2: messages are
+     *     dropped
+     */
+    public void requestAddReplaceRule(int interf, int index, int type, int subtype, int replace) {
+        if (replace < ReplaceRule.ACCEPT || replace > ReplaceRule.IGNORE) {
+            throw new PlayerException("replace is " + replace + ", expected 0 (accept), 1 (replace) or 2 (ignore)");
         }
-        boolean news = incoming.takeNew(asked);
+        execute(() -> connection.replace(new ReplaceRule(interf, index, type, subtype, replace)));
+    }
+
+    /** Only logs a warning: no Player 3 server authenticates its clients, so nothing is sent. */
+    public void requestAuthentication(byte[] key) {
+        notServed("authentication");
+    }
+
+    /** Always false: see {@link #requestAuthentication}. */
+    public boolean isAuthenticated() {
+        return false;
+    }
+
+    /** Only logs a warning: no Player 3 server maps robot names to ports, so nothing is sent. */
+    public void requestNameService(char[] name) {
+        notServed("name service");
+    }
+
+    /** Always false: see {@link #requestNameService}. */
+    public boolean isReadyPortNumber() {
+        return false;
+    }
+
+    /** The port that this client is connected to. */
+    public int getPortNumber() {
+        return port;
+    }
+
+    /**
+     * Only logs a warning: Player 3 has no such request. Its servers send their identification when a client connects;
+     * the client logs it.
+     */
+    public void requestIdent() {
+        notServed("identification");
+    }
+
+    private void notServed(String what) {
+        LOG.log(Level.WARNING, "{0}: Player 3 servers have no {1}", getName(), what);
+    }
+
+    /**
+     * Limit of a call in milliseconds, for sending and for waiting for the reply together; 10,000 by default. Waiting
+     * for data has no limit.
+     */
+    public long getReadTimeout() {
+        return readTimeoutMillis;
+    }
+
+    public void setReadTimeout(long millis) {
+        if (millis < 1) {
+            throw new PlayerException("read timeout is " + millis + " ms, expected at least 1");
+        }
+        execute(() -> connection.replyLimit(Duration.ofMillis(millis)));
+        readTimeoutMillis = millis;
+    }
+
+    /** The logger of a client's warnings. */
+    public Logger getLogger() {
+        return Logger.getLogger(PlayerClient.class.getName());
+    }
+
+    // ---- called by devices
+
+    /** True if a device has new data; an unsuccessful call may answer the tick. */
+    boolean hasNewData(LatestValue<?> asked) {
+        if (threaded || space != null) {
+            return inbox.poll(asked, subscriptions::everythingSeen, PATIENCE_MILLIS);
+        }
+        boolean news = inbox.takeNew(asked);
         if (!news) {
             Thread.onSpinWait();
         }
         return news;
     }
 
-    /** Whether the reply to a request has come. */
-    boolean findsReply(Latest<?> asked) {
-        return incoming.takeReply(asked, PATIENCE_MILLIS);
+    /** True if the reply to a request has arrived. */
+    boolean hasReply(LatestValue<?> asked) {
+        return inbox.takeReply(asked, PATIENCE_MILLIS);
     }
 
     void command(DeviceAddress device, DeviceCommand command) {
-        tell(() -> connection.command(device, command));
+        execute(() -> connection.command(device, command));
     }
 
     void request(PlayerDevice device, DeviceRequest request) {
         var address = device.address();
-        incoming.requestBegins();
+        inbox.requestBegins();
         try {
-            tell(() -> connection.request(
+            execute(() -> connection.request(
                     address,
                     request,
-                    reply -> incoming.requestEnds(
+                    reply -> inbox.requestEnds(
                             reply instanceof DeviceReply.Nack ? PLAYER_MSGTYPE_RESP_NACK : PLAYER_MSGTYPE_RESP_ACK,
                             () -> device.receive(request, reply))));
         } catch (PlayerException notSent) {
-            incoming.requestFails();
+            inbox.requestFails();
             throw notSent;
         }
     }
 
-    /** Says it once for all robots of this client. */
+    /** Logged once for all robots of this client. */
     void commandLimitRefused(Position2DInterface device, String reason) {
         if (commandLimitWasRefused.compareAndSet(false, true)) {
             LOG.log(
@@ -274,7 +392,7 @@ public class PlayerClient extends ServerInquiries {
     }
 
     private void answer(long tick) {
-        tell(() -> connection.answered(tick));
+        execute(() -> connection.answered(tick));
     }
 
     @Override
@@ -285,5 +403,29 @@ public class PlayerClient extends ServerInquiries {
     @Override
     PlayerConnection connection() {
         return connection;
+    }
+
+    /**
+     * The devices of a server, converted when first read: a thousand clients of a world with three thousand devices
+     * share one list of addresses.
+     */
+    static final class Devices {
+        private final List<DeviceAddress> addresses;
+        private @Nullable PlayerDeviceDevlist converted;
+
+        Devices(List<DeviceAddress> addresses) {
+            this.addresses = addresses;
+        }
+
+        synchronized PlayerDeviceDevlist list() {
+            PlayerDeviceDevlist list = converted;
+            if (list == null) {
+                list = new PlayerDeviceDevlist();
+                list.setDevList(addresses.stream().map(PlayerDevice::convert).toArray(PlayerDevAddr[]::new));
+                list.setDeviceCount(list.getDevList().length);
+                converted = list;
+            }
+            return list;
+        }
     }
 }

@@ -3,13 +3,14 @@ package io.troupe.player;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerDevAddr;
 import io.troupe.player.structures.PlayerMsgHdr;
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
+import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import java.lang.System.Logger.Level;
@@ -19,32 +20,32 @@ import org.jspecify.annotations.Nullable;
 /**
  * A device that a client has subscribed to.
  *
- * <p><b>Role.</b> Made by the {@code requestInterface..} methods of {@link PlayerClient}.
+ * <p><b>Role.</b> Created by the {@code requestInterface..} methods of {@link PlayerClient}.
  *
  * <p><b>Threads.</b> Any thread.
  *
- * <p><b>Order.</b> Commands and requests are sent at once. Requests do not wait for their replies: what a reply tells
- * is there when the {@code is..Ready()} method that belongs to it is true, in this JVM at once.
+ * <p><b>Order.</b> Commands and requests are sent at once. A request does not wait for its reply: the result is
+ * available when the matching {@code is..Ready()} method returns true, in this JVM at once.
  *
- * <p><b>Errors.</b> {@link PlayerException} when the server has gone. A request that the server refuses leaves a
- * warning in the log, as the program has gone on.
+ * <p><b>Errors.</b> {@link PlayerException} when the connection is lost. A request that the server refuses only logs a
+ * warning, because the program has already gone on.
  */
 public abstract class PlayerDevice implements PlayerConstants {
     private static final System.Logger LOG = System.getLogger(PlayerDevice.class.getName());
 
-    /** The client it belongs to. */
+    /** The client that this device belongs to. */
     protected final PlayerClient pc;
 
-    /** Seconds on the server's clock when the newest data were taken. */
+    /** Time stamp of the newest data, in seconds of the server's clock. */
     protected volatile double timestamp;
 
-    /** At its end: a message is decoded before its device gets it. */
+    /** An empty stream: messages are decoded before they reach the device. */
     protected final InputStream is = InputStream.nullInputStream();
 
-    /** Closed: commands and requests are sent by the methods of the device. */
-    protected final OutputStream os = new ClosedOutput();
+    /** Rejects every write: commands and requests are sent by the methods of the device. */
+    protected final OutputStream os = new RejectingOutputStream();
 
-    private @Nullable DeviceData arrived; // guarded by the lock of Incoming, as is the next
+    private @Nullable DeviceData arrived; // guarded by the lock of ClientInbox, as is the next field
     private @Nullable DeviceReply answer;
     private volatile @Nullable DeviceAddress address;
     private volatile byte access;
@@ -54,7 +55,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         this.pc = Objects.requireNonNull(client, "client");
     }
 
-    /** Seconds on the server's clock (simulated time) when the newest data were taken; 0 before there are any. */
+    /** Time stamp of the newest data in seconds of the server's clock (simulated time); 0 before the first data. */
     public double getTimestamp() {
         return timestamp;
     }
@@ -63,7 +64,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         return convert(address());
     }
 
-    /** Makes this object stand for another device, whose data it gets if the client has subscribed to that. */
+    /** Binds this object to another device; it receives that device's data if the client has subscribed to it. */
     public void setDeviceAddress(PlayerDevAddr newAddress) {
         DeviceAddress before = address;
         DeviceAddress after = convert(newAddress);
@@ -73,7 +74,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         }
     }
 
-    /** {@code PLAYER_OPEN_MODE}, or {@code PLAYER_CLOSE_MODE} if it was requested to be closed. */
+    /** {@code PLAYER_OPEN_MODE}, or {@code PLAYER_CLOSE_MODE} if the device was requested with that mode. */
     public byte getDeviceAccess() {
         return access;
     }
@@ -82,7 +83,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         access = newAccess;
     }
 
-    /** The name of the driver behind the device. */
+    /** The name of the driver that serves the device. */
     public String getDeviceDriverName() {
         return driverName;
     }
@@ -92,10 +93,10 @@ public abstract class PlayerDevice implements PlayerConstants {
     }
 
     /**
-     * Takes a data message that has arrived. Called by the client; a subclass that overrides it is told of each
-     * message, and calls {@code super}.
+     * Handles an arrived data message. Called by the client. A subclass that overrides this method is notified of each
+     * message, and must call {@code super}.
      *
-     * @throws PlayerException when called otherwise, as no message is there then
+     * @throws PlayerException if called by anything but the client, because there is no message then
      */
     public void readData(PlayerMsgHdr header) {
         DeviceData data = present(arrived);
@@ -104,10 +105,11 @@ public abstract class PlayerDevice implements PlayerConstants {
         } else {
             accept(data);
         }
-        timestamp = header.getTimestamp(); // last: whoever sees a new one without asking isDataReady() finds its data
+        // last: a thread that sees a new time stamp without polling isDataReady() also sees its data
+        timestamp = header.getTimestamp();
     }
 
-    /** Takes a reply that has arrived; called by the client as {@link #readData} is. */
+    /** Handles an arrived reply; called by the client in the same way as {@link #readData}. */
     public void handleNARMessage() {
         DeviceReply reply = present(answer);
         if (!(reply instanceof DeviceReply.Ack)) {
@@ -123,16 +125,16 @@ public abstract class PlayerDevice implements PlayerConstants {
         return message;
     }
 
-    /** Takes the content of a data message. */
+    /** Handles the content of a data message. */
     abstract void accept(DeviceData data);
 
-    /** Takes what a reply tells. */
+    /** Handles the content of a reply. */
     void accept(DeviceReply reply) {}
 
-    /** The newest data, and whether they have been looked for. */
-    abstract Latest<?> latest();
+    /** The newest data, and whether they were polled. */
+    abstract LatestValue<?> latest();
 
-    final void receive(DataMessage message) {
+    final void receive(DeviceDataMessage message) {
         var header = new PlayerMsgHdr();
         header.setAddr(convert(message.from()));
         header.setType((byte) PLAYER_MSGTYPE_DATA);
@@ -173,7 +175,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         }
     }
 
-    /** The server has refused a request, or has not answered it in time. */
+    /** Called when the server has refused a request, or has not answered it in time. */
     void refused(DeviceRequest request, String reason) {
         LOG.log(Level.WARNING, "{0} refused {1}: {2}", this, request, reason);
     }
@@ -210,7 +212,7 @@ public abstract class PlayerDevice implements PlayerConstants {
         pc.command(address(), command);
     }
 
-    /** Asks, and does not wait for the reply. */
+    /** Sends a request without waiting for the reply. */
     final void ask(DeviceRequest request) {
         pc.request(this, request);
     }
@@ -221,5 +223,16 @@ public abstract class PlayerDevice implements PlayerConstants {
         return bound == null
                 ? getClass().getSimpleName()
                 : Interfaces.name(bound.interfaceCode()) + ":" + bound.index();
+    }
+
+    /**
+     * The output stream of a device. In the original client a device writes its messages here; this one rejects every
+     * write with an error that names the alternative.
+     */
+    private static final class RejectingOutputStream extends OutputStream {
+        @Override
+        public void write(int octet) throws IOException {
+            throw new IOException("bytes cannot be written to a device: use the methods of its class");
+        }
     }
 }

@@ -1,6 +1,6 @@
 package io.troupe.player;
 
-/** What went wrong between a client and its Player server. */
+/** An error between a client and its Player server. */
 public class PlayerException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

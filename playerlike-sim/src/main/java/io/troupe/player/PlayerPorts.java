@@ -7,10 +7,10 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentSkipListMap;
 
 /**
- * The Player servers that run in this JVM, by port; a client of {@code localhost} finds them here without a socket.
+ * The Player servers that run in this JVM, by port; a client of {@code localhost} finds them here and needs no socket.
  *
- * <p><b>Role.</b> The one place in this project that is the same for everybody in the JVM, as real ports are. Whoever
- * opens a port closes it.
+ * <p><b>Role.</b> The only registry of this project that is global to the JVM, as real ports are. The code that opens a
+ * port must close it.
  *
  * <p><b>Threads.</b> Any thread.
  */
@@ -28,7 +28,7 @@ public final class PlayerPorts {
     /**
      * Opens a port.
      *
-     * @throws PlayerException if it is open already
+     * @throws PlayerException if the port is open already
      */
     public static Registration open(int port, PlayerServer server) {
         Objects.requireNonNull(server, "server");
@@ -42,12 +42,12 @@ public final class PlayerPorts {
         return () -> OPEN.remove(port, server);
     }
 
-    /** The server of an open port. */
+    /** The server that listens on a port. */
     public static Optional<PlayerServer> find(int port) {
         return Optional.ofNullable(OPEN.get(port));
     }
 
-    /** The open ports, for messages. */
+    /** The open ports, for error messages. */
     static String list() {
         return OPEN.isEmpty() ? "none" : OPEN.keySet().toString();
     }

@@ -3,22 +3,23 @@ package io.troupe.player;
 import io.troupe.player.structures.pointcloud3d.PlayerPointCloud3DData;
 
 /**
- * A cloud of points, which this client does not offer: a name for programs that mention it.
+ * 3D point clouds. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface pointcloud3d.
  */
-public class PointCloud3DInterface extends UnofferedDevice {
+public class PointCloud3DInterface extends UnsupportedDevice {
     public PointCloud3DInterface(PlayerClient client) {
         super(client, "pointcloud3d");
     }
 
     public PlayerPointCloud3DData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -16,38 +16,38 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot's wheels and odometry.
+ * A robot's drive and odometry.
  *
  * <p><b>Units and shapes.</b> Metres, radians, seconds; x forward, y left, turning left is positive.
  *
  * <p><b>Source.</b> Player interface position2d.
  */
 public class Position2DInterface extends AbstractPositionDevice {
-    private final Latest<PlayerPosition2dData> data = new Latest<>();
-    private final Latest<PlayerPosition2dGeom> geometry = new Latest<>();
+    private final LatestValue<PlayerPosition2dData> data = new LatestValue<>();
+    private final LatestValue<PlayerPosition2dGeom> geometry = new LatestValue<>();
 
     public Position2DInterface(PlayerClient client) {
         super(client);
     }
 
-    /** The newest data, or null before there are any. */
+    /** The newest data, or null before the first message. */
     public @Nullable PlayerPosition2dData getData() {
         return data.get();
     }
 
-    /** The answer to {@link #queryGeometry}, or null before. */
+    /** The newest reply to {@link #queryGeometry}, or null before the first. */
     public @Nullable PlayerPosition2dGeom getGeom() {
         return geometry.get();
     }
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
-    /** True once for each answer. */
+    /** True once for each reply. */
     public boolean isGeomReady() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
     @Override
@@ -70,8 +70,8 @@ public class Position2DInterface extends AbstractPositionDevice {
     }
 
     /**
-     * Drives at a speed in metres per second and a turn rate in radians per second, left positive, until told
-     * otherwise.
+     * Drives at a speed in metres per second and a turn rate in radians per second (left positive) until the next
+     * command.
      */
     @Override
     public void setSpeed(double speed, double turnrate) {
@@ -79,16 +79,17 @@ public class Position2DInterface extends AbstractPositionDevice {
     }
 
     /**
-     * Asks the server to stop the robot when this client has sent no speed for so long; our addition to the Player
-     * client. Without it the last speed holds until another command or the end of the connection, even if this program
-     * hangs or is cut off.
+     * Asks the server to stop the robot when this client has not sent a speed for a given time. An addition to the
+     * Player client. Without it the last speed applies until another command or the end of the connection, even if this
+     * program hangs or is cut off.
      *
-     * <p>It counts for the speeds that this client sends to this device from now on, on the server's clock (simulated
-     * time), and not for {@link #setPosition}. Another client's newer command is not touched. When a speed has expired,
-     * the next one drives again. A server of another make refuses this and decides by itself when to stop; the log says
-     * so once (INFO).
+     * <p>The limit applies to the speeds that this client sends to this device from now on, measured on the server's
+     * clock (simulated time). It does not apply to {@link #setPosition}. A newer command of another client is not
+     * affected. After a speed has expired, the next one drives again. Other Player servers refuse this request and
+     * decide themselves when to stop; that is logged once (INFO).
      *
-     * @param limit whole milliseconds, longer than the program ever needs between two speeds; zero for no limit
+     * @param limit whole milliseconds, longer than the longest time between two speeds of the program; zero for no
+     *     limit
      */
     public void setCommandLimit(Duration limit) {
         long millis = limit.toMillis();
@@ -110,8 +111,8 @@ public class Position2DInterface extends AbstractPositionDevice {
     }
 
     /**
-     * Drives with a velocity in the robot's frame. Simulated robots ignore {@code state}, as Stage does: 0 drives, too;
-     * to stop, send zero speed. A differential drive ignores the part to the side.
+     * Drives with a velocity in the robot's frame. Simulated robots ignore {@code state}, as in Stage: they drive with
+     * 0 too; to stop, send zero speed. A differential drive ignores the sideways component.
      */
     public void setVelocity(PlayerPose2d velocity, int state) {
         drive(velocity.getPx(), velocity.getPy(), velocity.getPa(), state != 0);
@@ -122,7 +123,7 @@ public class Position2DInterface extends AbstractPositionDevice {
         setVelocity(command.getVel(), command.getState());
     }
 
-    /** Drives like a car: metres per second and radians; for a differential drive the angle is the turn rate. */
+    /** Drives like a car: metres per second and radians. For a differential drive the angle is the turn rate. */
     public void setCarCMD(double velocity, double angle) {
         checkFinite("drive like a car at", velocity, angle);
         send(new DeviceCommand.Car(velocity, angle));
@@ -137,8 +138,8 @@ public class Position2DInterface extends AbstractPositionDevice {
     /**
      * Drives to a pose in the odometry frame.
      *
-     * @param velocity the speeds to go there with; simulated robots choose their own
-     * @param state ignored by simulated robots, as by Stage: 0 drives, too
+     * @param velocity the speeds on the way; simulated robots use their own
+     * @param state ignored by simulated robots, as in Stage: they drive with 0 too
      */
     public void setPosition(PlayerPose2d position, PlayerPose2d velocity, int state) {
         checkFinite("go to", position.getPx(), position.getPy(), position.getPa());
@@ -163,26 +164,26 @@ public class Position2DInterface extends AbstractPositionDevice {
         send(new DeviceCommand.Velocity(vx, vy, va, enabled));
     }
 
-    private void checkFinite(String told, double... values) {
+    private void checkFinite(String action, double... values) {
         for (double value : values) {
             if (!Double.isFinite(value)) {
                 throw new PlayerException(
-                        this + " was told to " + told + " " + Arrays.toString(values) + ", expected finite numbers");
+                        this + " was told to " + action + " " + Arrays.toString(values) + ", expected finite numbers");
             }
         }
     }
 
-    /** Asks for the body's geometry; it is there when {@link #isGeomReady} is true. */
+    /** Requests the geometry of the body; {@link #isGeomReady} is true when the reply has arrived. */
     public void queryGeometry() {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Makes odometry report the zero pose here. */
+    /** Sets odometry to the zero pose. */
     public void resetOdometry() {
         ask(new DeviceRequest.ResetOdometry());
     }
 
-    /** Makes odometry report this pose here. */
+    /** Sets odometry to a pose. */
     public void setOdometry(PlayerPose2d pose) {
         ask(new DeviceRequest.SetOdometry(pose.getPx(), pose.getPy(), pose.getPa()));
     }
@@ -192,12 +193,12 @@ public class Position2DInterface extends AbstractPositionDevice {
         ask(new DeviceRequest.Power(state != 0));
     }
 
-    /** Chooses how the robot controls its velocity, by a number that its driver defines. */
+    /** Selects how the robot controls its velocity, by a number that its driver defines. */
     public void setVelocityControl(int mode) {
         ask(new DeviceRequest.VelocityMode(mode));
     }
 
-    /** Chooses between control by velocity (0) and by position (1). */
+    /** Selects velocity control (0) or position control (1). */
     public void setControlMode(int mode) {
         ask(new DeviceRequest.PositionMode(mode));
     }
@@ -210,7 +211,7 @@ public class Position2DInterface extends AbstractPositionDevice {
         ask(new DeviceRequest.PositionPid(kp, ki, kd));
     }
 
-    /** Sets the speed (m/s) and the acceleration (m/s2) with which the robot goes to a pose. */
+    /** Sets the speed (m/s) and the acceleration (m/s2) of drives to a pose. */
     public void setSpeedProfileParams(float speed, float acc) {
         ask(new DeviceRequest.SpeedProfile(speed, acc));
     }
@@ -218,16 +219,16 @@ public class Position2DInterface extends AbstractPositionDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.Position2dGeometry body) {
-            var told = new PlayerPosition2dGeom();
-            told.setPose(new PlayerPose(body.px(), body.py(), body.pa()));
-            told.getSize().setSl(body.lengthM());
-            told.getSize().setSw(body.widthM());
-            geometry.put(told);
+            var result = new PlayerPosition2dGeom();
+            result.setPose(new PlayerPose(body.px(), body.py(), body.pa()));
+            result.getSize().setSl(body.lengthM());
+            result.getSize().setSw(body.widthM());
+            geometry.put(result);
         }
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 

@@ -8,128 +8,129 @@ import io.troupe.player.structures.position3d.PlayerPosition3dGeom;
 import io.troupe.player.wire.DeviceData;
 
 /**
- * A robot that moves in space, which this client does not offer: a name for programs that mention it.
+ * A robot that moves in 3D. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface position3d.
  */
 public class Position3DInterface extends AbstractPositionDevice {
-    private final Latest<DeviceData> nothing = new Latest<>();
+    private final LatestValue<DeviceData> nothing = new LatestValue<>();
 
     public Position3DInterface(PlayerClient client) {
         super(client);
     }
 
     public void setPosition(PlayerPose3d pos, PlayerPose3d vel, int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPosition(PlayerPosition3dCmdPos value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setVelocity(PlayerPose3d vel, int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setVelocity(PlayerPosition3dCmdVel value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setMotorPower(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setControlMode(int state) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setVelocityControl(int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setOdometry(PlayerPose3d pose) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void resetOdometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setVelocityPIDParams(float kp, float ki, float kd) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPositionPIDParams(float kp, float ki, float kd) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setSpeedProfileParams(float speed, float acc) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPosition3dData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPosition3dGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     @Override
     public double getX() {
-        throw notOffered();
+        throw notSupported();
     }
 
     @Override
     public double getY() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public double getZ() {
-        throw notOffered();
+        throw notSupported();
     }
 
     @Override
     public double getYaw() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public double getPitch() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public double getRoll() {
-        throw notOffered();
+        throw notSupported();
     }
 
     @Override
     public void setSpeed(double speed, double turnrate) {
-        throw notOffered();
+        throw notSupported();
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return nothing;
     }
 
     @Override
     void accept(DeviceData message) {}
 
-    private PlayerException notOffered() {
-        return pc.notOffered("position3d");
+    private PlayerException notSupported() {
+        return pc.notSupported("position3d");
     }
 }

@@ -3,26 +3,27 @@ package io.troupe.player;
 import io.troupe.player.structures.power.PlayerPowerData;
 
 /**
- * A battery, which this client does not offer: a name for programs that mention it.
+ * A battery. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface power.
  */
-public class PowerInterface extends UnofferedDevice {
+public class PowerInterface extends UnsupportedDevice {
     public PowerInterface(PlayerClient client) {
         super(client, "power");
     }
 
     public PlayerPowerData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void requestCharge(int enable_input, int enable_output) {
-        throw notOffered();
+        throw notSupported();
     }
 }

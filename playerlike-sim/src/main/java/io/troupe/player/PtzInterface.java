@@ -5,54 +5,55 @@ import io.troupe.player.structures.ptz.PlayerPtzData;
 import io.troupe.player.structures.ptz.PlayerPtzGeom;
 
 /**
- * A camera that pans, tilts and zooms, which this client does not offer: a name for programs that mention it.
+ * A pan-tilt-zoom camera. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface ptz.
  */
-public class PtzInterface extends UnofferedDevice {
+public class PtzInterface extends UnsupportedDevice {
     public PtzInterface(PlayerClient client) {
         super(client, "ptz");
     }
 
     public PlayerPtzData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public PlayerPtzGeom getGeom() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public int getStatus() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isGeomReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPTZ(PlayerPtzCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryGeometry() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void genericRequest(int configCount, int[] config) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void controlRequest(int mode) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void statusRequest() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -14,69 +14,69 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A sensor of ranges with one element (a scanning laser) or several (a ring of sonars).
+ * A range sensor with one element (a scanning laser) or several (a sonar ring).
  *
- * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements, one after the other, within one from
- * right to left. Every message has an array of its own, which may be changed.
+ * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements one after the other; within an element
+ * from right to left. Every message has a separate copy of its array, which the program may change.
  *
  * <p><b>Source.</b> Player interface ranger.
  */
 public class RangerInterface extends PlayerDevice {
-    private final Latest<PlayerRangerData> data = new Latest<>();
-    private final Latest<PlayerRangerDataIntns> intensities = new Latest<>();
-    private final Latest<PlayerRangerGeom> geometry = new Latest<>();
-    private final Latest<PlayerRangerConf> configuration = new Latest<>();
+    private final LatestValue<PlayerRangerData> data = new LatestValue<>();
+    private final LatestValue<PlayerRangerDataIntns> intensities = new LatestValue<>();
+    private final LatestValue<PlayerRangerGeom> geometry = new LatestValue<>();
+    private final LatestValue<PlayerRangerConf> configuration = new LatestValue<>();
 
     public RangerInterface(PlayerClient client) {
         super(client);
     }
 
-    /** The newest ranges, or null before there are any. */
+    /** The newest ranges, or null before the first. */
     public @Nullable PlayerRangerData getData() {
         return data.get();
     }
 
-    /** The newest intensities, or null before there are any: simulated rangers have none. */
+    /** The newest intensities, or null before the first. Simulated rangers send none. */
     public @Nullable PlayerRangerDataIntns getDataIntns() {
         return intensities.get();
     }
 
-    /** The answer to {@link #queryGeometry}, or null before. */
+    /** The newest reply to {@link #queryGeometry}, or null before the first. */
     public @Nullable PlayerRangerGeom getGeom() {
         return geometry.get();
     }
 
-    /** The answer to {@link #queryConfiguration}, or null before. */
+    /** The newest reply to {@link #queryConfiguration}, or null before the first. */
     public @Nullable PlayerRangerConf getConf() {
         return configuration.get();
     }
 
     /** True once for each new message with ranges. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
     /** True once for each new message with intensities. */
     public boolean isDataIntnsReady() {
-        return pc.findsReply(intensities);
+        return pc.hasReply(intensities);
     }
 
-    /** True once for each answer to {@link #queryGeometry}. */
+    /** True once for each reply to {@link #queryGeometry}. */
     public boolean isGeomReady() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
-    /** True once for each answer to {@link #queryConfiguration}. */
+    /** True once for each reply to {@link #queryConfiguration}. */
     public boolean isConfReady() {
-        return pc.findsReply(configuration);
+        return pc.hasReply(configuration);
     }
 
-    /** Asks where the ranger and its elements are. */
+    /** Requests the poses and sizes of the ranger and its elements. */
     public void queryGeometry() {
         ask(new DeviceRequest.Geometry());
     }
 
-    /** Asks how the ranger scans. */
+    /** Requests the scan configuration. */
     public void queryConfiguration() {
         ask(new DeviceRequest.GetConfiguration());
     }
@@ -87,7 +87,7 @@ public class RangerInterface extends PlayerDevice {
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 
@@ -115,7 +115,7 @@ public class RangerInterface extends PlayerDevice {
                 }
                 accept(stamped.data());
             }
-            default -> {} // not a ranger's
+            default -> {} // not ranger data
         }
     }
 
@@ -126,24 +126,26 @@ public class RangerInterface extends PlayerDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.RangerGeometry where) {
-            var told = new PlayerRangerGeom();
-            told.setPose(Shapes.pose(where.pose()));
-            told.setSize(Shapes.box(where.size()));
-            told.setPoses(where.elementPoses().stream().map(Shapes::pose).toArray(PlayerPose3d[]::new));
-            told.setPoses_count(where.elementPoses().size());
-            told.setSizes(where.elementSizes().stream().map(Shapes::box).toArray(PlayerBbox3d[]::new));
-            told.setSizes_count(where.elementSizes().size());
-            geometry.put(told);
+            var result = new PlayerRangerGeom();
+            result.setPose(StructureConverter.pose(where.pose()));
+            result.setSize(StructureConverter.box(where.size()));
+            result.setPoses(
+                    where.elementPoses().stream().map(StructureConverter::pose).toArray(PlayerPose3d[]::new));
+            result.setPoses_count(where.elementPoses().size());
+            result.setSizes(
+                    where.elementSizes().stream().map(StructureConverter::box).toArray(PlayerBbox3d[]::new));
+            result.setSizes_count(where.elementSizes().size());
+            geometry.put(result);
         } else if (reply instanceof DeviceReply.OfRanger(RangerConfiguration how)) {
-            var told = new PlayerRangerConf();
-            told.setMin_angle(how.minAngleRad());
-            told.setMax_angle(how.maxAngleRad());
-            told.setResolution(how.resolutionRad());
-            told.setMin_range(how.minRangeM());
-            told.setMax_range(how.maxRangeM());
-            told.setRange_res(how.rangeResolutionM());
-            told.setFrequency(how.frequencyHz());
-            configuration.put(told);
+            var result = new PlayerRangerConf();
+            result.setMin_angle(how.minAngleRad());
+            result.setMax_angle(how.maxAngleRad());
+            result.setResolution(how.resolutionRad());
+            result.setMin_range(how.minRangeM());
+            result.setMax_range(how.maxRangeM());
+            result.setRange_res(how.rangeResolutionM());
+            result.setFrequency(how.frequencyHz());
+            configuration.put(result);
         }
     }
 }

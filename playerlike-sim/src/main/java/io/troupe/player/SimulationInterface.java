@@ -12,26 +12,26 @@ import io.troupe.player.wire.DeviceRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The world itself: where its models are, and its time.
+ * The simulated world: the poses of its models, and its time.
  *
- * <p><b>Units and shapes.</b> Metres and radians, in the world's frame. It publishes nothing.
+ * <p><b>Units and shapes.</b> Metres and radians, in the world's frame. It publishes no data.
  *
  * <p><b>Source.</b> Player interface simulation.
  */
 public class SimulationInterface extends PlayerDevice {
-    private final Latest<PlayerSimulationPose2dReq> pose = new Latest<>();
-    private final Latest<DeviceData> nothing = new Latest<>();
+    private final LatestValue<PlayerSimulationPose2dReq> pose = new LatestValue<>();
+    private final LatestValue<DeviceData> nothing = new LatestValue<>();
 
     public SimulationInterface(PlayerClient client) {
         super(client);
     }
 
-    /** Asks where a model is; the answer is there when {@link #isPose2DReady} is true. */
+    /** Requests the pose of a model; {@link #isPose2DReady} is true when the reply has arrived. */
     public void get2DPose(String model) {
         ask(new DeviceRequest.GetPose(model));
     }
 
-    /** Puts a model elsewhere. */
+    /** Moves a model to a pose. */
     public void set2DPose(String model, PlayerPose2d newPose) {
         if (!Double.isFinite(newPose.getPx())
                 || !Double.isFinite(newPose.getPy())
@@ -42,23 +42,24 @@ public class SimulationInterface extends PlayerDevice {
         ask(new DeviceRequest.SetPose(model, newPose.getPx(), newPose.getPy(), newPose.getPa()));
     }
 
-    /** The answer to {@link #get2DPose}, or null before. */
+    /** The newest reply to {@link #get2DPose}, or null before the first. */
     public @Nullable PlayerSimulationPose2dReq getPose2D() {
         return pose.get();
     }
 
-    /** The same as {@link #getPose2D}, by the original's name. */
+    /** The same as {@link #getPose2D}, named as in the original client. */
     public @Nullable PlayerSimulationPose2dReq getSimulationPose2D() {
         return getPose2D();
     }
 
-    /** True once for each answer to {@link #get2DPose}. */
+    /** True once for each reply to {@link #get2DPose}. */
     public boolean isPose2DReady() {
-        return pc.findsReply(pose);
+        return pc.hasReply(pose);
     }
 
     /**
-     * Not offered: throws {@link PlayerException}, as the next five do. Poses in space and data are not served here.
+     * Not supported: throws {@link PlayerException}, as the next five methods do. 3D poses and data are not served
+     * here.
      */
     public void get3DPose(String model) {
         throw notServed("the pose of model '" + model + "' in space");
@@ -90,26 +91,23 @@ public class SimulationInterface extends PlayerDevice {
                 + " save");
     }
 
-    /**
-     * Stops the world's time, or lets it go on. A world of ours goes on, too, when the client that has stopped it
-     * leaves.
-     */
+    /** Pauses the world, or continues it. A world of ours also continues when the client that paused it disconnects. */
     public void pause() {
         send(new DeviceCommand.Pause());
     }
 
-    /** Puts everything back to where it started. */
+    /** Resets every model to its start pose. */
     public void reset() {
         send(new DeviceCommand.Reset());
     }
 
-    /** Asks the simulator to save its world. */
+    /** Requests the simulator to save its world. */
     public void save() {
         send(new DeviceCommand.Save());
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return nothing;
     }
 
@@ -119,10 +117,10 @@ public class SimulationInterface extends PlayerDevice {
     @Override
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.ModelPose where) {
-            var told = new PlayerSimulationPose2dReq();
-            told.setName(where.model());
-            told.setPose(new PlayerPose(where.px(), where.py(), where.pa()));
-            pose.put(told);
+            var result = new PlayerSimulationPose2dReq();
+            result.setName(where.model());
+            result.setPose(new PlayerPose(where.px(), where.py(), where.pa()));
+            pose.put(result);
         }
     }
 }

@@ -9,49 +9,48 @@ import io.troupe.player.wire.DeviceRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A ring of sonars.
+ * A sonar ring.
  *
- * <p><b>Units and shapes.</b> Metres; one range per sonar, in the order of the geometry. Every message has an array of
- * its own, which may be changed.
+ * <p><b>Units and shapes.</b> Metres; one range per sonar, in the order of the geometry. Every message has a separate
+ * copy of its array, which the program may change.
  *
  * <p><b>Source.</b> Player interface sonar.
  */
 public class SonarInterface extends PlayerDevice {
-    private final Latest<PlayerSonarData> data = new Latest<>();
-    private final Latest<PlayerSonarGeom> geometry = new Latest<>();
+    private final LatestValue<PlayerSonarData> data = new LatestValue<>();
+    private final LatestValue<PlayerSonarGeom> geometry = new LatestValue<>();
 
     public SonarInterface(PlayerClient client) {
         super(client);
     }
 
-    /** The newest data, or null before there are any. */
+    /** The newest data, or null before the first message. */
     public @Nullable PlayerSonarData getData() {
         return data.get();
     }
 
-    /** The answer to {@link #queryGeometry}, or null before. */
+    /** The newest reply to {@link #queryGeometry}, or null before the first. */
     public @Nullable PlayerSonarGeom getGeom() {
         return geometry.get();
     }
 
     /** True once for each new message. */
     public boolean isDataReady() {
-        return pc.findsNews(data);
+        return pc.hasNewData(data);
     }
 
-    /** True once for each answer. */
+    /** True once for each reply. */
     public boolean isGeomReady() {
-        return pc.findsReply(geometry);
+        return pc.hasReply(geometry);
     }
 
-    /** Asks where the sonars are; the answer is there when {@link #isGeomReady} is true. */
+    /** Requests the poses of the sonars; {@link #isGeomReady} is true when the reply has arrived. */
     public void queryGeometry() {
         ask(new DeviceRequest.Geometry());
     }
 
     /**
-     * Switches the sonars on (1) or off (0). Simulated ones cannot be switched off, as in Stage: that leaves a warning
-     * in the log.
+     * Switches the sonars on (1) or off (0). Simulated sonars cannot be switched off, as in Stage: that logs a warning.
      */
     public void setSonarPower(int state) {
         ask(new DeviceRequest.Power(state != 0));
@@ -68,15 +67,15 @@ public class SonarInterface extends PlayerDevice {
                 poses[sonar].setPy(mount.py());
                 poses[sonar].setPyaw(mount.yaw());
             }
-            var told = new PlayerSonarGeom();
-            told.setPoses(poses);
-            told.setPoses_count(poses.length);
-            geometry.put(told);
+            var result = new PlayerSonarGeom();
+            result.setPoses(poses);
+            result.setPoses_count(poses.length);
+            geometry.put(result);
         }
     }
 
     @Override
-    Latest<?> latest() {
+    LatestValue<?> latest() {
         return data;
     }
 

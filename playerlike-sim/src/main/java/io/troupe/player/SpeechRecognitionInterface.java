@@ -3,22 +3,23 @@ package io.troupe.player;
 import io.troupe.player.structures.speechrecognition.PlayerSpeechRecognitionData;
 
 /**
- * A speech recognizer, which this client does not offer: a name for programs that mention it.
+ * A speech recognizer. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface speech_recognition.
  */
-public class SpeechRecognitionInterface extends UnofferedDevice {
+public class SpeechRecognitionInterface extends UnsupportedDevice {
     public SpeechRecognitionInterface(PlayerClient client) {
         super(client, "speech_recognition");
     }
 
     public PlayerSpeechRecognitionData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -4,38 +4,40 @@ import io.troupe.player.structures.wsn.PlayerWsnCmd;
 import io.troupe.player.structures.wsn.PlayerWsnData;
 
 /**
- * A network of sensor nodes, which this client does not offer: a name for programs that mention it.
+ * A wireless sensor network. This client does not support it; the class exists so that programs that mention it
+ * compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface wsn.
  */
-public class WSNInterface extends UnofferedDevice {
+public class WSNInterface extends UnsupportedDevice {
     public WSNInterface(PlayerClient client) {
         super(client, "wsn");
     }
 
     public PlayerWsnData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDeviceState(PlayerWsnCmd value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setPower(int nodeID, int groupID, int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDataType(int value) {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void setDataFreq(int nodeID, int groupID, double frequency) {
-        throw notOffered();
+        throw notSupported();
     }
 }

@@ -3,30 +3,31 @@ package io.troupe.player;
 import io.troupe.player.structures.wifi.PlayerWifiData;
 
 /**
- * A wireless network, which this client does not offer: a name for programs that mention it.
+ * A wireless network. This client does not support it; the class exists so that programs that mention it compile.
  *
- * <p><b>Errors.</b> Each method throws {@link PlayerException}, which says what there is.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, whose message lists the supported interfaces and the
+ * devices of the server.
  *
  * <p><b>Source.</b> Player interface wifi.
  */
-public class WiFiInterface extends UnofferedDevice {
+public class WiFiInterface extends UnsupportedDevice {
     public WiFiInterface(PlayerClient client) {
         super(client, "wifi");
     }
 
     public PlayerWifiData getData() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public boolean isDataReady() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryWifiMac() {
-        throw notOffered();
+        throw notSupported();
     }
 
     public void queryWifiIwspyAddrAdd() {
-        throw notOffered();
+        throw notSupported();
     }
 }

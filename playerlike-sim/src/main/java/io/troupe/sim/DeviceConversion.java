@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.Interfaces;
 import io.troupe.sim.PortServer.PortDevice;

@@ -6,7 +6,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
-import io.troupe.player.wire.LineClosedException;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.sim.scenario.DeviceBinding;
 import io.troupe.sim.scenario.Pose;
 import io.troupe.sim.scenario.Scenario;
@@ -415,7 +415,7 @@ public final class Simulation implements AutoCloseable {
     int add(ClientConnection client) {
         return withLock(() -> {
             if (closed) {
-                throw new LineClosedException(CLOSED);
+                throw new ConnectionClosedException(CLOSED);
             }
             clients.add(client);
             return ++connected;

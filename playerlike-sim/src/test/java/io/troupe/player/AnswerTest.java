@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** When a client answers a tick, and when a frame becomes visible to its program. */
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nobody can interrupt a busy loop
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a busy loop cannot be interrupted
 class AnswerTest {
     private final ScriptedServer server = new ScriptedServer();
     private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);
@@ -41,7 +41,7 @@ class AnswerTest {
         assertThat(pos.isDataReady()).isFalse();
         assertThat(server.answered()).isLessThan(0);
         assertThat(son.isDataReady()).isTrue();
-        server.publishAfter(0, 1); // only a waiting readAll can bring it
+        server.publishAfter(0, 1); // data arrive only in a waiting readAll
         client.readAll();
         assertThat(server.answered()).isZero();
         assertThat(pos.getX()).isEqualTo(1);
@@ -184,7 +184,7 @@ class AnswerTest {
     @Test
     void thread_startsOnce() {
         client.runThreaded(-1, -1);
-        client.runThreaded(-1, -1); // only a warning
+        client.runThreaded(-1, -1); // only logs a warning
         assertThat(client.isAlive()).isTrue();
         assertThat(client.isDaemon()).as("it keeps the JVM alive").isFalse();
         assertThat(client.readAll()).isZero();
@@ -234,7 +234,7 @@ class AnswerTest {
         }
     }
 
-    /** The reader shows the first frame by itself; a question would be an answer. */
+    /** The reader thread shows the first frame; a poll would already count as an answer. */
     private void awaitFirst() {
         while (pos.getData() == null || son.getData() == null) {
             Thread.onSpinWait();

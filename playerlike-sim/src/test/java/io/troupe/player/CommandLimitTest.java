@@ -23,7 +23,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Speeds that hold for a limited time, which each client asks for itself: a tick is 100 ms. */
+/** Speeds with a time limit that each client requests for itself; a tick is 100 ms. */
 class CommandLimitTest {
     private static final int PORT = 6796;
     private static final double FAST = 0.3;
@@ -43,7 +43,7 @@ class CommandLimitTest {
         simulation.close();
     }
 
-    /** A client that has both robots open and answers every tick; only the test lets it send anything. */
+    /** A client that has both robots open and answers every tick; it sends only what the test requests. */
     private static WireClient client() {
         return new WireClient(PORT, WireClient.ANSWER).subscribe(POSITION2D, 0).subscribe(POSITION2D, 1);
     }
@@ -71,7 +71,7 @@ class CommandLimitTest {
         return speed(robot);
     }
 
-    /** How many ticks the robot still moves. */
+    /** Number of ticks in which the robot still moves. */
     private int ticksUntilItStands(int robot) {
         for (int ticks = 0; ticks < 50; ticks++) {
             if (speedAfterTick(robot) == 0) {

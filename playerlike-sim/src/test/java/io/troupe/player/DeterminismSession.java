@@ -24,8 +24,8 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A program that drives four robots by their lasers, sonars and cameras, in pull mode, in a noisy world where they
- * carry things.
+ * A program in pull mode that drives four robots by their lasers, sonars and cameras. The robots carry objects through
+ * a world with sensor noise.
  */
 final class DeterminismSession {
     static final WorldSettings SETTINGS =
@@ -34,12 +34,12 @@ final class DeterminismSession {
     private static final int PORT = 6790;
     private static final int ROBOTS = 4;
 
-    /** How it went. */
+    /** The outcome of a session. */
     record Result(String hash, int contacts, double wayM, String recording) {}
 
     private DeterminismSession() {}
 
-    /** Every robot carries something red ahead of it, every other one something that bumps into walls behind it. */
+    /** Every robot carries a red object in front; every second robot also carries one behind that bumps into walls. */
     static Scenario scenario() {
         WorldSpec arena = Arena.spec(ROBOTS);
         var robots = new ArrayList<RobotSpec>();
@@ -62,7 +62,7 @@ final class DeterminismSession {
         }
     }
 
-    /** A client of 127.0.0.2 must use the socket. */
+    /** 127.0.0.2 forces the client to use the socket. */
     static Result overTcp(int ticks) throws Exception {
         String host = "127.0.0.2";
         try (var simulation = Simulation.open(scenario(), SETTINGS);
@@ -100,7 +100,7 @@ final class DeterminismSession {
                 try {
                     drive(host, port);
                 } catch (PlayerException serverHasGone) {
-                    // the end of an endless program
+                    // ends an endless program
                 } catch (Exception thrown) {
                     failure.set(thrown);
                     enough.countDown();
@@ -134,7 +134,7 @@ final class DeterminismSession {
         }
     }
 
-    /** Each in a way of its own, so that every reading changes where somebody goes. */
+    /** Drives each robot differently, so that every reading affects the path of a robot. */
     private static final class Driver {
         private final int robot;
         private final Position2DInterface wheels;
@@ -178,7 +178,7 @@ final class DeterminismSession {
             wheels.setSpeed(ranges[3] > 0.6 && ranges[4] > 0.6 ? 0.4 : 0, 0.4 * (left - right));
         }
 
-        /** Blindly into what it sees. */
+        /** Drives towards what the camera sees, without avoiding it. */
         private void byCamera() {
             var image = camera.getData();
             int count = image.getBlobs_count();
@@ -194,7 +194,7 @@ final class DeterminismSession {
         }
     }
 
-    /** For a JVM of its own: prints the checksum of so many ticks. */
+    /** Main method of a separate JVM: prints the checksum after the given number of ticks. */
     public static void main(String[] args) throws Exception {
         System.out.println(inProcess(1, Integer.parseInt(args[0])).hash());
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** One session, played in every way there is: each must give the same snapshots, bit for bit. */
+/** Runs one session in every supported way: all must give the same snapshots, bit for bit. */
 @Tag("threads")
 @Timeout(120)
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)

@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What devices say to the server, and what the server says about its devices. */
+/** What devices send to the server, and what the server reports about its devices. */
 class DevicesTest implements PlayerConstants {
     private final ScriptedServer server = new ScriptedServer();
     private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);
@@ -209,7 +209,7 @@ class DevicesTest implements PlayerConstants {
         var methods = Arrays.stream(PlayerClient.class.getMethods())
                 .filter(method -> method.getName().startsWith("requestInterface")
                         && method.getParameterCount() == 2
-                        && (UnofferedDevice.class.isAssignableFrom(method.getReturnType())
+                        && (UnsupportedDevice.class.isAssignableFrom(method.getReturnType())
                                 || method.getReturnType() == Position3DInterface.class))
                 .toList();
         assertThat(methods).hasSize(38);
@@ -230,7 +230,7 @@ class DevicesTest implements PlayerConstants {
     }
 
     @Test
-    void lineSettings_reachTheServer_orAreRefusedByTheirValue() {
+    void connectionSettings_reachTheServer_orAreRefusedByTheirValue() {
         client.requestAddReplaceRule(-1, -1, PLAYER_MSGTYPE_DATA, -1, 1);
         assertThat(server.rules).containsExactly(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
         refused("replace is 3", () -> client.requestAddReplaceRule(-1, -1, 1, -1, 3));
@@ -256,7 +256,7 @@ class DevicesTest implements PlayerConstants {
         assertThat(client.isReadyPDDList()).as("once for each list").isFalse();
     }
 
-    /** A thousand clients of a world of three thousand devices shall not keep three million addresses. */
+    /** A thousand clients of a world with three thousand devices must not keep three million addresses. */
     @Test
     void deviceList_isConvertedWhenItIsFirstRead_andOnce() {
         var addresses = new AbstractList<DeviceAddress>() {
@@ -273,7 +273,7 @@ class DevicesTest implements PlayerConstants {
                 return 3_000;
             }
         };
-        var devices = new ServerInquiries.Devices(addresses);
+        var devices = new PlayerClient.Devices(addresses);
         assertThat(addresses.reads).isZero();
         PlayerDeviceDevlist list = devices.list();
         assertThat(list.getDeviceCount()).isEqualTo(3_000);

@@ -24,8 +24,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * A client that closes itself in the middle of a tick: what the rest of its turn does belongs to that tick, and nobody
- * waits for what never ends.
+ * A client that closes itself during a tick: the rest of its turn belongs to that tick, and the world does not wait for
+ * work that never ends.
  */
 @Timeout(60)
 class LeavingClientTest {
@@ -59,7 +59,7 @@ class LeavingClientTest {
         return client;
     }
 
-    /** At every reading: closes its client, does something else, and connects anew. */
+    /** At every reading: closes the client, runs the action, and connects again. */
     private void reconnectAlways(Runnable between) {
         PlayerClient client = connect();
         client.nextData()
@@ -68,7 +68,7 @@ class LeavingClientTest {
                     client.close();
                     ActorSpace.current()
                             .execute(
-                                    () -> { // in a chain of turns, all of which belong to the tick
+                                    () -> { // in a chain of turns that all belong to the tick
                                         between.run();
                                         reconnectAlways(between);
                                     });
@@ -89,8 +89,8 @@ class LeavingClientTest {
                     space,
                     () -> reconnectAlways(() -> {
                         looks.drainPermits();
-                        looks.acquireUninterruptibly(
-                                3); // a world that did not wait would look that often in later ticks only
+                        // without waiting, the world would reach these polls only in later ticks
+                        looks.acquireUninterruptibly(3);
                     }));
             ticks(TICKS);
             looks.release(1_000);
@@ -167,7 +167,7 @@ class LeavingClientTest {
         return client;
     }
 
-    // ---- nobody waits for what never ends
+    // ---- the world does not wait for work that never ends
 
     @Test
     void turnThatDoesNotEnd_isNamed_orGivenUp() throws Exception {
@@ -267,7 +267,7 @@ class LeavingClientTest {
         var space = space("gone", simulation);
         onSpace(space, () -> {
             PlayerClient leaving = connect();
-            connect(); // stays, and never answers any more
+            connect(); // stays connected and never answers again
             leaving.nextData()
                     .thenAccept(ready -> {
                         leaving.close();

@@ -22,8 +22,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Clients, spaces and the simulation go in every order, by their own turns and by others; the world never waits in
- * vain. Whoever does what comes from the seed.
+ * Clients, spaces and the simulation close in random order, from their own turns and from other threads; the world
+ * never waits for a client that is gone. The order follows from the seed.
  */
 @Timeout(60)
 class LeavingOrderTest {
@@ -34,7 +34,7 @@ class LeavingOrderTest {
     private final Queue<Throwable> errors = new ConcurrentLinkedQueue<>();
     private final Queue<Thread> others = new ConcurrentLinkedQueue<>();
 
-    /** Some clients on one space; all but the making of it is done on the space's thread. */
+    /** Several clients on one space; everything but the construction runs on the thread of the space. */
     private final class Troop {
         final boolean cranked;
         final ActorSpace space;
@@ -109,7 +109,7 @@ class LeavingOrderTest {
         others.add(Thread.ofVirtual().start(action));
     }
 
-    /** Whoever is closed, or finds it so, is told; anything else is an error. */
+    /** Counts errors that report something closed; any other error fails the test. */
     private void note(Throwable error) {
         if (!(error instanceof PlayerException) && !(error instanceof ActorStoppedException)) {
             errors.add(error);

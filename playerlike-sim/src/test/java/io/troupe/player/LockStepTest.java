@@ -11,13 +11,13 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerPose2d;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand.Velocity;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.TestWorlds;
@@ -35,7 +35,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * What a tick is, seen from the wire: the client's moves are made inside the delivery, so nothing depends on threads.
+ * The definition of a tick, tested at the wire level: the client acts inside the delivery, so nothing depends on
+ * threads.
  */
 @Timeout(60)
 class LockStepTest {
@@ -54,10 +55,10 @@ class LockStepTest {
         simulation.close();
     }
 
-    /** A client that does the same with every frame. */
+    /** A client that reacts to every frame in the same way. */
     private final class Client implements DataSink {
         final List<Frame> frames = new ArrayList<>();
-        final PlayerConnection line = PlayerPorts.find(PORT).orElseThrow().connect(this, null);
+        final PlayerConnection connection = PlayerPorts.find(PORT).orElseThrow().connect(this, null);
         private final BiConsumer<Client, Frame> move;
 
         @Nullable
@@ -66,19 +67,19 @@ class LockStepTest {
         Client(BiConsumer<Client, Frame> move, int robot, Interfaces... types) {
             this.move = move;
             for (var type : types) {
-                line.subscribe(device(type, robot));
+                connection.subscribe(device(type, robot));
             }
         }
 
         DeviceAddress device(Interfaces type, int robot) {
-            return line.devices().stream()
+            return connection.devices().stream()
                     .filter(each -> each.interfaceCode() == type.code() && each.index() == robot)
                     .findFirst()
                     .orElseThrow();
         }
 
         void drive(int robot, double speedMps) {
-            line.command(device(Interfaces.POSITION2D, robot), new Velocity(speedMps, 0, 0, true));
+            connection.command(device(Interfaces.POSITION2D, robot), new Velocity(speedMps, 0, 0, true));
         }
 
         @Override
@@ -102,14 +103,14 @@ class LockStepTest {
         var client = new Client(
                 (self, frame) -> {
                     self.drive(0, 0.1);
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                     self.drive(0, 0.5);
                 },
                 0,
                 Interfaces.POSITION2D);
         simulation.tick();
         assertThat(x(0)).isCloseTo(0.01, within(1e-9));
-        client.drive(0, 0.2); // between two ticks: newer than the 0.5, and after the answer as well
+        client.drive(0, 0.2); // between two ticks: newer than the 0.5, and also after the answer
         simulation.tick();
         assertThat(x(0))
                 .as("0.1 again, said in the delivery of the second tick")
@@ -120,7 +121,7 @@ class LockStepTest {
     void command_afterTheAnswer_countsForTheNextTick_ifNothingNewerIsSaid() {
         new Client(
                 (self, frame) -> {
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                     if (frame.tick() == 0) {
                         self.drive(0, 0.5);
                     }
@@ -139,9 +140,9 @@ class LockStepTest {
         new Client(
                 (self, frame) -> {
                     self.drive(0, 0.4);
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                     first.drive(0, 0.1);
-                    first.line.answered(frame.tick());
+                    first.connection.answered(frame.tick());
                 },
                 0,
                 Interfaces.POSITION2D);
@@ -151,10 +152,10 @@ class LockStepTest {
 
     @Test
     void frame_hasTheSubscribedDevicesOnly_inTheOrderOfRobotsAndDevices_inSimulatedTime() {
-        var client = new Client((self, frame) -> self.line.answered(frame.tick()), 1, Interfaces.BLOBFINDER);
-        client.line.subscribe(client.device(Interfaces.SONAR, 0));
-        client.line.subscribe(client.device(Interfaces.POSITION2D, 1));
-        client.line.subscribe(client.device(Interfaces.BLOBFINDER, 0));
+        var client = new Client((self, frame) -> self.connection.answered(frame.tick()), 1, Interfaces.BLOBFINDER);
+        client.connection.subscribe(client.device(Interfaces.SONAR, 0));
+        client.connection.subscribe(client.device(Interfaces.POSITION2D, 1));
+        client.connection.subscribe(client.device(Interfaces.BLOBFINDER, 0));
         simulation.tick();
         simulation.tick();
         assertThat(client.frames.getLast().timeSeconds()).isEqualTo(0.1);
@@ -177,10 +178,10 @@ class LockStepTest {
         var client = new Client(
                 (self, frame) -> {
                     if (frame.tick() == 1) {
-                        self.line.close();
+                        self.connection.close();
                     } else {
                         self.drive(0, 0.5);
-                        self.line.answered(frame.tick());
+                        self.connection.answered(frame.tick());
                     }
                 },
                 0,
@@ -190,34 +191,34 @@ class LockStepTest {
         simulation.tick();
         assertThat(client.frames).hasSize(2);
         assertThat(x(0)).isCloseTo(0.05, within(1e-9));
-        assertThatThrownBy(() -> client.drive(0, 1)).isInstanceOf(LineClosedException.class);
+        assertThatThrownBy(() -> client.drive(0, 1)).isInstanceOf(ConnectionClosedException.class);
     }
 
     @Test
     void robotThatSomebodyElseStillDrives_doesNotStop() {
-        var leaving = new Client((self, frame) -> self.line.answered(frame.tick()), 0, Interfaces.POSITION2D);
+        var leaving = new Client((self, frame) -> self.connection.answered(frame.tick()), 0, Interfaces.POSITION2D);
         new Client(
                 (self, frame) -> {
                     if (frame.tick() == 0) {
                         self.drive(0, 0.5);
                     }
-                    self.line.answered(frame.tick());
+                    self.connection.answered(frame.tick());
                 },
                 0,
                 Interfaces.POSITION2D);
         simulation.tick();
-        leaving.line.close();
+        leaving.connection.close();
         simulation.tick();
         assertThat(x(0)).isCloseTo(0.10, within(1e-9));
     }
 
     @Test
     void closedSimulation_tellsItsClients_andTicksNoMore() {
-        var client = new Client((self, frame) -> self.line.answered(frame.tick()), 0, Interfaces.SONAR);
+        var client = new Client((self, frame) -> self.connection.answered(frame.tick()), 0, Interfaces.SONAR);
         simulation.close();
         assertThat(client.lost).contains("closed");
         assertThatThrownBy(simulation::tick).isInstanceOf(IllegalStateException.class);
-        assertThatThrownBy(() -> client.line.answered(0)).isInstanceOf(LineClosedException.class);
+        assertThatThrownBy(() -> client.connection.answered(0)).isInstanceOf(ConnectionClosedException.class);
         assertThat(PlayerPorts.find(PORT)).isEmpty();
     }
 
@@ -230,7 +231,7 @@ class LockStepTest {
                 .hasMessageContaining("tick 0")
                 .hasMessageContaining("sonar:0");
         assertThat(simulation.latest().tick()).isZero();
-        client.line.answered(0);
+        client.connection.answered(0);
         assertThat(simulation.tick().tick()).isEqualTo(1);
     }
 
@@ -308,7 +309,7 @@ class LockStepTest {
         assertThat(log).containsExactly("robot 1", "robot 0", "what follows for 1", "what follows for 0");
     }
 
-    /** A client of robot one on the space, at 0.5 m/s. */
+    /** Connects a client of robot one on the space, at 0.5 m/s. */
     private static void connectOn(ActorSpace space) throws InterruptedException {
         var connected = new CountDownLatch(1);
         space.execute(() -> {

@@ -29,7 +29,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Programs in the style of Player's students, in lock step with a world; on real threads. */
+/** Programs in the style of Player's students, in lock step with a world, on real threads. */
 @Tag("threads")
 @Timeout(60)
 class PlayerClientTest {
@@ -52,13 +52,13 @@ class PlayerClientTest {
         return snapshots;
     }
 
-    /** Runs a program on a thread of its own until it ends or its server goes. */
+    /** Runs a program on a separate thread until it ends or its server closes. */
     private static Thread program(Runnable code) {
         var thread = Thread.ofPlatform().daemon().unstarted(() -> {
             try {
                 code.run();
             } catch (PlayerException serverHasGone) {
-                // the end of every endless program
+                // ends every endless program
             }
         });
         thread.start();
@@ -77,7 +77,7 @@ class PlayerClientTest {
                 ;
             float[] ranges = son.getData().getRanges();
             for (int i = 0; i < son.getData().getRanges_count(); i++) {
-                ranges[i] = Math.min(ranges[i], 4f); // clamps in place
+                ranges[i] = Math.min(ranges[i], 4f); // clamps the array in place
             }
             if (ranges[1] > 1) {
                 pos.setSpeed(0.4, 0);
@@ -346,7 +346,7 @@ class PlayerClientTest {
                                 () -> robot.nextData().thenAccept(ready -> {
                                     seen.add(pos.isDataReady() + " at "
                                             + simulation.clock().nanos() / 1_000_000);
-                                    // a chain of turns: all of it belongs to this tick
+                                    // a chain of turns that all belong to this tick
                                     space.execute(() -> space.execute(() -> pos.setSpeed(pos.getX() + 0.1, 0)));
                                 }))
                         .exceptionally(lost -> null);

@@ -39,8 +39,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Programs as students wrote them for javaclient3, but for the prefix of their imports: against a world in this JVM and
- * behind a socket.
+ * Programs as students wrote them for javaclient3, with only the import prefix changed, against a world in this JVM and
+ * over a socket.
  */
 @Tag("threads")
 @Timeout(120)
@@ -52,9 +52,7 @@ class ProgramCorpusTest {
         void run(String[] args) throws Exception;
     }
 
-    /**
-     * A program: how long it runs, how many clients it makes, and how far its first robot goes in that time, in metres.
-     */
+    /** A program: its run time, its number of clients, and how far its first robot drives in that time, in metres. */
     enum Program {
         WALL_FOLLOWER(WallFollower::main, 600, 1, false, 3),
         SPACE_WANDERER(SpaceWanderer::main, 300, 1, false, 3),
@@ -84,7 +82,7 @@ class ProgramCorpusTest {
         }
     }
 
-    /** Both robots at the first port, the second one at the second port too. */
+    /** Both robots at the first port; the second robot at the second port too. */
     private static Scenario scenario() {
         List<RobotSpec> robots = List.of(
                 Specs.robot("one", new Pose(0.5, 1.2, 0), Specs.ORANGE, Specs.pioneerFront(), Specs.camera(5))
@@ -148,7 +146,7 @@ class ProgramCorpusTest {
                 try {
                     program.main.run(args);
                 } catch (PlayerException serverHasGone) {
-                    // the end of every endless program
+                    // ends every endless program
                 } catch (Exception e) {
                     failures.add(e);
                     enough.countDown();
@@ -172,7 +170,7 @@ class ProgramCorpusTest {
         return way;
     }
 
-    /** What the robots did in lock step. */
+    /** Checks what the robots did in lock step. */
     private static void check(Program program, List<Snapshot> snapshots) {
         assertThat(snapshots).hasSize(program.ticks);
         assertThat(wayM(snapshots, 0)).as("way of robot one").isGreaterThan(program.atLeastM);
@@ -198,7 +196,7 @@ class ProgramCorpusTest {
         }
     }
 
-    /** Names the first difference only: whole runs would fill the page. */
+    /** Reports the first difference only: whole runs would fill pages. */
     private static void assertSame(List<Snapshot> snapshots, List<Snapshot> expected) {
         for (int tick = 0; tick < expected.size(); tick++) {
             assertThat(snapshots.get(tick)).isEqualTo(expected.get(tick));
@@ -222,7 +220,7 @@ class ProgramCorpusTest {
             check(program, overTcp);
             assertSame(overTcp, inProcess(program));
         } else {
-            // Time goes on without it: how well it drives depends on how busy this machine is.
+            // The world does not wait for this client: how well it drives depends on the load of this machine.
             assertThat(wayM(overTcp, 0)).as("way of robot one").isGreaterThan(0.1);
         }
     }
@@ -232,7 +230,7 @@ class ProgramCorpusTest {
         overTcp(Program.PULL_READER);
         for (Thread each : Thread.getAllStackTraces().keySet()) {
             if (each.getName().startsWith("player-line-") || each.getName().startsWith("simulation-")) {
-                each.join(Duration.ofMinutes(1)); // it is told to end, and ends when it has a processor
+                each.join(Duration.ofMinutes(1)); // it has been asked to end, and ends once it gets a processor
                 assertThat(each.isAlive()).as(each.getName()).isFalse();
             }
         }

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** One ring of sonars that is offered as sonar:0 and as ranger:0, in both dialects: real programs use both. */
+/** One sonar ring that is served as sonar:0 and as ranger:0, in both dialects: real programs use both. */
 @Timeout(60)
 class RingTest {
     private static final int PORT = 6791;

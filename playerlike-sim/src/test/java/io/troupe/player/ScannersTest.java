@@ -18,7 +18,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Rangers and lasers, and what all devices do with messages. */
+/** Rangers and lasers, and the message handling that all devices share. */
 class ScannersTest implements PlayerConstants {
     private final ScriptedServer server = new ScriptedServer();
     private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);

@@ -1,12 +1,12 @@
 package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.player.wire.DataMessage;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Frame;
@@ -28,7 +28,7 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** A server for one client: it publishes when the test says so and remembers which ticks the client has answered. */
+/** A server for one client: it publishes when the test calls it, and records the ticks that the client has answered. */
 final class ScriptedServer implements PlayerServer, PlayerConnection {
     static final int PORT = 6750;
     private static final List<Interfaces> TYPES = List.of(
@@ -38,7 +38,7 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
     final List<DeviceCommand> commands = new CopyOnWriteArrayList<>();
     final List<DeviceRequest> requests = new CopyOnWriteArrayList<>();
     final List<ReplaceRule> rules = new CopyOnWriteArrayList<>();
-    /** Replies that are on their way, if {@link #repliesLater}. */
+    /** Replies that are not delivered yet, if {@link #repliesLater}. */
     final Queue<Runnable> replies = new ConcurrentLinkedQueue<>();
 
     final AtomicBoolean closed = new AtomicBoolean();
@@ -49,12 +49,12 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
     private final List<Long> answers = new ArrayList<>();
     private @Nullable DataSink sink;
 
-    /** Publishes a frame: every position, range and blob of it says the number of its tick. */
+    /** Publishes a frame in which every position, range and blob contains the number of the tick. */
     void publish(long tick) {
         double seconds = tick / 10.0;
         var messages = TYPES.stream()
                 .filter(type -> subscribed.contains(type.code()))
-                .map(type -> new DataMessage(address(type), seconds, data(type, tick)))
+                .map(type -> new DeviceDataMessage(address(type), seconds, data(type, tick)))
                 .toList();
         sink.frame(new Frame(tick, seconds, messages));
     }
@@ -63,7 +63,7 @@ final class ScriptedServer implements PlayerServer, PlayerConnection {
         sink.lost("the scripted server has gone");
     }
 
-    /** The newest tick the client has answered; -2 if it has not even asked for the first. */
+    /** The newest tick that the client has answered; -2 before it has requested its first data. */
     synchronized long answered() {
         return answers.isEmpty()
                 ? -2

@@ -38,7 +38,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What the simulated devices say and understand, on the wire. Robot one has a laser, a ranger and a second laser. */
+/** Messages that the simulated devices send and understand. Robot one has a laser, a ranger and a second laser. */
 @Timeout(60)
 class SimulatedDevicesTest {
     private static final int PORT = 6790;
@@ -236,7 +236,8 @@ class SimulatedDevicesTest {
         client.ask(POSITION2D, 0, new DeviceRequest.Power(true));
         client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
         ticks(2);
-        assertThat(pose(0).x()).isCloseTo(0.1, within(1e-9)); // the client has answered: it counts one tick later
+        // the client has already answered: the command counts one tick later
+        assertThat(pose(0).x()).isCloseTo(0.1, within(1e-9));
     }
 
     @Test
@@ -385,7 +386,7 @@ class SimulatedDevicesTest {
         assertThat(simulation.isPaused()).isTrue();
         var answers = new ArrayList<DeviceReply>();
         simulation.whileWaiting(
-                () -> { // on this thread, while the tick waits for time to go on
+                () -> { // on this thread, while the tick waits because time is paused
                     answers.add(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("two")));
                     if (answers.size() == 3) {
                         assertThat(client.frames).as("nothing is published").isEmpty();

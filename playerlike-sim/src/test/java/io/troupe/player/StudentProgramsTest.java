@@ -29,7 +29,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * Programs as students write them, against a world that runs by itself: the same way every time, however fast they are.
+ * Programs as students write them, against a world that runs by itself: every run is the same, whatever the speed of
+ * the programs.
  */
 @Tag("threads")
 @Timeout(120)
@@ -41,7 +42,7 @@ class StudentProgramsTest implements PlayerConstants {
             wall("east", 4.1, 0, 0.2, 10, BLACK),
             wall("box", 3, 1.5, 0.5, 0.5, RED));
 
-    /** Wastes an unpredictable time. */
+    /** Spends an unpredictable amount of time. */
     private static final class Dawdler {
         private final Random random;
 
@@ -56,7 +57,7 @@ class StudentProgramsTest implements PlayerConstants {
         }
     }
 
-    /** The style in which a program is written. */
+    /** The style in which a program reads its data. */
     enum Style {
         BUSY_WAIT {
             @Override
@@ -101,7 +102,7 @@ class StudentProgramsTest implements PlayerConstants {
         },
 
         SUBCLASS_THAT_ASKS_ONE_BY_ONE {
-            /** Two reactions that contradict each other: which comes last matters. */
+            /** Two reactions that contradict each other: the order of their commands matters. */
             final class Robot extends PlayerClient {
                 private final Position2DInterface pos;
                 private final SonarInterface son;
@@ -150,7 +151,7 @@ class StudentProgramsTest implements PlayerConstants {
                         speed = 0.2 + 0.1 * pos.getX();
                     }
                     dawdler.dawdle();
-                    pos.setSpeed(speed, 0.1); // also when there is no news: that counts for the next tick
+                    pos.setSpeed(speed, 0.1); // also without new data: such a command counts for the next tick
                 }
             }
         };
@@ -158,7 +159,7 @@ class StudentProgramsTest implements PlayerConstants {
         abstract void drive(int index, Dawdler dawdler);
     }
 
-    /** Two robots, each driven by a program on a thread of its own. */
+    /** Two robots, each driven by a program on a separate thread. */
     private static List<Snapshot> run(Style style, long seed) throws InterruptedException {
         var snapshots = new ArrayList<Snapshot>();
         var enough = new CountDownLatch(1);
@@ -177,7 +178,7 @@ class StudentProgramsTest implements PlayerConstants {
                         try {
                             style.drive(index, new Dawdler(seed + index));
                         } catch (PlayerException serverHasGone) {
-                            // the end of every endless program
+                            // ends every endless program
                         }
                     }))
                     .toList();
@@ -220,7 +221,7 @@ class StudentProgramsTest implements PlayerConstants {
                             pos.isDataReady();
                         }
                     } catch (PlayerException closed) {
-                        // the end
+                        // ends the program
                     }
                 });
             }
@@ -237,7 +238,7 @@ class StudentProgramsTest implements PlayerConstants {
             var silent = new PlayerClient("localhost", PORT);
             var son = silent.requestInterfaceSonar(1, PLAYER_OPEN_MODE);
             silent.runThreaded(-1, -1);
-            silent.join(); // its thread ends when the server goes
+            silent.join(); // its thread ends when the server closes
             assertThat(son.isDataReady()).as("the first frame was for it").isTrue();
             assertThatThrownBy(son::isDataReady)
                     .isInstanceOf(PlayerException.class)

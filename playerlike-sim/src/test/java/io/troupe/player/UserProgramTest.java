@@ -23,14 +23,14 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Programs that are compiled by javac alone, with what guide 04 names and nothing else. */
+/** Programs that javac alone compiles, with only the class path that guide 04 names. */
 @Timeout(300)
 class UserProgramTest {
-    /** What a program needs to be compiled: playerlike-sim, actor-core and JSpecify. */
+    /** The class path of a user program: playerlike-sim, actor-core and JSpecify. */
     private static final List<Class<?>> NAMED_IN_THE_GUIDE =
             List.of(PlayerClient.class, ActorSpace.class, NullMarked.class);
 
-    /** Written for javaclient3 but for the prefix of the imports; it mentions what is not offered. */
+    /** Written for javaclient3 except for the import prefix; it mentions the unsupported interfaces too. */
     private static final String MENTIONS_EVERYTHING = """
             import io.troupe.player.*;
             import io.troupe.player.structures.*;
@@ -141,7 +141,7 @@ class UserProgramTest {
     @TempDir
     private Path folder;
 
-    /** What javac says; empty if it has nothing to say. */
+    /** Compiles the sources; returns the output of javac, which is empty on success. */
     private String compile(List<Path> sources) {
         String classPath = NAMED_IN_THE_GUIDE.stream()
                 .map(UserProgramTest::placeOf)
@@ -184,7 +184,7 @@ class UserProgramTest {
     }
 
     static List<Class<?>> unoffered() {
-        return Arrays.stream(UnofferedInterfaces.class.getDeclaredMethods())
+        return Arrays.stream(UnsupportedInterfaces.class.getDeclaredMethods())
                 .filter(each -> each.getName().startsWith("requestInterface"))
                 .<Class<?>>map(Method::getReturnType)
                 .distinct()

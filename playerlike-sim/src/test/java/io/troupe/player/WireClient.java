@@ -13,9 +13,9 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BiConsumer;
 
-/** A client on the bare wire that does the same with every frame. */
+/** A client at the wire level that reacts to every frame in the same way. */
 public final class WireClient implements DataSink {
-    /** What a client in lock step does at least. */
+    /** The minimum that a client in lock step does: it answers. */
     public static final BiConsumer<WireClient, Frame> ANSWER = (self, frame) -> self.line.answered(frame.tick());
 
     public final List<Frame> frames = new CopyOnWriteArrayList<>();

@@ -1,8 +1,8 @@
 package io.troupe.player.structures;
 
-/** The same as {@link PlayerBbox2d}, by the name that older programs use. */
+/** The same as {@link PlayerBbox2d}, under the name that older programs use. */
 public class PlayerBbox extends PlayerBbox2d {
-    /** The rectangle itself where it has the older name already, else a copy that has. */
+    /** Returns the argument if it already has the older type, else a copy of that type. */
     public static PlayerBbox of(PlayerBbox2d box) {
         if (box instanceof PlayerBbox same) {
             return same;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A colour; each part from 0 to 255, alpha 0 is transparent. */
+/** A colour; components from 0 to 255, alpha 0 is transparent. */
 public class PlayerColor {
     private int alpha;
     private int red;

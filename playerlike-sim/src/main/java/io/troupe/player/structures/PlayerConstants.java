@@ -1,7 +1,7 @@
 package io.troupe.player.structures;
 
 /**
- * Numbers of the Player protocol that programs use by name.
+ * Constants of the Player protocol.
  *
  * <p><b>Source.</b> Player 3 protocol: message types, access modes, interface codes.
  */
@@ -15,7 +15,7 @@ public interface PlayerConstants {
 
     /** Data are sent as soon as they are published. */
     int PLAYER_DATAMODE_PUSH = 1;
-    /** Data are sent when they are asked for. */
+    /** Data are sent on request. */
     int PLAYER_DATAMODE_PULL = 2;
 
     short PLAYER_MSGTYPE_DATA = 1;

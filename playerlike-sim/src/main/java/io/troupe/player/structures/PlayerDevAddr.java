@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A device's address: host and robot (the port) as the server writes them, interface code and index. */
+/** The address of a device: host and robot (the port) as sent by the server, interface code and index. */
 public class PlayerDevAddr {
     private int host;
     private int robot;

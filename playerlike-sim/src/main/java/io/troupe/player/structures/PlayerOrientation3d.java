@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A direction in space, in radians. */
+/** A 3D orientation, in radians. */
 public class PlayerOrientation3d {
     private double proll;
     private double ppitch;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A point in the plane, in metres. */
+/** A 2D point, in metres. */
 public class PlayerPoint2d {
     private double px;
     private double py;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A point in space, in metres. */
+/** A 3D point, in metres. */
 public class PlayerPoint3d {
     private double px;
     private double py;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** The same as {@link PlayerPose2d}, by the name that older programs use. */
+/** The same as {@link PlayerPose2d}, under the name that older programs use. */
 public class PlayerPose extends PlayerPose2d {
     public PlayerPose() {}
 
@@ -8,7 +8,7 @@ public class PlayerPose extends PlayerPose2d {
         super(x, y, a);
     }
 
-    /** The pose itself where it has the older name already, else a copy that has. */
+    /** Returns the argument if it already has the older type, else a copy of that type. */
     public static PlayerPose of(PlayerPose2d pose) {
         return pose instanceof PlayerPose same ? same : new PlayerPose(pose.getPx(), pose.getPy(), pose.getPa());
     }

@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A pose in the plane: metres and radians. */
+/** A 2D pose: metres and radians. */
 public class PlayerPose2d {
     private double px;
     private double py;

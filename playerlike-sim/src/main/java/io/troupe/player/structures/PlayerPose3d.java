@@ -1,6 +1,6 @@
 package io.troupe.player.structures;
 
-/** A pose in space: metres and radians. */
+/** A 3D pose: metres and radians. */
 public class PlayerPose3d {
     private double px;
     private double py;
@@ -57,7 +57,7 @@ public class PlayerPose3d {
         pyaw = value;
     }
 
-    /** The yaw, by the name that it has in a pose in the plane: older programs read the pose of a laser so. */
+    /** The yaw, under the name of the same field in a 2D pose: older programs read the pose of a laser with it. */
     public synchronized double getPa() {
         return pyaw;
     }

@@ -15,16 +15,16 @@ import jdk.net.ExtendedSocketOptions;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One client behind a socket.
+ * The server side of one client connected by a socket.
  *
- * <p><b>Threads.</b> Two platform threads of its own, one reads and one writes; {@link #close} from any thread. They
- * are not virtual because virtual threads are not preempted: as many clients as there are carriers, which send without
- * a pause, would stop all others.
+ * <p><b>Threads.</b> Two dedicated platform threads: one reads and one writes; {@link #close} from any thread. They are
+ * not virtual because virtual threads are not preempted: as many clients as there are carriers, each sending without a
+ * pause, would block all other clients.
  *
- * <p><b>Errors.</b> Whatever goes wrong ends this session and no other, and is logged with the client's address.
+ * <p><b>Errors.</b> An error ends only this session and is logged with the client's address.
  */
 final class ClientSession implements DataSink {
-    /** Real requests are smaller than two thousand bytes. */
+    /** Real requests are smaller than 2,000 bytes. */
     static final int MAX_REQUEST_BYTES = 64 * 1024;
 
     private static final Logger LOG = System.getLogger(ClientSession.class.getName());
@@ -38,9 +38,9 @@ final class ClientSession implements DataSink {
     private final long connectedAtNanos;
     private final AtomicBoolean closed = new AtomicBoolean();
     private final AtomicLong writingSince = new AtomicLong(IDLE);
-    private volatile boolean spoken;
-    private volatile @Nullable PlayerConnection line;
-    private volatile @Nullable Conversation conversation;
+    private volatile boolean messageReceived;
+    private volatile @Nullable PlayerConnection connection;
+    private volatile @Nullable ClientMessageHandler handler;
 
     ClientSession(Socket socket, TcpServer.Shared shared, Consumer<ClientSession> ended) {
         this.socket = socket;
@@ -50,18 +50,18 @@ final class ClientSession implements DataSink {
         this.ended = ended;
     }
 
-    /** Greets, and serves until somebody ends it. */
+    /** Sends the greeting and serves the client until the session ends. */
     void start(PlayerServer devices, int host) throws IOException {
         socket.setTcpNoDelay(true);
         socket.setKeepAlive(true);
         outbox.greet(TcpServer.banner(devices.banner()));
-        PlayerConnection connection = devices.connect(this, null);
-        line = connection;
-        if (closed.get()) { // meanwhile, by a server that has gone
-            connection.close();
+        PlayerConnection opened = devices.connect(this, null);
+        connection = opened;
+        if (closed.get()) { // closed meanwhile by a server that has shut down
+            opened.close();
             return;
         }
-        conversation = new Conversation(peer, connection, outbox, host, socket.getLocalPort());
+        handler = new ClientMessageHandler(peer, opened, outbox, host, socket.getLocalPort());
         LOG.log(Level.DEBUG, () -> peer + " has connected");
         thread("player-write-", this::write);
         thread("player-read-", this::read);
@@ -71,7 +71,7 @@ final class ClientSession implements DataSink {
         Thread.ofPlatform().daemon().name(prefix + peer).start(() -> run(job));
     }
 
-    /** Returns the reason for which it has ended. */
+    /** The main method of a session thread; returns the reason for its end. */
     private interface Job {
         String run() throws IOException, WireException, InterruptedException;
     }
@@ -80,30 +80,30 @@ final class ClientSession implements DataSink {
         try {
             end(job.run());
         } catch (SocketException e) {
-            // how a push client ends whose last data are still on their way
+            // a push client ends like this if data are still in transit to it
             end("the client has left: " + e.getMessage());
-        } catch (IOException | WireException | LineClosedException | InterruptedException e) {
+        } catch (IOException | WireException | ConnectionClosedException | InterruptedException e) {
             close(String.valueOf(e.getMessage()));
         } catch (RuntimeException | Error e) {
             close(e.toString());
             LOG.log(Level.WARNING, peer + " led to an error of the server", e);
         } finally {
-            close("its thread has ended"); // by an error of what should have reported one
+            close("its thread has ended"); // reached only if the handlers above have failed
         }
     }
 
     private String read() throws IOException, WireException, InterruptedException {
         var reader = new MessageReader(new BufferedInputStream(socket.getInputStream()), MAX_REQUEST_BYTES);
-        Conversation with = Objects.requireNonNull(conversation);
+        ClientMessageHandler messages = Objects.requireNonNull(handler);
         while (outbox.awaitRoom()) {
-            Message message = reader.read();
+            WireMessage message = reader.read();
             if (message == null) {
                 return "the client has closed the connection";
             }
-            spoken = true;
+            messageReceived = true;
             shared.handling().acquire();
             try {
-                with.hear(message);
+                messages.handle(message);
             } finally {
                 shared.handling().release();
             }
@@ -115,13 +115,13 @@ final class ClientSession implements DataSink {
     }
 
     /**
-     * Lets the kernel acknowledge what has arrived. A command has no reply that would carry the acknowledgement, and a
-     * client that collects small writes (Nagle, as Player's own clients do) holds its next request back until it comes:
-     * 40 ms for each tick in lock step.
+     * Makes the kernel acknowledge received data at once. A command has no reply that could carry the acknowledgement,
+     * and a client that collects small writes (Nagle, as Player's own clients do) delays its next request until the
+     * acknowledgement arrives: 40 ms per tick in lock step.
      */
     private void acknowledgeNow() throws IOException {
         if (socket.supportedOptions().contains(ExtendedSocketOptions.TCP_QUICKACK)) {
-            socket.setOption(ExtendedSocketOptions.TCP_QUICKACK, true); // not for good: the kernel takes it back
+            socket.setOption(ExtendedSocketOptions.TCP_QUICKACK, true); // set each time: the kernel resets this option
         }
     }
 
@@ -139,8 +139,8 @@ final class ClientSession implements DataSink {
     }
 
     /**
-     * Ends the session if a write has not got through for longer than the limit, or the client has never sent a
-     * message.
+     * Closes the session if a write has been blocked for longer than the limit, or if the client has not sent a message
+     * within its limit.
      */
     void checkLimits(long nowNanos) {
         TcpServer.Settings settings = shared.settings();
@@ -148,22 +148,23 @@ final class ClientSession implements DataSink {
         if (since != IDLE && nowNanos - since > settings.writeLimit().toNanos()) {
             close("a write has not got through within " + settings.writeLimit());
         }
-        if (!spoken && nowNanos - connectedAtNanos > settings.silenceLimit().toNanos()) {
+        if (!messageReceived
+                && nowNanos - connectedAtNanos > settings.silenceLimit().toNanos()) {
             close("it has not sent a message within " + settings.silenceLimit());
         }
     }
 
     @Override
     public void frame(Frame frame) {
-        Conversation with = conversation;
-        if (with == null || closed.get()) {
+        ClientMessageHandler messages = handler;
+        if (messages == null || closed.get()) {
             return;
         }
         try {
-            with.frame(frame);
-        } catch (LineClosedException e) {
+            messages.frame(frame);
+        } catch (ConnectionClosedException e) {
             close(String.valueOf(e.getMessage()));
-        } catch (RuntimeException | Error e) { // on the thread of the world, which must not end by it
+        } catch (RuntimeException | Error e) { // on the world's thread, which must survive this error
             close("its data could not be sent: " + e);
             LOG.log(Level.WARNING, peer + ": its data could not be sent", e);
         }
@@ -174,12 +175,12 @@ final class ClientSession implements DataSink {
         end(reason);
     }
 
-    /** As it should. */
+    /** Ends the session for an expected reason; logged as DEBUG. */
     void end(String reason) {
         close(Level.DEBUG, reason);
     }
 
-    /** For a reason that somebody may want to know. */
+    /** Ends the session for a reason worth logging as INFO. */
     void close(String reason) {
         close(Level.INFO, reason);
     }
@@ -199,9 +200,9 @@ final class ClientSession implements DataSink {
         } catch (IOException e) {
             LOG.log(Level.DEBUG, peer + " could not be closed", e);
         }
-        PlayerConnection connection = line;
-        if (connection != null) {
-            connection.close();
+        PlayerConnection opened = connection;
+        if (opened != null) {
+            opened.close();
         }
         ended.accept(this);
     }

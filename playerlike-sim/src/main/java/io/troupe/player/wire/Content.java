@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** What a message says, without its address and time. */
+/** Subtype and payload of a message, without address and time. */
 record Content(int subtype, byte[] payload) {
     static final byte[] NONE = {};
 

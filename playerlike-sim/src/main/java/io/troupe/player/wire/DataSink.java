@@ -1,10 +1,10 @@
 package io.troupe.player.wire;
 
-/** Where a server delivers to; implemented by clients. Frames never overlap, and neither call blocks. */
+/** Receives what a server publishes; implemented by clients. Frames never overlap, and neither method may block. */
 public interface DataSink {
-    /** On the thread that {@link PlayerServer#connect} says. */
+    /** Receives a frame, on the thread that {@link PlayerServer#connect} specifies. */
     void frame(Frame frame);
 
-    /** The server has gone; nothing follows. From any thread, any number of times. */
+    /** The connection to the server is lost and no frame follows. Called from any thread, any number of times. */
     void lost(String reason);
 }

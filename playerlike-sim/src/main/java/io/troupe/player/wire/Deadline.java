@@ -4,21 +4,21 @@ import io.troupe.actor.time.Clock;
 import java.time.Duration;
 
 /**
- * The moment at which a call's limit is over: one for all that the call waits for.
+ * The time at which the limit of a call expires; it covers everything the call waits for.
  *
- * @param nanos by the clock
+ * @param nanos reading of the clock at that time
  */
 record Deadline(Clock clock, Duration limit, long nanos) {
     static Deadline after(Duration limit, Clock clock) {
         return new Deadline(clock, limit, clock.nanos() + nanos(limit));
     }
 
-    /** 0 or less when the limit is over. */
+    /** The remaining time; 0 or less once the limit has expired. */
     long leftNanos() {
         return nanos - clock.nanos();
     }
 
-    /** At most what differences of nanoseconds can tell: 292 years. */
+    /** The limit in nanoseconds, capped at the longest that a long can hold: 292 years. */
     static long nanos(Duration limit) {
         try {
             return limit.toNanos();

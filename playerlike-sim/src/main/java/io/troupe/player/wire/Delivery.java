@@ -2,8 +2,8 @@ package io.troupe.player.wire;
 
 /** When a server sends data. */
 public enum Delivery {
-    /** As soon as they are published. */
+    /** As soon as data are published. */
     PUSH,
-    /** When they are asked for. */
+    /** On request. */
     PULL
 }

@@ -5,9 +5,7 @@ public sealed interface DeviceCommand {
     /** position2d CMD 1: metres and radians per second in the robot's frame; Stage ignores {@code enabled}. */
     record Velocity(double vx, double vy, double va, boolean enabled) implements DeviceCommand {}
 
-    /**
-     * position2d CMD 2: a goal in the odometry frame; Stage ignores the speeds to go there with and {@code enabled}.
-     */
+    /** position2d CMD 2: a goal in the odometry frame. Stage ignores the speeds on the way and {@code enabled}. */
     record GoTo(double px, double py, double pa, double vx, double vy, double va, boolean enabled)
             implements DeviceCommand {}
 
@@ -17,12 +15,12 @@ public sealed interface DeviceCommand {
     /** position2d CMD 4: the heading is absolute, in the odometry frame. */
     record VelocityHeading(double velocityMps, double headingRad) implements DeviceCommand {}
 
-    /** simulation CMD 1: stops the world's time, or lets it go on. */
+    /** simulation CMD 1: pauses the world, or continues it. */
     record Pause() implements DeviceCommand {}
 
-    /** simulation CMD 2: everything back to where it started. */
+    /** simulation CMD 2: resets every model to its start pose. */
     record Reset() implements DeviceCommand {}
 
-    /** simulation CMD 3. */
+    /** simulation CMD 3: saves the world. */
     record Save() implements DeviceCommand {}
 }

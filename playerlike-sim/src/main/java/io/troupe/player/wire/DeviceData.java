@@ -11,7 +11,7 @@ public sealed interface DeviceData {
     record Position2d(double px, double py, double pa, double vx, double vy, double va, boolean stall)
             implements DeviceData {}
 
-    /** sonar DATA 1: one range in metres per sonar. */
+    /** sonar DATA 1: one range per sonar, in metres. */
     record SonarRanges(List<Float> rangesM) implements DeviceData {
         public SonarRanges {
             rangesM = List.copyOf(rangesM);
@@ -19,8 +19,8 @@ public sealed interface DeviceData {
     }
 
     /**
-     * blobfinder DATA 1: the image's size in pixels (0 x 0 when it shows no blob) and its blobs, from right to left as
-     * Stage lists them.
+     * blobfinder DATA 1: the size of the image in pixels (0 x 0 if it has no blob) and its blobs, from right to left in
+     * Stage's order.
      */
     record Blobs(int width, int height, List<Blob> blobs) implements DeviceData {
         public Blobs {
@@ -31,7 +31,10 @@ public sealed interface DeviceData {
     /** One blob, in pixels; colour {@code 0x00RRGGBB}; range in metres. */
     record Blob(int id, int colour, int area, int x, int y, int left, int right, int top, int bottom, float rangeM) {}
 
-    /** ranger DATA 1: the ranges in metres of all elements, one after the other; within one from right to left. */
+    /**
+     * ranger DATA 1: the ranges of all elements in metres, one element after the other; within an element from right to
+     * left.
+     */
     record RangerRanges(List<Double> rangesM) implements DeviceData {
         public RangerRanges {
             rangesM = List.copyOf(rangesM);
@@ -58,7 +61,7 @@ public sealed interface DeviceData {
         }
     }
 
-    /** ranger DATA 3: how strongly each range of DATA 1 came back. */
+    /** ranger DATA 3: the intensity of the echo of each range of DATA 1. */
     record RangerIntensities(List<Double> intensities) implements DeviceData {
         public RangerIntensities {
             intensities = List.copyOf(intensities);
@@ -66,7 +69,7 @@ public sealed interface DeviceData {
     }
 
     /**
-     * ranger DATA 2 and 4: ranges or intensities, and with them where the ranger was and how it scanned.
+     * ranger DATA 2 and 4: ranges or intensities, with the geometry and configuration of the ranger at that time.
      *
      * @param data {@link RangerRanges} or {@link RangerIntensities}
      */
@@ -84,7 +87,7 @@ public sealed interface DeviceData {
     /**
      * DATA 2 of position2d and sonar, DATA 5 of ranger: the geometry has changed.
      *
-     * @param geometry as the reply to {@link DeviceRequest.Geometry}
+     * @param geometry the same as in the reply to {@link DeviceRequest.Geometry}
      */
     record GeometryChanged(DeviceReply geometry) implements DeviceData {
         public GeometryChanged {

@@ -4,18 +4,18 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.List;
 
-/** What a device answers; metres, radians. */
+/** The reply of a device to a request; metres, radians. */
 public sealed interface DeviceReply {
-    /** Done (RESP_ACK without content). */
+    /** Success (RESP_ACK without content). */
     record Ack() implements DeviceReply {}
 
-    /** Refused (RESP_NACK), and why, where the server says so. */
+    /** Refusal (RESP_NACK), with the reason if the server sends one. */
     record Nack(String reason) implements DeviceReply {}
 
     /** The body in the robot's frame: its centre, its length (x) and width (y), metres and radians. */
     record Position2dGeometry(double px, double py, double pa, double lengthM, double widthM) implements DeviceReply {}
 
-    /** Where each sonar sits, in the robot's frame. */
+    /** The pose of each sonar, in the robot's frame. */
     record SonarGeometry(List<SonarMount> mounts) implements DeviceReply {
         public SonarGeometry {
             mounts = List.copyOf(mounts);
@@ -25,7 +25,7 @@ public sealed interface DeviceReply {
     /** Metres and radians, in the robot's frame. */
     record SonarMount(double px, double py, double yaw) {}
 
-    /** Where a ranger and its elements sit, and how large they are. */
+    /** Poses and sizes of a ranger and its elements. */
     record RangerGeometry(Pose3d pose, Size3d size, List<Pose3d> elementPoses, List<Size3d> elementSizes)
             implements DeviceReply {
         public RangerGeometry {
@@ -34,33 +34,33 @@ public sealed interface DeviceReply {
         }
     }
 
-    /** To {@link DeviceRequest.GetConfiguration} and {@link DeviceRequest.SetRangerConfiguration} of a ranger. */
+    /** Reply to {@link DeviceRequest.GetConfiguration} and {@link DeviceRequest.SetRangerConfiguration} of a ranger. */
     record OfRanger(RangerConfiguration configuration) implements DeviceReply {
         public OfRanger {
             requireNonNull(configuration, "configuration");
         }
     }
 
-    /** Where a laser sits, and how large it is. */
+    /** Pose and size of a laser. */
     record LaserGeometry(Pose3d pose, Size3d size) implements DeviceReply {}
 
-    /** To {@link DeviceRequest.GetConfiguration} and {@link DeviceRequest.SetLaserConfiguration} of a laser. */
+    /** Reply to {@link DeviceRequest.GetConfiguration} and {@link DeviceRequest.SetLaserConfiguration} of a laser. */
     record OfLaser(LaserConfiguration configuration) implements DeviceReply {
         public OfLaser {
             requireNonNull(configuration, "configuration");
         }
     }
 
-    /** To {@link DeviceRequest.LaserId}. */
+    /** Reply to {@link DeviceRequest.LaserId}. */
     record LaserId(int id) implements DeviceReply {}
 
-    /** To {@link DeviceRequest.GetPose}: in the world's frame. */
+    /** Reply to {@link DeviceRequest.GetPose}: a pose in the world's frame. */
     record ModelPose(String model, double px, double py, double pa) implements DeviceReply {
         public ModelPose {
             requireNonNull(model, "model");
         }
     }
 
-    /** To {@link DeviceRequest.GetColour}. */
+    /** Reply to {@link DeviceRequest.GetColour}. */
     record Colour(int channel, int rmin, int rmax, int gmin, int gmax, int bmin, int bmax) implements DeviceReply {}
 }

@@ -3,21 +3,21 @@ package io.troupe.player.wire;
 import static java.util.Objects.requireNonNull;
 
 /**
- * The content of a REQ message to a device; each has exactly one {@link DeviceReply}.
+ * The content of a REQ message to a device; each gets exactly one {@link DeviceReply}.
  *
  * <p><b>Units and shapes.</b> Metres, radians, seconds.
  */
 public sealed interface DeviceRequest {
     /**
-     * The property of a position2d that says for how many milliseconds, on the server's clock, a speed that this client
-     * sends holds; 0 = until another command, as Player has it.
+     * Key of a position2d property: for how many milliseconds of the server's clock a speed sent by this client
+     * applies. 0 = until the next command, as in Player.
      */
     String COMMAND_LIMIT_KEY = "troupe_command_limit_ms";
 
-    /** REQ 1 of position2d, sonar, ranger and laser. */
+    /** REQ 1 of position2d, sonar, ranger and laser: requests the geometry. */
     record Geometry() implements DeviceRequest {}
 
-    /** position2d, sonar and ranger REQ 2, laser REQ 4. */
+    /** position2d, sonar and ranger REQ 2, laser REQ 4: switches the device on or off. */
     record Power(boolean on) implements DeviceRequest {}
 
     /** position2d REQ 3. */
@@ -51,7 +51,7 @@ public sealed interface DeviceRequest {
     /** blobfinder REQ 3. */
     record GetColour() implements DeviceRequest {}
 
-    /** ranger REQ 3: whether intensities are published too. */
+    /** ranger REQ 3: switches the publication of intensities. */
     record Intensities(boolean on) implements DeviceRequest {}
 
     /** ranger REQ 5, laser REQ 3. */
@@ -74,14 +74,14 @@ public sealed interface DeviceRequest {
     /** laser REQ 5. */
     record LaserId() implements DeviceRequest {}
 
-    /** simulation REQ 1: where a model of the world is. */
+    /** simulation REQ 1: requests the pose of a model. */
     record GetPose(String model) implements DeviceRequest {
         public GetPose {
             requireNonNull(model, "model");
         }
     }
 
-    /** simulation REQ 2: puts a model elsewhere. */
+    /** simulation REQ 2: moves a model to a pose. */
     record SetPose(String model, double px, double py, double pa) implements DeviceRequest {
         public SetPose {
             requireNonNull(model, "model");
@@ -91,7 +91,7 @@ public sealed interface DeviceRequest {
     /**
      * position2d REQ 253: sets an integer property of the driver.
      *
-     * @param key {@link #COMMAND_LIMIT_KEY} is the only one that our server has
+     * @param key our server only has {@link #COMMAND_LIMIT_KEY}
      */
     record SetIntegerProperty(String key, int value) implements DeviceRequest {
         public SetIntegerProperty {
@@ -99,9 +99,9 @@ public sealed interface DeviceRequest {
         }
     }
 
-    /** REQ 255 of every interface: whether a message would be understood. */
+    /** REQ 255 of every interface: whether the device supports a message. */
     record Capability(int type, int subtype) implements DeviceRequest {}
 
-    /** A request that no device of ours understands; always refused. */
+    /** A request that no device of ours supports; always refused. */
     record Unknown(int subtype) implements DeviceRequest {}
 }

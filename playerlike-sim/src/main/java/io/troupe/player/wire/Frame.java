@@ -3,11 +3,11 @@ package io.troupe.player.wire;
 import java.util.List;
 
 /**
- * All that a server publishes to one client at one tick, in the order position2d, sonar, blobfinder per robot.
+ * The data that a server publishes to one client in one tick, per robot in the order position2d, sonar, blobfinder.
  *
- * @param tick counts publications from 0
+ * @param tick number of the publication, from 0
  */
-public record Frame(long tick, double timeSeconds, List<DataMessage> messages) {
+public record Frame(long tick, double timeSeconds, List<DeviceDataMessage> messages) {
     public Frame {
         messages = List.copyOf(messages);
     }

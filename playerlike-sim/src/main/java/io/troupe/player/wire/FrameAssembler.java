@@ -4,46 +4,46 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Makes frames of the messages of a stream: one of each message in push mode, one of all until SYNCH in pull mode.
+ * Assembles the DATA messages of a stream into frames: one per message in push mode, one per SYNCH in pull mode.
  *
- * <p><b>Threads.</b> The reader of the stream; only {@link #wantsData} is for any thread.
+ * <p><b>Threads.</b> The thread that reads the stream; only {@link #wantsData} may be called from any thread.
  */
 final class FrameAssembler {
-    /** As many as a server keeps for a client. */
-    private static final int MOST_MESSAGES = 1024;
+    /** The same bound as a server's queue for a client. */
+    private static final int MAX_MESSAGES = 1024;
 
-    private final List<DataMessage> messages = new ArrayList<>();
+    private final List<DeviceDataMessage> messages = new ArrayList<>();
     private Delivery mode = Delivery.PUSH;
     private boolean asked;
     private long nextTick;
 
-    /** From here on in the stream; what has come before is a frame of its own. */
+    /** Switches the mode at this place in the stream; messages collected before form a separate frame. */
     synchronized List<Frame> mode(Delivery newMode) {
         mode = newMode;
         asked = false;
         return messages.isEmpty() ? List.of() : List.of(frame());
     }
 
-    synchronized List<Frame> add(DataMessage message) {
-        if (messages.size() == MOST_MESSAGES) {
+    synchronized List<Frame> add(DeviceDataMessage message) {
+        if (messages.size() == MAX_MESSAGES) {
             messages.removeFirst();
         }
         messages.add(message);
         return mode == Delivery.PUSH ? List.of(frame()) : List.of();
     }
 
-    /** The end of a frame that was asked for; data that were sent earlier, before a reply, belong to it. */
+    /** Ends a requested frame; data that were sent earlier, before a reply, belong to it. */
     synchronized List<Frame> synch() {
         asked = false;
         return mode == Delivery.PUSH ? List.of() : List.of(frame());
     }
 
-    /** The question for data was refused, or did not leave this machine: it may be asked again. */
+    /** The request for data was refused or not sent; it may be repeated. */
     synchronized void refused() {
         asked = false;
     }
 
-    /** Whether a client that has seen the frame of that tick has to ask for the next one; true once for each. */
+    /** True if a client that has seen the frame of that tick must request the next one; true once per frame. */
     synchronized boolean wantsData(long tick) {
         if (mode == Delivery.PUSH || asked || tick < nextTick - 1) {
             return false;

@@ -3,17 +3,17 @@ package io.troupe.player.wire;
 import java.nio.ByteBuffer;
 
 /**
- * What precedes every message: 40 bytes, big-endian.
+ * The header of every message: 40 bytes, big-endian.
  *
- * @param sequence zero from all known clients; replies of the player device repeat it
- * @param size of the payload, in bytes
+ * @param sequence 0 from all known clients; replies of the player device repeat it
+ * @param size size of the payload in bytes
  */
 record Header(DeviceAddress address, MessageType type, int subtype, double timeSeconds, int sequence, int size) {
     static final int BYTES = 40;
     private static final int MAX_SHORT = 0xFFFF;
     private static final int MAX_BYTE = 0xFF;
 
-    /** Reads the next 40 bytes, which must be there. */
+    /** Reads the next 40 bytes; the buffer must contain them. */
     static Header read(ByteBuffer from, int maxPayloadBytes) throws WireException {
         int host = from.getInt();
         int robot = from.getInt();

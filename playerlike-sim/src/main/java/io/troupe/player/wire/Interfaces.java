@@ -2,7 +2,7 @@ package io.troupe.player.wire;
 
 import org.jspecify.annotations.Nullable;
 
-/** Player's interfaces by code and name, as far as they are offered. */
+/** The supported Player interfaces, with code and name. */
 public enum Interfaces {
     POSITION2D(4, "position2d"),
     SONAR(5, "sonar"),
@@ -27,7 +27,7 @@ public enum Interfaces {
         return playerName;
     }
 
-    /** Null for one that is not offered. */
+    /** Null for an interface that is not supported. */
     static @Nullable Interfaces find(int code) {
         for (var each : values()) {
             if (each.code == code) {
@@ -37,7 +37,7 @@ public enum Interfaces {
         return null;
     }
 
-    /** The name of an interface, or its number if we do not know it. */
+    /** The name of an interface, or its number if it is unknown. */
     public static String name(int code) {
         Interfaces known = find(code);
         return known == null ? "interface" + code : known.playerName;

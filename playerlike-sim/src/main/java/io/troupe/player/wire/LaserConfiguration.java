@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** How a laser scans: radians, metres, hertz. */
+/** Scan configuration of a laser: radians, metres, hertz. */
 public record LaserConfiguration(
         float minAngleRad,
         float maxAngleRad,

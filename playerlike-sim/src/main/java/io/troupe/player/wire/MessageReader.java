@@ -7,12 +7,12 @@ import java.nio.ByteBuffer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Cuts a stream of bytes into messages.
+ * Splits a stream of bytes into messages.
  *
- * <p><b>Errors.</b> After a {@link WireException} nobody knows where the next message begins: the stream is of no use
- * any more.
+ * <p><b>Errors.</b> After a {@link WireException} the position of the next message is unknown, so the stream cannot be
+ * used any further.
  *
- * <p><b>Cost.</b> Takes memory for bytes that have arrived, not for those that a header announces.
+ * <p><b>Cost.</b> Allocates memory for bytes that have arrived, not for the size that a header announces.
  */
 final class MessageReader {
     private final InputStream in;
@@ -24,13 +24,13 @@ final class MessageReader {
     }
 
     /**
-     * Waits for the next message; null if the stream ends before it begins.
+     * Waits for the next message; null at the end of the stream.
      *
-     * @throws WireException if a header is not one
+     * @throws WireException if a header is invalid
      * @throws EOFException if the stream ends within a message
      */
     @Nullable
-    Message read() throws IOException, WireException {
+    WireMessage read() throws IOException, WireException {
         byte[] head = in.readNBytes(Header.BYTES);
         if (head.length == 0) {
             return null;
@@ -40,11 +40,11 @@ final class MessageReader {
                     "the stream ended after " + head.length + " bytes of a header, expected " + Header.BYTES);
         }
         Header header = Header.read(ByteBuffer.wrap(head), maxPayloadBytes);
-        byte[] payload = in.readNBytes(header.size()); // grows with what arrives
+        byte[] payload = in.readNBytes(header.size()); // grows with the bytes that arrive
         if (payload.length < header.size()) {
             throw new EOFException(
                     "the stream ended after " + payload.length + " bytes of a payload, expected " + header.size());
         }
-        return new Message(header, payload);
+        return new WireMessage(header, payload);
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import java.io.ByteArrayOutputStream;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.Iterator;
@@ -16,42 +17,42 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a server has to tell one client: data, which wait in pull mode until they are asked for, and replies.
+ * The output queue of one client: data, which in pull mode are held until the client requests them, and replies.
  *
  * <p><b>Threads.</b> Any thread; only {@link #take} and {@link #awaitRoom} wait. {@link #frame} and {@link #close}
- * never wait for the lock, which the threads of the connection hold and queue for: a frame is put down beside it and
- * taken in by the thread that holds the lock now or gets it next.
+ * never wait for the lock, for which the threads of the connection compete. They put a frame into a separate queue, and
+ * the thread that holds the lock, or the next one to get it, moves it from there.
  *
- * <p><b>Order.</b> As it was put in, except that the reply to a request for data precedes the data.
+ * <p><b>Order.</b> First in, first out, except that the reply to a request for data precedes the data.
  *
- * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages wait, and whoever reads the client's requests waits while
- * {@value #MAX_REPLY_BYTES} bytes of replies do.
+ * <p><b>Cost.</b> At most {@value #MAX_DATA} data messages are queued. The thread that reads the client's requests
+ * blocks while {@value #MAX_REPLY_BYTES} bytes of replies are queued.
  */
 final class Outbox {
     static final int MAX_DATA = 1024;
     static final int MAX_REPLY_BYTES = 64 * 1024;
-    /** Frames that were not taken in because a thread held the lock all the time. */
+    /** Bound of frames not yet moved into the queue because a thread held the lock all the time. */
     private static final int MAX_ARRIVED = 1024;
 
     private static final int MAX_BATCH_BYTES = 64 * 1024;
 
-    /** @param data null for everything that no rule speaks of */
+    /** @param data null for everything that replace rules do not apply to */
     private record Entry(byte[] bytes, @Nullable Kind data) {}
 
     private record Kind(DeviceAddress from, int subtype) {}
 
-    private record Arrival(long tick, double timeSeconds, List<DataMessage> messages) {}
+    private record Arrival(long tick, double timeSeconds, List<DeviceDataMessage> messages) {}
 
     private final Queue<Arrival> arrived = new ConcurrentLinkedQueue<>();
     private final AtomicInteger arrivedCount = new AtomicInteger();
     private final AtomicInteger dropped = new AtomicInteger();
     /**
-     * For the thread that writes: there may be something to send. Releasing never waits, as a condition of the lock
-     * would.
+     * For the thread that writes: there may be output. A release never waits, unlike the signal of a condition of the
+     * lock.
      */
-    private final Semaphore news = new Semaphore(0);
+    private final Semaphore outputReady = new Semaphore(0);
     /** For the thread that reads: replies may have been taken. */
-    private final Semaphore room = new Semaphore(0);
+    private final Semaphore replySpace = new Semaphore(0);
 
     private volatile boolean closed;
     private volatile int replyBytes; // written under the lock
@@ -63,30 +64,30 @@ final class Outbox {
     private final ReplaceRules rules = new ReplaceRules();
     private final Set<DeviceAddress> subscribed = new HashSet<>();
     private Delivery mode = Delivery.PUSH;
-    private boolean asked;
+    private boolean dataRequested;
     private boolean corked;
     private int dataWaiting;
     private long newestTick = PlayerConnection.NO_TICK;
-    private long endedTick = PlayerConnection.NO_TICK; // whose frame the client has seen the end of
+    private long endedTick = PlayerConnection.NO_TICK; // whose frame the client has received completely
     private double timeSeconds;
 
-    // ---- what the devices say
+    // ---- data from the devices
 
     /**
-     * Puts a frame's messages in, without waiting. A client in pull mode that asks for data gets the end of a frame
-     * even if its rules leave nothing of it: like every other frame, it is answered by asking again.
+     * Adds the messages of a frame, without waiting. A client in pull mode that has requested data gets the end of the
+     * frame even if its rules drop every message: the client answers that frame like any other, by its next request.
      *
-     * @param messages of devices at the addresses that the client knows
+     * @param messages from devices at the addresses that the client knows
      */
-    void frame(long tick, double frameTimeSeconds, List<DataMessage> messages) {
+    void frame(long tick, double frameTimeSeconds, List<DeviceDataMessage> messages) {
         if (arrivedCount.incrementAndGet() > MAX_ARRIVED) {
             arrivedCount.decrementAndGet();
             dropped.addAndGet(messages.size());
         } else {
             arrived.add(new Arrival(tick, frameTimeSeconds, messages));
         }
-        tryTakeIn(); // so that rules hold and the number of data is bounded while the writing thread is stuck
-        wake(news);
+        tryTakeIn(); // applies the rules and bounds the data even while the writing thread is blocked
+        wake(outputReady);
     }
 
     private void tryTakeIn() {
@@ -120,15 +121,15 @@ final class Outbox {
                 add(message);
             }
         }
-        if (mode == Delivery.PULL && asked) {
+        if (mode == Delivery.PULL && dataRequested) {
             endFrame();
         } else if (mode == Delivery.PUSH) {
             release();
         }
     }
 
-    private void add(DataMessage message) {
-        Content content = DataMessages.encode(message.data());
+    private void add(DeviceDataMessage message) {
+        Content content = DataCodec.encode(message.data());
         var kind = new Kind(message.from(), content.subtype());
         int treatment = rules.treatment(kind.from(), MessageType.DATA, kind.subtype());
         if (treatment == ReplaceRule.IGNORE) {
@@ -142,7 +143,7 @@ final class Outbox {
             return;
         }
         dataWaiting++;
-        byte[] bytes = Message.of(
+        byte[] bytes = WireMessage.of(
                         message.from(), MessageType.DATA, content.subtype(), message.timeSeconds(), content.payload())
                 .bytes();
         held.add(new Entry(bytes, kind));
@@ -150,7 +151,7 @@ final class Outbox {
 
     private void removeNewest(Kind kind) {
         Deque<Entry> waiting =
-                mode == Delivery.PULL ? held : sending; // in pull mode, what has been released ends with its SYNCH
+                mode == Delivery.PULL ? held : sending; // pull mode: released data are final, their SYNCH follows
         for (Iterator<Entry> each = waiting.descendingIterator(); each.hasNext(); ) {
             if (kind.equals(each.next().data())) {
                 each.remove();
@@ -164,7 +165,7 @@ final class Outbox {
         if (!held.isEmpty()) {
             sending.addAll(held);
             held.clear();
-            wake(news);
+            wake(outputReady);
         }
         if (mode == Delivery.PUSH) {
             endedTick = newestTick; // each message is a frame
@@ -173,23 +174,23 @@ final class Outbox {
 
     private void endFrame() {
         release();
-        asked = false;
+        dataRequested = false;
         endedTick = newestTick;
-        Content end = PlayerMessages.synch(dropped.getAndSet(0));
-        var nobody = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
-        put(Message.of(nobody, MessageType.SYNCH, end.subtype(), 0, end.payload()));
+        Content end = PlayerDeviceCodec.synch(dropped.getAndSet(0));
+        var noDevice = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
+        put(WireMessage.of(noDevice, MessageType.SYNCH, end.subtype(), 0, end.payload()));
     }
 
-    // ---- what the client's requests lead to
+    // ---- effects of the client's requests
 
-    /** The clock of the newest frame, for replies. */
+    /** The time of the newest frame, for replies. */
     double timeSeconds() {
-        return under(() -> timeSeconds);
+        return locked(() -> timeSeconds);
     }
 
-    /** Puts a reply in; what has been put in before goes out before it. */
-    void reply(Message message) {
-        under(() -> {
+    /** Adds a reply; everything added before is sent before it. */
+    void reply(WireMessage message) {
+        locked(() -> {
             release();
             put(message);
             return true;
@@ -197,15 +198,16 @@ final class Outbox {
     }
 
     /**
-     * A request for data: returns the tick that the client answers by it, the newest whose frame has ended. Data that
-     * went out before a reply are no frame yet: their end comes now, and asking once more answers them.
+     * Handles a request for data. Returns the tick that the client answers with it: the newest tick whose frame has
+     * ended. Data that were sent before a reply are not a frame yet. Their frame ends now, and the next request answers
+     * it.
      */
-    long ask(Message reply) {
-        return under(() -> {
+    long ask(WireMessage reply) {
+        return locked(() -> {
             long answered = endedTick;
             put(reply);
             if (mode == Delivery.PULL) {
-                asked = true;
+                dataRequested = true;
                 if (newestTick > endedTick) {
                     endFrame();
                 }
@@ -215,10 +217,10 @@ final class Outbox {
     }
 
     void mode(Delivery newMode) {
-        under(() -> {
+        locked(() -> {
             mode = newMode;
             if (newMode == Delivery.PUSH) {
-                asked = false;
+                dataRequested = false;
                 release();
             }
             return true;
@@ -226,25 +228,28 @@ final class Outbox {
     }
 
     void add(ReplaceRule rule) {
-        under(() -> {
+        locked(() -> {
             rules.add(rule);
             return true;
         });
     }
 
-    /** Nothing goes out until {@link #uncork}, so that what happens meanwhile is done when the client hears of it. */
+    /**
+     * Holds all output until {@link #uncork}, so that what happens in between is complete before the client is
+     * notified.
+     */
     void cork() {
-        under(() -> corked = true);
+        locked(() -> corked = true);
     }
 
     void uncork() {
-        under(() -> corked = false);
-        wake(news);
+        locked(() -> corked = false);
+        wake(outputReady);
     }
 
-    /** Lets the data of a device in; the client hears of it first. */
-    void subscribed(DeviceAddress device, Message reply) {
-        under(() -> {
+    /** Adds a subscription; the reply precedes its first data. */
+    void subscribed(DeviceAddress device, WireMessage reply) {
+        locked(() -> {
             release();
             put(reply);
             return subscribed.add(device);
@@ -252,12 +257,12 @@ final class Outbox {
     }
 
     boolean hasSubscribed() {
-        return under(() -> !subscribed.isEmpty());
+        return locked(() -> !subscribed.isEmpty());
     }
 
-    /** From now on nothing of that device is said. */
-    void unsubscribed(DeviceAddress device, Message reply) {
-        under(() -> {
+    /** Removes a subscription and the queued data of the device. */
+    void unsubscribed(DeviceAddress device, WireMessage reply) {
+        locked(() -> {
             subscribed.remove(device);
             for (var waiting : List.of(held, sending)) {
                 int before = waiting.size();
@@ -271,43 +276,43 @@ final class Outbox {
         });
     }
 
-    private void put(Message message) {
+    private void put(WireMessage message) {
         put(message.bytes());
     }
 
     private void put(byte[] bytes) {
         replyBytes += bytes.length;
         sending.add(new Entry(bytes, null));
-        wake(news);
+        wake(outputReady);
     }
 
-    // ---- for the threads of a connection
+    // ---- called by the threads of a connection
 
-    /** Raw bytes, before all messages. */
+    /** Adds raw bytes that precede all messages. */
     void greet(byte[] banner) {
-        under(() -> {
+        locked(() -> {
             put(banner);
             return true;
         });
     }
 
-    /** Waits until the client has taken most of its replies; false if the outbox is closed. */
+    /** Waits until the client has read most of its replies; false if the outbox is closed. */
     boolean awaitRoom() throws InterruptedException {
         while (!closed && replyBytes > MAX_REPLY_BYTES) {
-            await(room);
+            await(replySpace);
         }
         return !closed;
     }
 
-    /** Waits for something to send and takes some of it; null if the outbox is closed. */
+    /** Waits for output and takes a batch of it; null if the outbox is closed. */
     byte @Nullable [] take() throws InterruptedException {
         while (!closed) {
-            byte[] batch = under(this::batch);
+            byte[] batch = locked(this::batch);
             if (batch != null) {
-                wake(room);
+                wake(replySpace);
                 return batch;
             }
-            await(news);
+            await(outputReady);
         }
         return null;
     }
@@ -329,20 +334,20 @@ final class Outbox {
         return batch.toByteArray();
     }
 
-    /** Data that were lost since the client was last told. */
+    /** Number of data messages dropped since the client was last notified. */
     int dropped() {
         return dropped.get();
     }
 
-    /** Ends all waiting; does not wait itself. */
+    /** Ends all waiting calls; does not wait. */
     void close() {
         closed = true;
         tryTakeIn();
-        wake(news);
-        wake(room);
+        wake(outputReady);
+        wake(replySpace);
     }
 
-    private <T extends @Nullable Object> T under(Supplier<T> action) {
+    private <T extends @Nullable Object> T locked(Supplier<T> action) {
         lock.lock();
         try {
             takeIn();
@@ -352,7 +357,7 @@ final class Outbox {
         }
     }
 
-    /** What led to the permits is looked at by the caller after this. */
+    /** The caller checks its condition again after this. */
     private static void await(Semaphore permits) throws InterruptedException {
         permits.acquire();
         permits.drainPermits();
@@ -361,6 +366,37 @@ final class Outbox {
     private static void wake(Semaphore permits) {
         if (permits.availablePermits() == 0) {
             permits.release();
+        }
+    }
+
+    /** The replace rules of one client: the newest matching rule applies, and their number is bounded. */
+    private static final class ReplaceRules {
+        static final int MAX_RULES = 256;
+
+        private final List<ReplaceRule> rules = new ArrayList<>();
+
+        /**
+         * Adds a rule. It replaces a rule for the same messages; if there are too many rules, the oldest is dropped.
+         */
+        void add(ReplaceRule rule) {
+            rules.removeIf(each -> each.interfaceCode() == rule.interfaceCode()
+                    && each.index() == rule.index()
+                    && each.type() == rule.type()
+                    && each.subtype() == rule.subtype());
+            if (rules.size() == MAX_RULES) {
+                rules.removeFirst();
+            }
+            rules.add(rule);
+        }
+
+        /** The treatment of such a message: ACCEPT, REPLACE or IGNORE. */
+        int treatment(DeviceAddress from, MessageType type, int subtype) {
+            for (int i = rules.size() - 1; i >= 0; i--) {
+                if (rules.get(i).matches(from, type.code(), subtype)) {
+                    return rules.get(i).replace();
+                }
+            }
+            return ReplaceRule.ACCEPT;
         }
     }
 }

@@ -5,74 +5,71 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * A client's line to a server.
+ * A client's connection to a server.
  *
- * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link LineClosedException} once
- * the line is closed, and {@link IllegalArgumentException} for a device that the server does not have.
+ * <p><b>Threads.</b> Any thread. <b>Errors.</b> Every method but {@code close} throws {@link ConnectionClosedException}
+ * once the connection is closed, and {@link IllegalArgumentException} for a device that the server does not have.
  */
 public interface PlayerConnection extends AutoCloseable {
-    /** Before the first tick, which is 0. */
+    /** The value before the first tick, which is 0. */
     long NO_TICK = -1;
 
     List<DeviceAddress> devices();
 
-    /** Name of the driver behind a device, {@code stage} for simulated ones. */
+    /** The name of the driver that serves a device, {@code stage} for simulated devices. */
     String driverName(DeviceAddress device);
 
-    /** From now on the device's data come with every frame. */
+    /** Adds the data of a device to every following frame. */
     void subscribe(DeviceAddress device);
 
     void unsubscribe(DeviceAddress device);
 
     /**
-     * Never answered by the device. Counts from the end of the tick in which it is sent; sent after {@link #answered},
-     * from the end of the next one.
+     * Sends a command, which has no reply. It takes effect at the end of the tick in which it is sent; if sent after
+     * {@link #answered}, at the end of the next tick.
      */
     void command(DeviceAddress device, DeviceCommand command);
 
     DeviceReply request(DeviceAddress device, DeviceRequest request);
 
     /**
-     * The same without waiting: the receiver gets the reply, in this call where the server is in this JVM, else when it
-     * comes, on a thread of the line. A request that is not answered in time, or whose line is lost before, has a
-     * {@link DeviceReply.Nack} that says so.
+     * Sends a request without waiting for the reply. The receiver gets the reply: within this call if the server is in
+     * this JVM, else on a thread of the connection. If no reply arrives within the limit, or if the connection is lost
+     * first, the receiver gets a {@link DeviceReply.Nack} with the reason.
      */
     default void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
         receiver.accept(request(device, request));
     }
 
-    /**
-     * How long a call may take for sending and waiting for the server's reply together; in this JVM nothing is waited
-     * for.
-     */
+    /** Sets the limit of a call, for sending and for waiting for the reply together. In this JVM no call waits. */
     default void replyLimit(Duration limit) {}
 
     /**
-     * How long the server may say nothing, not even when it is asked for a sign of life, before {@link DataSink#lost}
-     * is called, zero for no limit; the connection stays open. In this JVM no server is silent.
+     * Sets how long the server may send nothing, not even a reply to a keep-alive request, before {@link DataSink#lost}
+     * is called; zero for no limit. The connection stays open. In this JVM a server is never silent.
      */
     default void silenceLimit(Duration limit) {}
 
     /**
-     * Lock step: this client has done what it wants to do about the frame of that tick and waits for a newer one.
+     * Lock step: this client has handled the frame of that tick and waits for a newer one.
      *
-     * @param tick {@link #NO_TICK} while it waits for its first
+     * @param tick {@link #NO_TICK} while the client waits for its first frame
      */
     void answered(long tick);
 
     /**
-     * Whether this client says when it has answered; it does unless it is told otherwise. One that does not, as a push
-     * client behind a socket, is waited for by no tick, and a world that has such a client keeps pace with real time.
+     * Sets whether this client answers ticks; it does by default. The world does not wait for a client that does not,
+     * such as a push client over a socket, and keeps pace with real time while it has one.
      */
     void answers(boolean whether);
 
     /**
-     * Over a socket: when the server sends data; a client that asks for them ({@link Delivery#PULL}) answers by asking.
-     * In this JVM nothing changes.
+     * Sets the delivery mode of a connection over a socket. A client that requests its data ({@link Delivery#PULL})
+     * answers a tick by its next request. In this JVM nothing changes.
      */
     void delivery(Delivery mode);
 
-    /** Adds a rule for the messages that wait for this client; the newest rule that matches counts. */
+    /** Adds a rule for messages queued for this client; the newest matching rule applies. */
     void replace(ReplaceRule rule);
 
     @Override

@@ -2,7 +2,7 @@ package io.troupe.player.wire;
 
 import java.util.List;
 
-/** What the player device answers. */
+/** A reply of the player device. */
 sealed interface PlayerReply {
     record Ack() implements PlayerReply {}
 
@@ -16,6 +16,6 @@ sealed interface PlayerReply {
 
     record DriverInfo(DeviceAddress device, String driver) implements PlayerReply {}
 
-    /** @param mode what was granted, as in {@link PlayerRequest.Access} */
+    /** @param mode the granted access mode, as in {@link PlayerRequest.Access} */
     record Access(DeviceAddress device, int mode, String driver) implements PlayerReply {}
 }

@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** How a ranger scans: radians, metres, hertz. */
+/** Scan configuration of a ranger: radians, metres, hertz. */
 public record RangerConfiguration(
         double minAngleRad,
         double maxAngleRad,

@@ -2,60 +2,74 @@ package io.troupe.player.wire;
 
 import io.troupe.actor.time.Clock;
 import java.io.BufferedInputStream;
+import java.io.FilterInputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.lang.System.Logger.Level;
+import java.net.SocketTimeoutException;
+import java.time.Duration;
+import java.util.function.Supplier;
 
 /**
- * Reads what a server sends: frames go to the line, replies to whoever waits for them.
+ * Reads the messages of a server: passes frames to the connection and replies to their callers.
  *
- * <p><b>Threads.</b> The one that runs it, which ends with the connection.
+ * <p><b>Threads.</b> The thread that runs it; it ends with the connection.
  *
- * <p><b>Errors.</b> A message that cannot be understood is left out and logged; bytes that are no messages end the
- * line.
+ * <p><b>Errors.</b> A message that cannot be decoded is skipped and logged. Bytes that are not a message end the
+ * connection.
  */
 final class RemoteReader implements Runnable {
     private static final System.Logger LOG = System.getLogger(RemoteReader.class.getName());
-    /** The payload that Player's own clients accept. */
-    private static final int MOST_PAYLOAD_BYTES = 32 * 1024 * 1024;
+    /** The largest payload that Player's own clients accept. */
+    private static final int MAX_PAYLOAD_BYTES = 32 * 1024 * 1024;
 
     private static final int NEXT_DATA =
-            PlayerMessages.encode(new PlayerRequest.NextData()).subtype();
+            PlayerDeviceCodec.encode(new PlayerRequest.NextData()).subtype();
 
-    private final RemoteLine line;
+    private final RemoteConnection connection;
     private final String name;
     private final RemoteSocket socket;
-    private final OpenRequests open;
+    private final PendingRequests pending;
     private final FrameAssembler frames;
 
-    RemoteReader(RemoteLine line, String name, RemoteSocket socket, OpenRequests open, FrameAssembler frames) {
-        this.line = line;
+    RemoteReader(
+            RemoteConnection connection,
+            String name,
+            RemoteSocket socket,
+            PendingRequests pending,
+            FrameAssembler frames) {
+        this.connection = connection;
         this.name = name;
         this.socket = socket;
-        this.open = open;
+        this.pending = pending;
         this.frames = frames;
     }
 
     @Override
     public void run() {
         try {
-            var input = new PatientInput(
-                    socket.input(), Clock.system(), line::silenceLimit, line::askForSign, line::silent);
-            var messages = new MessageReader(new BufferedInputStream(input), MOST_PAYLOAD_BYTES);
-            for (Message message = messages.read(); message != null; message = messages.read()) {
+            var input = new KeepAliveInput(
+                    socket.input(),
+                    Clock.system(),
+                    connection::silenceLimit,
+                    connection::sendKeepAlive,
+                    connection::serverSilent);
+            var messages = new MessageReader(new BufferedInputStream(input), MAX_PAYLOAD_BYTES);
+            for (WireMessage message = messages.read(); message != null; message = messages.read()) {
                 take(message);
             }
-            line.lose(line.gone("it closed the connection"));
+            connection.lose(connection.gone("it closed the connection"));
         } catch (IOException e) {
-            line.lose(line.gone(e.getMessage()));
+            connection.lose(connection.gone(e.getMessage()));
         } catch (WireException e) {
-            line.lose(name + " sent what is not the Player protocol: " + e.getMessage());
+            connection.lose(name + " sent what is not the Player protocol: " + e.getMessage());
         } catch (RuntimeException | Error e) {
-            line.lose(name + ": a message could not be handled: " + e);
+            connection.lose(name + ": a message could not be handled: " + e);
             LOG.log(Level.ERROR, name + ": a message could not be handled", e);
         }
     }
 
-    private void take(Message message) {
+    private void take(WireMessage message) {
         switch (message.header().type()) {
             case DATA -> data(message);
             case SYNCH -> synch(message);
@@ -64,33 +78,33 @@ final class RemoteReader implements Runnable {
         }
     }
 
-    private void data(Message message) {
+    private void data(WireMessage message) {
         var header = message.header();
         try {
-            var content = DataMessages.decode(header.address().interfaceCode(), header.subtype(), message.payload());
+            var content = DataCodec.decode(header.address().interfaceCode(), header.subtype(), message.payload());
             if (content.isPresent()) {
-                var from = line.listed(header.address());
-                frames.add(new DataMessage(from, header.timeSeconds(), content.get()))
-                        .forEach(line::deliver);
+                var from = connection.listed(header.address());
+                frames.add(new DeviceDataMessage(from, header.timeSeconds(), content.get()))
+                        .forEach(connection::deliver);
             }
         } catch (WireException e) {
             LOG.log(Level.WARNING, "{0}: {1} is left out: {2}", name, message, e.getMessage());
         }
     }
 
-    private void synch(Message message) {
+    private void synch(WireMessage message) {
         try {
-            int dropped = PlayerMessages.dropped(message.header().subtype(), message.payload());
+            int dropped = PlayerDeviceCodec.dropped(message.header().subtype(), message.payload());
             if (dropped != 0) {
                 LOG.log(Level.WARNING, "{0} has dropped {1} messages: this client is too slow", name, dropped);
             }
         } catch (WireException e) {
             LOG.log(Level.WARNING, "{0}: {1}: {2}", name, message, e.getMessage());
         }
-        frames.synch().forEach(line::deliver);
+        frames.synch().forEach(connection::deliver);
     }
 
-    private void reply(Message message) {
+    private void reply(WireMessage message) {
         var header = message.header();
         if (header.address().interfaceCode() == PlayerRequest.INTERFACE && header.subtype() == NEXT_DATA) {
             if (header.type() == MessageType.NACK) {
@@ -99,8 +113,74 @@ final class RemoteReader implements Runnable {
             }
             return; // the data follow
         }
-        if (!open.answer(message)) {
+        if (!pending.answer(message)) {
             LOG.log(Level.DEBUG, "{0}: {1} answers nothing that is waited for", name, message);
+        }
+    }
+
+    /**
+     * The input of a socket, with a keep-alive check. Reads of the socket time out and are repeated. If nothing arrives
+     * for half of the limit, the server is sent a request. If nothing arrives for another half, the server is reported
+     * as silent, once.
+     *
+     * <p><b>Threads.</b> The reading thread only.
+     */
+    static final class KeepAliveInput extends FilterInputStream {
+        private final Clock clock;
+        private final Supplier<Duration> limit;
+        private final Runnable ask;
+        private final Runnable silent;
+        private long sinceNanos; // time of the last byte or of the request
+        private boolean asked;
+        private boolean reported;
+
+        /**
+         * @param limit read at each time-out; zero for no limit
+         * @param ask sends a request that every server answers
+         * @param silent notified when the limit has expired
+         */
+        KeepAliveInput(InputStream in, Clock clock, Supplier<Duration> limit, Runnable ask, Runnable silent) {
+            super(in);
+            this.clock = clock;
+            this.limit = limit;
+            this.ask = ask;
+            this.silent = silent;
+            this.sinceNanos = clock.nanos();
+        }
+
+        @Override
+        public int read() throws IOException {
+            var one = new byte[1];
+            return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+        }
+
+        @Override
+        public int read(byte[] bytes, int offset, int length) throws IOException {
+            while (true) {
+                try {
+                    int count = super.read(bytes, offset, length);
+                    sinceNanos = clock.nanos();
+                    asked = false;
+                    return count;
+                } catch (SocketTimeoutException nothingCame) {
+                    look(limit.get());
+                }
+            }
+        }
+
+        private void look(Duration most) {
+            long now = clock.nanos();
+            if (most.isZero() || reported || now - sinceNanos < Deadline.nanos(most) / 2) {
+                return;
+            }
+            if (asked) {
+                reported = true;
+                silent.run();
+            } else {
+                asked = true;
+                sinceNanos = now;
+                ask.run();
+            }
         }
     }
 }

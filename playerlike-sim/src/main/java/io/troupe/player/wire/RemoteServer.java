@@ -14,9 +14,9 @@ import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Player server behind a socket: one of ours, or a real one of Player 3.
+ * A Player server reached over TCP: one of ours, or a real Player 3 server.
  *
- * <p><b>Errors.</b> {@link LineClosedException} when no connection comes about.
+ * <p><b>Errors.</b> {@link ConnectionClosedException} if the connection cannot be established.
  *
  * <p><b>Source.</b> Player 3 protocol over TCP.
  */
@@ -49,7 +49,7 @@ public final class RemoteServer implements PlayerServer {
         this.clock = clock;
     }
 
-    /** How the server has greeted; empty before the first connection. */
+    /** The greeting of the server; empty before the first connection. */
     @Override
     public String banner() {
         return banner;
@@ -61,18 +61,18 @@ public final class RemoteServer implements PlayerServer {
         try {
             socket = new RemoteSocket();
         } catch (IOException e) {
-            throw new LineClosedException(reason(e));
+            throw new ConnectionClosedException(reason(e));
         }
         try {
-            // not InetSocketAddress alone, which would not say that a name is unknown
+            // InetSocketAddress alone would not report an unknown host name
             socket.connect(new InetSocketAddress(InetAddress.getByName(host), port), limit);
             banner = readBanner(socket);
-            var line = new RemoteLine(this.toString(), socket, sink, space, limit, clock);
-            line.begin();
-            return line;
+            var connection = new RemoteConnection(this.toString(), socket, sink, space, limit, clock);
+            connection.begin();
+            return connection;
         } catch (IOException e) {
             discard(socket);
-            throw new LineClosedException(reason(e));
+            throw new ConnectionClosedException(reason(e));
         } catch (RuntimeException | Error e) {
             discard(socket);
             throw e;
@@ -89,7 +89,7 @@ public final class RemoteServer implements PlayerServer {
         };
     }
 
-    /** What is not the greeting of a Player server is quoted as far as it has come. */
+    /** Reads the greeting. Any other text is quoted in the error, as far as it has arrived. */
     private String readBanner(RemoteSocket socket) throws IOException {
         var deadline = Deadline.after(limit, clock);
         InputStream in = socket.input();
@@ -121,7 +121,7 @@ public final class RemoteServer implements PlayerServer {
         try {
             socket.close();
         } catch (IOException ignored) {
-            // it is of no use any more, whatever this says
+            // the socket is discarded in any case
         }
     }
 

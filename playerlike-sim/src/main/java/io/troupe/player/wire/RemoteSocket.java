@@ -20,14 +20,15 @@ import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A client's socket, on which nothing waits for ever: neither connecting nor sending to a server that does not read.
+ * A client's socket on which no operation blocks for ever: neither connecting, nor sending to a server that does not
+ * read.
  *
  * <p><b>Threads.</b> One thread reads; any thread sends and closes.
  *
- * <p><b>Errors.</b> A send that does not get through throws, {@link SocketTimeoutException} after its limit and
- * {@link InterruptedIOException} when its thread is interrupted, and leaves the socket usable. Its
- * {@code bytesTransferred} is how much of the message was sent: 0 if the server will never see it; else the rest goes
- * out before the next message.
+ * <p><b>Errors.</b> A send that does not complete throws {@link SocketTimeoutException} after its limit, or
+ * {@link InterruptedIOException} when its thread is interrupted. The socket stays usable. The exception's
+ * {@code bytesTransferred} is the number of bytes of the message that were sent: 0 if the server will never see the
+ * message; otherwise the rest is sent before the next message.
  */
 final class RemoteSocket implements AutoCloseable {
     private static final Clock CLOCK = Clock.system();
@@ -35,7 +36,7 @@ final class RemoteSocket implements AutoCloseable {
     private final SocketChannel channel;
     private final Selector readable;
     private final ReentrantLock sending = new ReentrantLock();
-    private volatile @Nullable ByteBuffer unsent; // the rest of a message; written under sending
+    private volatile @Nullable ByteBuffer unsent; // rest of a partly sent message; written under sending
     private volatile long readTimeoutNanos; // 0 = none
 
     RemoteSocket() throws IOException {
@@ -61,8 +62,8 @@ final class RemoteSocket implements AutoCloseable {
     }
 
     /**
-     * From now on a read, one that waits already too, throws {@link SocketTimeoutException} when nothing comes for so
-     * long; the socket can be read on. Zero for none.
+     * Sets the time-out of reads, also of a read that is already waiting: it throws {@link SocketTimeoutException} if
+     * nothing arrives for that long. Reading may be continued after that. Zero for no time-out.
      */
     void timeOutReads(Duration timeout) {
         readTimeoutNanos = timeout.toNanos();
@@ -99,7 +100,7 @@ final class RemoteSocket implements AutoCloseable {
         }
     }
 
-    /** Sends a message, after the rest of the one before. */
+    /** Sends a message, after the unsent rest of the previous one. */
     void send(byte[] message, Deadline deadline) throws IOException {
         try {
             if (!sending.tryLock() && !sending.tryLock(deadline.leftNanos(), TimeUnit.NANOSECONDS)) {
@@ -131,7 +132,7 @@ final class RemoteSocket implements AutoCloseable {
         }
     }
 
-    /** Sends the rest of a message that was sent in part, if there is one. */
+    /** Sends the rest of a partly sent message, if there is one. */
     void sendRest(Deadline deadline) throws IOException {
         if (unsent != null) {
             send(new byte[0], deadline);
@@ -141,7 +142,7 @@ final class RemoteSocket implements AutoCloseable {
     private void write(ByteBuffer bytes, Deadline deadline) throws IOException {
         channel.write(bytes);
         if (!bytes.hasRemaining()) {
-            return; // as nearly always
+            return; // the usual case
         }
         try (var writable = Selector.open()) {
             channel.register(writable, SelectionKey.OP_WRITE);
@@ -163,7 +164,7 @@ final class RemoteSocket implements AutoCloseable {
         }
     }
 
-    /** Ends reading and sending that wait. */
+    /** Ends blocked reads and sends. */
     @Override
     public void close() throws IOException {
         try (channel) {

@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-/** A server has refused a request, or has not answered it in time; the line to it is as it was. */
+/** A server has refused a request, or has not answered it in time; the connection stays usable. */
 public final class RequestFailedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

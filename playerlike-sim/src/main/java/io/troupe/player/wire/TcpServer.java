@@ -23,30 +23,32 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Offers the devices of one in-process port to Player clients behind sockets.
+ * Serves the devices of one in-process port to Player clients over TCP.
  *
- * <p><b>Role.</b> One TCP port is one robot's or world's set of devices. Closing it disconnects its clients and leaves
- * the devices open.
+ * <p><b>Role.</b> One TCP port serves the devices of one robot or world. Closing the server disconnects its clients and
+ * leaves the devices open.
  *
- * <p><b>Threads.</b> Any thread. Daemon platform threads of its own: one accepts, one watches the limits, two serve
- * each client. None of the devices' threads ever waits for a client, and however many clients send without a pause, at
- * most half of the processors (at least one) handle their messages at a time, one message of each in turn.
+ * <p><b>Threads.</b> Any thread. The server has daemon platform threads: one accepts, one checks the limits, and each
+ * client has two. No thread of the devices ever waits for a client. However many clients send without a pause, at most
+ * half of the processors (at least one) handle their messages at a time; the clients take turns, one message each.
  *
- * <p><b>Order.</b> Replies come in the order of the requests. A pull client answers a tick by asking for data after it
- * has got that tick's frame (lock step); a push client never answers.
+ * <p><b>Order.</b> Replies are sent in the order of the requests. A pull client answers a tick by requesting data after
+ * it has received that tick's frame (lock step); a push client never answers.
  *
- * <p><b>Cost.</b> Per client two threads, at most 1024 messages of data (those of lasers are large) and some 130 kB of
- * replies; what does not fit is dropped, counted, and told to pull clients. There is a limit on clients,
- * {@link Settings#maxClients}; more of them are disconnected at once, which is logged at most once in a second.
+ * <p><b>Cost.</b> Per client two threads, at most 1024 data messages (those of lasers are large) and about 130 kB of
+ * replies. Messages beyond that are dropped and counted; pull clients are notified of the count. The number of clients
+ * is limited by {@link Settings#maxClients}. Further clients are disconnected at once, which is logged at most once per
+ * second.
  *
- * <p><b>Errors.</b> A client that sends garbage, vanishes, never says anything, or does not read for 30 seconds loses
- * its own connection only; it is logged. The server goes on accepting whatever accepting throws, also when the machine
+ * <p><b>Errors.</b> A client that sends garbage, vanishes, never sends a message, or does not read for 30 seconds only
+ * loses its own connection; that is logged. The server keeps accepting after every error of accept, even if the machine
  * is short of file descriptors, threads or memory.
  *
- * <p><b>Source.</b> Player 3 protocol over TCP. It knows no authentication: whoever reaches the port drives the robots.
+ * <p><b>Source.</b> Player 3 protocol over TCP. It has no authentication: any client that reaches the port can drive
+ * the robots.
  */
 public final class TcpServer implements AutoCloseable {
-    /** 127.0.0.1 as Player's servers on x86 write it; clients compare it and do nothing else with it. */
+    /** 127.0.0.1 in the byte order of Player's servers on x86; clients only compare it. */
     static final int LOOPBACK_HOST = 0x0100007f;
 
     private static final Logger LOG = System.getLogger(TcpServer.class.getName());
@@ -58,14 +60,14 @@ public final class TcpServer implements AutoCloseable {
     private static final long LONGEST_PAUSE_MILLIS = 1_000;
 
     /**
-     * What a server allows its clients.
+     * Limits for the clients of a server.
      *
-     * @param maxClients how many may be connected at a time; more are disconnected at once
-     * @param writeLimit how long a client may leave what was sent to it unread
-     * @param silenceLimit how long a client may be connected before its first message has arrived
+     * @param maxClients how many clients may be connected at a time; further ones are disconnected at once
+     * @param writeLimit how long a client may leave data unread
+     * @param silenceLimit how long a client may be connected before its first message arrives
      */
     public record Settings(int maxClients, Duration writeLimit, Duration silenceLimit) {
-        private static final int MOST_CLIENTS = 1_000;
+        private static final int MAX_CLIENTS = 1_000;
         private static final Duration WRITE_LIMIT = Duration.ofSeconds(30);
         private static final Duration SILENCE_LIMIT = Duration.ofSeconds(60);
 
@@ -84,8 +86,8 @@ public final class TcpServer implements AutoCloseable {
         }
 
         /**
-         * As many clients as this machine bears: one for every second file descriptor that the process has left (a
-         * client takes one), at most 1,000; 30 seconds for a write, 60 for the first message.
+         * Limits that fit this machine: one client for every second free file descriptor of the process (a client takes
+         * one), at most 1,000; 30 seconds for a write, 60 for the first message.
          *
          * @param servers how many servers share the file descriptors
          */
@@ -94,7 +96,7 @@ public final class TcpServer implements AutoCloseable {
         }
 
         static int maxClients(long freeDescriptors, int servers) {
-            return Math.clamp(freeDescriptors / 2 / servers, 1, MOST_CLIENTS);
+            return Math.clamp(freeDescriptors / 2 / servers, 1, MAX_CLIENTS);
         }
 
         private static long freeDescriptors() {
@@ -103,17 +105,17 @@ public final class TcpServer implements AutoCloseable {
                     : Long.MAX_VALUE;
         }
 
-        /** The same for another number of clients. */
+        /** A copy with another number of clients. */
         public Settings withMaxClients(int clients) {
             return new Settings(clients, writeLimit, silenceLimit);
         }
     }
 
     /**
-     * What the sessions of a server have in common.
+     * State that the sessions of a server share.
      *
-     * @param handling has a permit for each message that may be handled at a time; fair, so that no client waits longer
-     *     than for one message of each other
+     * @param handling one permit per message that may be handled at a time; fair, so that a client waits at most for
+     *     one message of each other client
      */
     record Shared(Settings settings, Clock clock, Semaphore handling) {
         Shared(Settings settings, Clock clock) {
@@ -121,10 +123,7 @@ public final class TcpServer implements AutoCloseable {
         }
     }
 
-    /**
-     * Lines that may be many: logged at most once in a second, with the number of those left out. Belongs to one
-     * thread.
-     */
+    /** Logs a frequent warning at most once per second, with the number of omitted ones. Used by one thread. */
     private static final class SparseLog {
         private final Clock clock;
         private boolean logged;
@@ -171,28 +170,28 @@ public final class TcpServer implements AutoCloseable {
     /**
      * Listens on the loopback address.
      *
-     * @param port 0 for any that is free
-     * @throws UncheckedIOException if the port cannot be had
+     * @param port 0 for any free port
+     * @throws UncheckedIOException if the port cannot be opened
      */
     public static TcpServer open(PlayerServer devices, int port) {
         return open(devices, port, InetAddress.getLoopbackAddress());
     }
 
     /**
-     * Listens on an address of this machine; one that others can reach is warned of.
+     * Listens on an address of this machine; logs a warning if other machines can reach it.
      *
-     * @param port 0 for any that is free
-     * @throws UncheckedIOException if the port cannot be had
+     * @param port 0 for any free port
+     * @throws UncheckedIOException if the port cannot be opened
      */
     public static TcpServer open(PlayerServer devices, int port, InetAddress bind) {
         return open(devices, port, bind, Settings.ofMachine(1));
     }
 
     /**
-     * The same with other limits.
+     * Listens with explicit limits.
      *
-     * @param port 0 for any that is free
-     * @throws UncheckedIOException if the port cannot be had
+     * @param port 0 for any free port
+     * @throws UncheckedIOException if the port cannot be opened
      */
     public static TcpServer open(PlayerServer devices, int port, InetAddress bind, Settings settings) {
         return open(devices, port, bind, new Shared(settings, Clock.system()));
@@ -220,7 +219,7 @@ public final class TcpServer implements AutoCloseable {
         return serve(devices, socket, shared);
     }
 
-    /** Serves the clients that a socket accepts, which is closed with the server. */
+    /** Serves the clients that a socket accepts; the socket is closed with the server. */
     static TcpServer serve(PlayerServer devices, ServerSocket socket, Shared shared) {
         var server = new TcpServer(devices, socket, shared);
         server.acceptor.start();
@@ -228,17 +227,17 @@ public final class TcpServer implements AutoCloseable {
         return server;
     }
 
-    /** The port it listens on. */
+    /** The port that the server listens on. */
     public int port() {
         return socket.getLocalPort();
     }
 
-    /** How many clients are connected. */
+    /** Number of connected clients. */
     int clients() {
         return sessions.size();
     }
 
-    /** What a server says first: text, and zeros up to 32 bytes. */
+    /** The greeting as bytes: the text, padded with zeros to 32 bytes. */
     static byte[] banner(String text) {
         byte[] ascii = text.getBytes(StandardCharsets.US_ASCII);
         var banner = new byte[BANNER_BYTES];
@@ -252,10 +251,10 @@ public final class TcpServer implements AutoCloseable {
             try {
                 admit(socket.accept());
                 pauseMillis = SHORTEST_PAUSE_MILLIS;
-            } catch (IOException | RuntimeException | Error e) { // an Error too: the next client may have more luck
+            } catch (IOException | RuntimeException | Error e) { // an Error too: the next client may succeed
                 if (closing.getCount() > 0) {
                     report(e);
-                    pause(pauseMillis); // too many open files, most likely
+                    pause(pauseMillis); // most likely too many open files
                     pauseMillis = Math.min(2 * pauseMillis, LONGEST_PAUSE_MILLIS);
                 }
             }
@@ -295,12 +294,15 @@ public final class TcpServer implements AutoCloseable {
         }
     }
 
-    /** Whatever the machine is short of, logging may need it too, and accepting goes on without. */
+    /**
+     * Logs an error of accept. Logging may need the resource that is exhausted, so its own failure is ignored and the
+     * server keeps accepting.
+     */
     private void report(Throwable thrown) {
         try {
             failures.warn("Player port " + port() + " could not take a client", thrown);
         } catch (RuntimeException | Error notLogged) {
-            // the next failure is at most a second away
+            // the next failure is reported within a second
         }
     }
 
@@ -308,7 +310,7 @@ public final class TcpServer implements AutoCloseable {
         try {
             client.close();
         } catch (IOException ignored) {
-            // it is of no use any more, whatever this says
+            // the socket is discarded in any case
         }
     }
 
@@ -322,7 +324,7 @@ public final class TcpServer implements AutoCloseable {
         }
     }
 
-    /** Disconnects clients that do not read, or never say anything. */
+    /** Disconnects clients that do not read or never send a message. */
     void checkLimits() {
         long now = shared.clock().nanos();
         sessions.forEach(session -> session.checkLimits(now));
@@ -338,7 +340,7 @@ public final class TcpServer implements AutoCloseable {
         }
     }
 
-    /** Ends all connections; when it returns the port is free. */
+    /** Closes all connections; the port is free when this returns. */
     @Override
     public void close() {
         closing.countDown();
@@ -348,7 +350,7 @@ public final class TcpServer implements AutoCloseable {
             LOG.log(Level.DEBUG, "Player port " + port() + " could not be closed", e);
         }
         try {
-            acceptor.join(CLOSING_LIMIT); // the port is free only when the thread that listens has left it
+            acceptor.join(CLOSING_LIMIT); // the port is free only after the accepting thread has left the socket
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

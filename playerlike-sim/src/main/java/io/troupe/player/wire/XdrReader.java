@@ -6,9 +6,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads a payload from front to back, by Player's rules of XDR.
+ * Reads a payload in Player's variant of XDR.
  *
- * <p><b>Errors.</b> A {@link WireException} wherever a field does not fit; a count is believed only as far as there are
+ * <p><b>Errors.</b> {@link WireException} if a field does not fit. A count is accepted only if the payload has enough
  * bytes for it.
  *
  * <p><b>Source.</b> RFC 4506; Player writes the count of an array twice.
@@ -22,7 +22,7 @@ final class XdrReader {
     private final String subject;
     private final ByteBuffer bytes;
 
-    /** @param subject what the payload is, for messages */
+    /** @param subject name of the payload, for error messages */
     XdrReader(String subject, byte[] payload) {
         this.subject = subject;
         this.bytes = ByteBuffer.wrap(payload);
@@ -68,7 +68,7 @@ final class XdrReader {
         return bytes.getDouble();
     }
 
-    /** An array whose elements take so many bytes each. */
+    /** An array whose elements have a fixed size in bytes. */
     <T> List<T> array(String field, int elementBytes, Element<T> element) throws WireException {
         int count = count(field, elementBytes);
         var elements = new ArrayList<T>(count);
@@ -89,7 +89,7 @@ final class XdrReader {
         return content;
     }
 
-    /** Text up to its first NUL. */
+    /** A string up to its first NUL. */
     String string(String field) throws WireException {
         byte[] content = opaque(field);
         int length = 0;
@@ -114,7 +114,7 @@ final class XdrReader {
         return count;
     }
 
-    /** Nothing may be left. */
+    /** Throws if bytes are left. */
     void end() throws WireException {
         if (bytes.hasRemaining()) {
             throw new WireException(subject + ": size is " + bytes.capacity() + ", expected " + bytes.position());

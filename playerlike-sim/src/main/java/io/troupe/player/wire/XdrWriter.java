@@ -6,7 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiConsumer;
 
-/** Writes a payload by Player's rules of XDR; {@link XdrReader} is its reverse. */
+/** Writes a payload in Player's variant of XDR; the inverse of {@link XdrReader}. */
 final class XdrWriter {
     private ByteBuffer bytes = ByteBuffer.allocate(64);
 
@@ -18,7 +18,7 @@ final class XdrWriter {
         return bytes;
     }
 
-    /** Also for everything smaller, which is widened. */
+    /** Also writes smaller integer types, widened to 32 bits. */
     XdrWriter int32(int value) {
         room(4).putInt(value);
         return this;
@@ -53,7 +53,7 @@ final class XdrWriter {
         return this;
     }
 
-    /** With the NUL at its end. */
+    /** Includes the terminating NUL. */
     XdrWriter string(String text) {
         byte[] content = text.getBytes(StandardCharsets.UTF_8);
         return opaque(Arrays.copyOf(content, content.length + 1));

@@ -1,4 +1,6 @@
-/** What travels between a Player client and a Player server, whatever carries it. */
+/**
+ * The messages between a Player client and a Player server, independent of the transport, and their transport over TCP.
+ */
 @NullMarked
 package io.troupe.player.wire;
 

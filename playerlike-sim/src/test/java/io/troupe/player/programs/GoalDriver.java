@@ -6,7 +6,7 @@ import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** Sends its robot to two goals and stays at the second. */
+/** Drives to two goals and stays at the second. */
 public class GoalDriver {
     public static void main(String[] args) {
         PlayerClient client = new PlayerClient(args[0], Integer.parseInt(args[1]));

@@ -6,8 +6,8 @@ import io.troupe.player.structures.laser.*;
 import io.troupe.player.structures.ranger.*;
 
 /**
- * Turns to where its laser sees most space, checks that the ranger says the same of the middle, and asks where it is in
- * the world.
+ * Turns to where its laser sees most free space, checks that the ranger reports the same in the middle, and requests
+ * its pose in the world.
  */
 public class LaserDriver implements PlayerConstants {
     public static void main(String[] args) {

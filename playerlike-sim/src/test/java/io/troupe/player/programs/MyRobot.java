@@ -5,7 +5,7 @@ import io.troupe.player.structures.*;
 import io.troupe.player.structures.position2d.*;
 import io.troupe.player.structures.sonar.*;
 
-/** A robot that is a client, drives a square by its odometry, and uses structures of both generations. */
+/** A robot class that extends the client, drives a square by its odometry, and uses structures of both generations. */
 public final class MyRobot extends PlayerClient {
     private final Position2DInterface wheels;
     private final SonarInterface ring;

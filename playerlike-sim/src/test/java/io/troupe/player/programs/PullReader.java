@@ -5,7 +5,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Drives where there is space. Not threaded, in pull mode: a whole frame with each readAll(). */
+/** Drives where there is free space. Not threaded, in pull mode: a whole frame with each readAll(). */
 public class PullReader {
     public static void main(String[] args) {
         PlayerClient robot = new PlayerClient(args[0], Integer.parseInt(args[1]));

@@ -5,7 +5,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Drives where there is space. Threaded in pull mode, with the calls of both styles. */
+/** Drives where there is free space. Threaded, in pull mode, with the calls of both styles. */
 public class PullThread {
     public static void main(String[] args) {
         PlayerClient robot = new PlayerClient(args[0], Integer.parseInt(args[1]));

@@ -5,7 +5,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Drives where there is space. Not threaded: asks and reads in its loop, one message after the other. */
+/** Drives where there is free space. Not threaded: requests and reads in its loop, one message after the other. */
 public class ReadAllWanderer {
     public static void main(String[] args) {
         PlayerClient robot = new PlayerClient(args[0], Integer.parseInt(args[1]));

@@ -5,7 +5,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Drives where there is space. Threaded; clamps the ranges where they are. */
+/** Drives where there is free space. Threaded; clamps the ranges in the array itself. */
 public class SpaceWanderer implements PlayerConstants {
     public static void main(String[] args) {
         PlayerClient robot = new PlayerClient(args[0], Integer.parseInt(args[1]));

@@ -4,7 +4,7 @@ import io.troupe.player.PlayerClient;
 import io.troupe.player.Position2DInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Asks for speeds that no robot has, turning on the spot between them. */
+/** Sends speeds that no robot reaches, turning on the spot between them. */
 public class Speeder {
     public static void main(String[] args) {
         PlayerClient client = new PlayerClient(args[0], Integer.parseInt(args[1]));

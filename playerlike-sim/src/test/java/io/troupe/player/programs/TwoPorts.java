@@ -6,7 +6,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** Drives two robots at two ports, each from a thread of its own. */
+/** Drives two robots at two ports, each from a separate thread. */
 public class TwoPorts extends Thread {
     private final Position2DInterface pos;
     private final SonarInterface son;
@@ -27,7 +27,7 @@ public class TwoPorts extends Thread {
                 SpaceWanderer.steer(pos, son.getData().getRanges());
             }
         } catch (PlayerException e) {
-            // the server has gone
+            // the server has closed
         }
     }
 

@@ -7,8 +7,8 @@ import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
 /**
- * Finds a wall and keeps it to its left. Threaded; waits in empty loops; its sonar values are static, as beginners like
- * them.
+ * Finds a wall and keeps it on its left. Threaded; waits in empty loops; its sonar values are static fields, as in many
+ * programs of beginners.
  */
 public class WallFollower {
     static final float SONAR_MIN = 0.2f;

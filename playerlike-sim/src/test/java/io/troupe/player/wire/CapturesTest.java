@@ -6,7 +6,7 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Conversations of real clients with a real server, recorded. */
+/** Replays recorded conversations of real clients with a real server. */
 class CapturesTest {
     @ParameterizedTest
     @ValueSource(
@@ -23,7 +23,7 @@ class CapturesTest {
                 .as("banner")
                 .isEqualTo(Hex.text(TcpServer.banner("Player v.3.1.1-dev")));
         for (var line : lines.subList(1, lines.size())) {
-            Message message = line.message();
+            WireMessage message = line.message();
             assertThat(Hex.text(message.bytes())).as("header of %s", message).isEqualTo(Hex.text(line.bytes()));
             Content again = again(message);
             assertThat(Hex.text(again.payload())).as("payload of %s", message).isEqualTo(Hex.text(message.payload()));
@@ -31,30 +31,31 @@ class CapturesTest {
         }
     }
 
-    private static Content again(Message message) throws WireException {
+    private static Content again(WireMessage message) throws WireException {
         Header header = message.header();
         int code = header.address().interfaceCode();
         int subtype = header.subtype();
         boolean player = code == PlayerRequest.INTERFACE;
         return switch (header.type()) {
             case DATA ->
-                DataMessages.encode(
-                        DataMessages.decode(code, subtype, message.payload()).orElseThrow());
+                DataCodec.encode(
+                        DataCodec.decode(code, subtype, message.payload()).orElseThrow());
             case CMD ->
-                CommandMessages.encode(
-                        CommandMessages.decode(code, subtype, message.payload()).orElseThrow());
+                CommandCodec.encode(
+                        CommandCodec.decode(code, subtype, message.payload()).orElseThrow());
             case REQ ->
                 player
-                        ? PlayerMessages.encode(PlayerMessages.request(subtype, message.payload()))
-                        : RequestMessages.encode(code, RequestMessages.decode(code, subtype, message.payload()));
+                        ? PlayerDeviceCodec.encode(PlayerDeviceCodec.request(subtype, message.payload()))
+                        : RequestCodec.encode(code, RequestCodec.decode(code, subtype, message.payload()));
             case ACK, NACK ->
                 new Content(
                         subtype,
                         player
-                                ? PlayerMessages.encode(PlayerMessages.reply(header.type(), subtype, message.payload()))
-                                : ReplyMessages.encode(
-                                        ReplyMessages.decode(code, header.type(), subtype, message.payload())));
-            case SYNCH -> PlayerMessages.synch(PlayerMessages.dropped(subtype, message.payload()));
+                                ? PlayerDeviceCodec.encode(
+                                        PlayerDeviceCodec.reply(header.type(), subtype, message.payload()))
+                                : ReplyCodec.encode(
+                                        ReplyCodec.decode(code, header.type(), subtype, message.payload())));
+            case SYNCH -> PlayerDeviceCodec.synch(PlayerDeviceCodec.dropped(subtype, message.payload()));
         };
     }
 }

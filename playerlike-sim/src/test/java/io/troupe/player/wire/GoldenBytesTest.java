@@ -19,46 +19,46 @@ class GoldenBytesTest {
     }
 
     private static void playerRequest(String hex, PlayerRequest expected) throws WireException {
-        Message message = Hex.message(hex);
+        WireMessage message = Hex.message(hex);
         assertThat(message.header().type()).isEqualTo(MessageType.REQ);
-        assertThat(PlayerMessages.request(message.header().subtype(), message.payload()))
+        assertThat(PlayerDeviceCodec.request(message.header().subtype(), message.payload()))
                 .isEqualTo(expected);
-        Content content = PlayerMessages.encode(expected);
+        Content content = PlayerDeviceCodec.encode(expected);
         assertThat(content.subtype()).isEqualTo(message.header().subtype());
         assertThat(Hex.text(content.payload())).isEqualTo(Hex.text(message.payload()));
     }
 
     private static void playerReply(String hex, double timeSeconds, PlayerReply expected) throws WireException {
-        Message message = Hex.message(hex);
+        WireMessage message = Hex.message(hex);
         int subtype = message.header().subtype();
-        assertThat(PlayerMessages.reply(message.header().type(), subtype, message.payload()))
+        assertThat(PlayerDeviceCodec.reply(message.header().type(), subtype, message.payload()))
                 .isEqualTo(expected);
-        Message made =
-                Message.of(at(1), PlayerMessages.type(expected), subtype, timeSeconds, PlayerMessages.encode(expected));
+        WireMessage made = WireMessage.of(
+                at(1), PlayerDeviceCodec.type(expected), subtype, timeSeconds, PlayerDeviceCodec.encode(expected));
         assertThat(Hex.text(made.bytes())).isEqualTo(hex(hex));
     }
 
     private static void data(String hex, double timeSeconds, DeviceData expected) throws WireException {
-        Message message = Hex.message(hex);
+        WireMessage message = Hex.message(hex);
         Header header = message.header();
-        assertThat(DataMessages.decode(header.address().interfaceCode(), header.subtype(), message.payload()))
+        assertThat(DataCodec.decode(header.address().interfaceCode(), header.subtype(), message.payload()))
                 .contains(expected);
-        Content content = DataMessages.encode(expected);
-        Message made =
-                Message.of(header.address(), MessageType.DATA, content.subtype(), timeSeconds, content.payload());
+        Content content = DataCodec.encode(expected);
+        WireMessage made =
+                WireMessage.of(header.address(), MessageType.DATA, content.subtype(), timeSeconds, content.payload());
         assertThat(Hex.text(made.bytes())).isEqualTo(hex(hex));
     }
 
     private static void command(int subtype, String payload, DeviceCommand expected) throws WireException {
-        assertThat(CommandMessages.decode(4, subtype, Hex.bytes(payload))).contains(expected);
-        Content content = CommandMessages.encode(expected);
+        assertThat(CommandCodec.decode(4, subtype, Hex.bytes(payload))).contains(expected);
+        Content content = CommandCodec.encode(expected);
         assertThat(content.subtype()).isEqualTo(subtype);
         assertThat(Hex.text(content.payload())).isEqualTo(hex(payload));
     }
 
     private static void request(int code, int subtype, String payload, DeviceRequest expected) throws WireException {
-        assertThat(RequestMessages.decode(code, subtype, Hex.bytes(payload))).isEqualTo(expected);
-        Content content = RequestMessages.encode(code, expected);
+        assertThat(RequestCodec.decode(code, subtype, Hex.bytes(payload))).isEqualTo(expected);
+        Content content = RequestCodec.encode(code, expected);
         assertThat(content.subtype()).isEqualTo(subtype);
         assertThat(Hex.text(content.payload())).isEqualTo(hex(payload));
     }
@@ -86,7 +86,8 @@ class GoldenBytesTest {
         playerRequest(
                 "00000000 00000000 00000001 00000000 00000003 00000001 41dac0434797a609 00000000 00000000",
                 new PlayerRequest.DeviceList());
-        assertThat(PlayerMessages.request(1, Hex.bytes("00000000 00000000"))).isEqualTo(new PlayerRequest.DeviceList());
+        assertThat(PlayerDeviceCodec.request(1, Hex.bytes("00000000 00000000")))
+                .isEqualTo(new PlayerRequest.DeviceList());
         playerReply("""
                 0100007f 00001a09 00000001 00000000 00000004 00000001 3ffccccccccccccd 00000000 00000058 | 00000005 00000005
                  0100007f 00001a09 0000001f 00000000 0100007f 00001a09 00000004 00000000 0100007f 00001a09 00000007 00000000
@@ -111,22 +112,23 @@ class GoldenBytesTest {
         playerReply("""
                 0100007f 00001a09 00000001 00000000 00000004 00000003 4000000000000000 00000000 00000024
                 | 0100007f 00001a09 00000004 00000000 00000001 00000006 00000006 73746167 65000000""", 2, new PlayerReply.Access(at(4), PlayerRequest.OPEN, "stage"));
-        assertThat(PlayerMessages.request(
+        assertThat(PlayerDeviceCodec.request(
                         3, Hex.bytes("00000000 00000000 00000005 00000000 00000002 00000000 00000000")))
                 .isEqualTo(new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
-        assertThat(Hex.text(PlayerMessages.encode(new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage"))))
+        assertThat(Hex.text(PlayerDeviceCodec.encode(new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage"))))
                 .isEqualTo(hex("0100007f 00001a09 00000005 00000000 00000002 00000006 00000006 73746167 65000000"));
     }
 
     @Test
     void refusedSubscription_ofTheRealServer_hasAPayload() throws WireException {
-        Message refusal = Hex.message("""
+        WireMessage refusal = Hex.message("""
                 0100007f 00001a09 00000001 00000000 00000006 00000003 400d99999999999a 00000000 0000001c
                 | 0100007f 00001a09 0000003e 00000000 00000003 00000000 00000000""");
         assertThat(refusal.header().type()).isEqualTo(MessageType.NACK);
         assertThat(refusal.header().timeSeconds()).isEqualTo(3.7);
-        assertThat(PlayerMessages.reply(MessageType.NACK, 3, refusal.payload())).isEqualTo(new PlayerReply.Nack());
-        assertThat(PlayerMessages.encode(new PlayerReply.Nack())).isEmpty();
+        assertThat(PlayerDeviceCodec.reply(MessageType.NACK, 3, refusal.payload()))
+                .isEqualTo(new PlayerReply.Nack());
+        assertThat(PlayerDeviceCodec.encode(new PlayerReply.Nack())).isEmpty();
     }
 
     @Test
@@ -138,15 +140,16 @@ class GoldenBytesTest {
                 "0100007f 00001a09 00000001 00000000 00000004 00000004 400199999999999a 00000000 00000000",
                 2.2,
                 new PlayerReply.Ack());
-        Content end = PlayerMessages.synch(0);
-        Message made = Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, end.subtype(), 0, end.payload());
+        Content end = PlayerDeviceCodec.synch(0);
+        WireMessage made =
+                WireMessage.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, end.subtype(), 0, end.payload());
         assertThat(Hex.text(made.bytes()))
                 .isEqualTo(hex(
                         "00000000 00000000 00000001 00000000 00000005 00000001 0000000000000000 00000000 00000000"));
-        Content overflow = PlayerMessages.synch(7);
+        Content overflow = PlayerDeviceCodec.synch(7);
         assertThat(overflow.subtype()).isEqualTo(2);
         assertThat(Hex.text(overflow.payload())).isEqualTo("00000007");
-        assertThat(PlayerMessages.dropped(2, overflow.payload())).isEqualTo(7);
+        assertThat(PlayerDeviceCodec.dropped(2, overflow.payload())).isEqualTo(7);
     }
 
     @Test
@@ -158,11 +161,10 @@ class GoldenBytesTest {
 
     @Test
     void position2d_commands() throws WireException {
-        Message speed = Hex.message("""
+        WireMessage speed = Hex.message("""
                 00000000 00001a09 00000004 00000000 00000002 00000001 41dac04347b36a55 00000000 0000001c
                 | 3fc999999999999a 0000000000000000 3fb999999999999a 00000001""");
-        assertThat(CommandMessages.decode(4, 1, speed.payload()))
-                .contains(new DeviceCommand.Velocity(0.2, 0, 0.1, true));
+        assertThat(CommandCodec.decode(4, 1, speed.payload())).contains(new DeviceCommand.Velocity(0.2, 0, 0.1, true));
         command(
                 1,
                 "3fd3d49300000000 0000000000000000 3fed0d87e0000000 00000001",
@@ -183,7 +185,7 @@ class GoldenBytesTest {
         request(4, 2, "00000001", new DeviceRequest.Power(true));
         request(4, 1, "", new DeviceRequest.Geometry());
         request(4, 6, "", new DeviceRequest.ResetOdometry());
-        byte[] geometry = ReplyMessages.encode(new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33));
+        byte[] geometry = ReplyCodec.encode(new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33));
         assertThat(Hex.text(geometry))
                 .isEqualTo(hex(
                         "bfa47ae147ae147b" + "0".repeat(80) + "3fd51eb851eb851f 3fdc28f5c28f5c29" + "0".repeat(16)));
@@ -205,7 +207,7 @@ class GoldenBytesTest {
                         Float.intBitsToFloat(0x3fceb517),
                         Float.intBitsToFloat(0x3f91e931),
                         Float.intBitsToFloat(0x3f58e111))));
-        assertThat(Hex.text(ReplyMessages.encode(new DeviceReply.SonarGeometry(
+        assertThat(Hex.text(ReplyCodec.encode(new DeviceReply.SonarGeometry(
                         List.of(new DeviceReply.SonarMount(0.075, 0.130, StrictMath.PI / 2))))))
                 .isEqualTo(hex(
                         "00000001 00000001 3fb3333333333333 3fc0a3d70a3d70a4" + "0".repeat(48) + "3ff921fb54442d18"));
@@ -217,13 +219,13 @@ class GoldenBytesTest {
         String payload = "bfc90fdb 3fc90fdb 3e2950b8 41000000 00000013 00000013" + ranges + "00000013 00000013"
                 + "01".repeat(19) + "00 0000000a";
         var scan = (DeviceData.LaserScan)
-                DataMessages.decode(6, 1, Hex.bytes(payload)).orElseThrow();
+                DataCodec.decode(6, 1, Hex.bytes(payload)).orElseThrow();
         assertThat(scan.minAngleRad()).isEqualTo((float) (-StrictMath.PI / 2));
         assertThat(scan.maxRangeM()).isEqualTo(8);
         assertThat(scan.rangesM()).hasSize(19).containsOnly(8f);
         assertThat(scan.intensities()).hasSize(19).containsOnly((byte) 1);
         assertThat(scan.scanId()).isEqualTo(10);
-        assertThat(Hex.text(DataMessages.encode(scan).payload())).isEqualTo(hex(payload));
+        assertThat(Hex.text(DataCodec.encode(scan).payload())).isEqualTo(hex(payload));
     }
 
     @Test
@@ -231,7 +233,7 @@ class GoldenBytesTest {
         data("""
                 0100007f 00001a09 00000007 00000000 00000001 00000001 400ccccccccccccd 00000000 00000010
                 | 00000000 00000000 00000000 00000000""", 3.6, new DeviceData.Blobs(0, 0, List.of()));
-        assertThat(DataMessages.encode(new DeviceData.Blobs(
+        assertThat(DataCodec.encode(new DeviceData.Blobs(
                                 80, 60, List.of(new DeviceData.Blob(0, 0xFF0000, 20, 5, 6, 3, 7, 4, 8, 1.5f))))
                         .payload())
                 .hasSize(56);
@@ -239,19 +241,19 @@ class GoldenBytesTest {
 
     @Test
     void quirksOfRealClients_areUnderstood() throws WireException {
-        assertThat(RequestMessages.decode(4, 7, Hex.bytes("3ff0000000000000 4000000000000000 3fe0000000000000")))
+        assertThat(RequestCodec.decode(4, 7, Hex.bytes("3ff0000000000000 4000000000000000 3fe0000000000000")))
                 .isEqualTo(new DeviceRequest.SpeedPid(1, 2, 0.5f));
         request(4, 7, "3f800000 40000000 3f000000", new DeviceRequest.SpeedPid(1, 2, 0.5f));
         String config = "bf800000 3f800000 3c23d70a 41000000 3c23d70a 00000001";
-        var with = (DeviceRequest.SetLaserConfiguration) RequestMessages.decode(6, 2, Hex.bytes(config + "41200000"));
-        var without = (DeviceRequest.SetLaserConfiguration) RequestMessages.decode(6, 2, Hex.bytes(config));
+        var with = (DeviceRequest.SetLaserConfiguration) RequestCodec.decode(6, 2, Hex.bytes(config + "41200000"));
+        var without = (DeviceRequest.SetLaserConfiguration) RequestCodec.decode(6, 2, Hex.bytes(config));
         assertThat(with.configuration().frequencyHz()).isEqualTo(10);
         assertThat(without.configuration().frequencyHz()).isZero();
         assertThat(without.configuration().intensities()).isTrue();
-        assertThat(RequestMessages.decode(7, 2, Hex.bytes("00000001 00000002 00000003 00000004 00000000 00000000")))
+        assertThat(RequestCodec.decode(7, 2, Hex.bytes("00000001 00000002 00000003 00000004 00000000 00000000")))
                 .isEqualTo(new DeviceRequest.SetImager(1, 2, 3, 4));
-        assertThat(RequestMessages.decode(5, 1, new byte[392])).isEqualTo(new DeviceRequest.Geometry());
-        assertThat(RequestMessages.decode(62, 5, new byte[56])).isEqualTo(new DeviceRequest.GetConfiguration());
+        assertThat(RequestCodec.decode(5, 1, new byte[392])).isEqualTo(new DeviceRequest.Geometry());
+        assertThat(RequestCodec.decode(62, 5, new byte[56])).isEqualTo(new DeviceRequest.GetConfiguration());
     }
 
     @Test
@@ -261,7 +263,7 @@ class GoldenBytesTest {
                 2,
                 "00000003 00000003 72310000 3ff0000000000000 4000000000000000 3fe0000000000000",
                 new DeviceRequest.SetPose("r1", 1, 2, 0.5));
-        assertThat(ReplyMessages.decode(
+        assertThat(ReplyCodec.decode(
                         31,
                         MessageType.ACK,
                         1,

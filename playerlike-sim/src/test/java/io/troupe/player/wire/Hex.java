@@ -8,18 +8,18 @@ import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
 import java.util.List;
 
-/** Bytes as they stand in the examples of the protocol and in captured conversations. */
+/** Bytes as hexadecimal text, as in the examples of the protocol and in captured conversations. */
 final class Hex {
     /** @param sender C for the client, S for the server */
     record Line(char sender, byte[] bytes) {
-        Message message() {
+        WireMessage message() {
             return Hex.message(bytes);
         }
     }
 
     private Hex() {}
 
-    /** Spaces and bars are for the eye. */
+    /** Spaces and bars only separate. */
     static byte[] bytes(String hex) {
         return HexFormat.of().parseHex(hex.replaceAll("[ |\\n]", ""));
     }
@@ -28,14 +28,14 @@ final class Hex {
         return HexFormat.of().formatHex(bytes);
     }
 
-    static Message message(String hex) {
+    static WireMessage message(String hex) {
         return message(bytes(hex));
     }
 
-    static Message message(byte[] bytes) {
+    static WireMessage message(byte[] bytes) {
         var in = new ByteArrayInputStream(bytes);
         try {
-            Message message = new MessageReader(in, 1 << 20).read();
+            WireMessage message = new MessageReader(in, 1 << 20).read();
             if (message == null || in.available() > 0) {
                 throw new AssertionError("not exactly one message: " + text(bytes));
             }

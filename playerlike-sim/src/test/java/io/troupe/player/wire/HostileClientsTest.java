@@ -22,14 +22,14 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Clients that send garbage, say nothing, do not read or vanish harm nobody but themselves. */
+/** Clients that send garbage, send nothing, do not read or vanish affect no other client. */
 @Timeout(120)
 class HostileClientsTest {
     private static final int EACH = 10;
     private static final TcpServer.Settings WRITES_ONLY =
             new TcpServer.Settings(10, Duration.ofSeconds(30), Duration.ofDays(100_000));
 
-    /** What the server logs; an error of its own is a WARNING. */
+    /** Collects the server's log; an error of the server itself is a WARNING. */
     private static final class Log extends Handler {
         private final ConcurrentLinkedQueue<LogRecord> records = new ConcurrentLinkedQueue<>();
 
@@ -72,20 +72,20 @@ class HostileClientsTest {
 
     private static void vanish(RawClient client) {
         try {
-            client.socket.setSoLinger(true, 0); // a reset instead of an end
+            client.socket.setSoLinger(true, 0); // a reset instead of an orderly close
             client.close();
         } catch (IOException e) {
             throw new AssertionError(e);
         }
     }
 
-    /** Kinds of client, one after the other; the connection must end or be left alone as told. */
+    /** One kind of misbehaviour after the other; the connection must end or stay open as listed. */
     private static void misbehave(RawClient client, int kind, Random random) {
-        byte[] huge = Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.REQ, 1, 0, Content.NONE)
+        byte[] huge = WireMessage.of(new DeviceAddress(0, 0, 1, 0), MessageType.REQ, 1, 0, Content.NONE)
                 .bytes();
         huge[36] = (byte) 0x80;
         switch (kind) {
-            case 0 -> {} // says nothing, for ever
+            case 0 -> {} // sends nothing at all
             case 1 -> client.send(random(random, 400)).awaitEnd();
             case 2 -> client.send(huge).awaitEnd();
             case 3 -> client.send(new byte[17]); // half a header
@@ -140,7 +140,7 @@ class HostileClientsTest {
                         greedy.socket.getOutputStream().write(requests);
                     }
                 } catch (IOException end) {
-                    // as it must be
+                    // as required
                 }
             });
             served.server.checkLimits();
@@ -182,7 +182,7 @@ class HostileClientsTest {
                     client.socket.shutdownOutput();
                     client.awaitEnd();
                 } catch (IOException | UncheckedIOException ended) {
-                    // by the server, in the middle of the noise
+                    // closed by the server, in the middle of the noise
                 }
             }
             try (var good = RawClient.greeted(served.port())) {
@@ -192,7 +192,7 @@ class HostileClientsTest {
         }
     }
 
-    /** Mostly a message whose header is right. */
+    /** Mostly a message with a valid header. */
     private static byte[] noise(Random random) {
         int[] codes = {1, 4, 5, 7, 31, 62};
         byte[] payload = random(random, 4 * random.nextInt(12));

@@ -17,14 +17,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What a real server with Stage does otherwise than the protocol lets one think. */
+/** Behaviour of a real server with Stage that the protocol does not lead one to expect. */
 @Timeout(60)
 class LikeStageTest {
     private static final int PORT = 6792;
 
     private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
 
-    /** Ahead of the robot a red box on the left and a green one on the right; devices in an order of their own. */
+    /** In front of the robot a red box on the left and a green one on the right; the devices in an unusual order. */
     private static Scenario scenario() {
         var world = TestWorlds.world(
                 List.of(TestWorlds.robot("one", 0, 0, 0)),
@@ -61,7 +61,7 @@ class LikeStageTest {
             client.subscribe(Interfaces.POSITION2D);
             client.send(Hex.bytes("00000000 00000000 00000004 00000000 00000002 00000002 0000000000000000 00000000"
                     + "00000034 3ff0000000000000" + "0000000000000000".repeat(5) + "00000000"));
-            client.ask(new PlayerRequest.DeviceList()); // so that the command has arrived
+            client.ask(new PlayerRequest.DeviceList()); // wait until the command has arrived
             simulation.tick();
             simulation.tick();
             double goingM = simulation.latest().robots().getFirst().pose().x();

@@ -12,26 +12,26 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a lock cannot be interrupted
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // waiting for a lock cannot be interrupted
 class OutboxTest {
     private static final DeviceAddress POSITION = new DeviceAddress(1, 2, 4, 0);
     private static final DeviceAddress SONAR = new DeviceAddress(1, 2, 5, 0);
 
     private final Outbox outbox = new Outbox();
 
-    private static Message reply(int subtype) {
-        return Message.of(new DeviceAddress(1, 2, 1, 0), MessageType.ACK, subtype, 0, Content.NONE);
+    private static WireMessage reply(int subtype) {
+        return WireMessage.of(new DeviceAddress(1, 2, 1, 0), MessageType.ACK, subtype, 0, Content.NONE);
     }
 
-    private static DataMessage position(double px) {
-        return new DataMessage(POSITION, 0, new DeviceData.Position2d(px, 0, 0, 0, 0, 0, false));
+    private static DeviceDataMessage position(double px) {
+        return new DeviceDataMessage(POSITION, 0, new DeviceData.Position2d(px, 0, 0, 0, 0, 0, false));
     }
 
-    private static DataMessage sonar() {
-        return new DataMessage(SONAR, 0, new DeviceData.SonarRanges(List.of()));
+    private static DeviceDataMessage sonar() {
+        return new DeviceDataMessage(SONAR, 0, new DeviceData.SonarRanges(List.of()));
     }
 
-    private void frame(long tick, DataMessage... messages) {
+    private void frame(long tick, DeviceDataMessage... messages) {
         outbox.frame(tick, tick / 10.0, List.of(messages));
     }
 
@@ -43,12 +43,12 @@ class OutboxTest {
         return outbox;
     }
 
-    /** All that would be written now, in short: ACK/3, DATA 4 x=1.0, .. */
+    /** Everything that would be written now, in short form: ACK/3, DATA 4 x=1.0, .. */
     private List<String> sent() {
         var bytes = new ByteArrayOutputStream();
         try {
             while (true) {
-                outbox.greet(Content.NONE); // so that taking never waits
+                outbox.greet(Content.NONE); // so that take() never waits
                 byte[] batch = outbox.take();
                 if (batch.length == 0) {
                     break;
@@ -57,7 +57,7 @@ class OutboxTest {
             }
             var reader = new MessageReader(new ByteArrayInputStream(bytes.toByteArray()), 1 << 16);
             var texts = new ArrayList<String>();
-            for (Message each = reader.read(); each != null; each = reader.read()) {
+            for (WireMessage each = reader.read(); each != null; each = reader.read()) {
                 texts.add(text(each));
             }
             return texts;
@@ -66,16 +66,15 @@ class OutboxTest {
         }
     }
 
-    private static String text(Message message) throws WireException {
+    private static String text(WireMessage message) throws WireException {
         int code = message.header().address().interfaceCode();
         int subtype = message.header().subtype();
         return switch (message.header().type()) {
             case DATA ->
-                DataMessages.decode(code, subtype, message.payload()).orElseThrow()
-                                instanceof DeviceData.Position2d state
+                DataCodec.decode(code, subtype, message.payload()).orElseThrow() instanceof DeviceData.Position2d state
                         ? "position " + (int) state.px()
                         : "sonar";
-            case SYNCH -> "SYNCH " + subtype + " " + PlayerMessages.dropped(subtype, message.payload());
+            case SYNCH -> "SYNCH " + subtype + " " + PlayerDeviceCodec.dropped(subtype, message.payload());
             default -> message.header().type() + " " + subtype;
         };
     }
@@ -121,7 +120,7 @@ class OutboxTest {
     void pull_dataSentBeforeAReply_areAnsweredOnlyWhenTheirFrameHasEnded() {
         pull();
         frame(0, position(0));
-        outbox.reply(reply(1)); // to a request that the client sent when it did not know of the tick
+        outbox.reply(reply(1)); // reply to a request that the client sent before it knew of the tick
         assertThat(sent()).containsExactly("position 0", "ACK 1");
         assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).as("the end of what was sent").containsExactly("ACK 4", "SYNCH 1 0");
@@ -211,9 +210,9 @@ class OutboxTest {
         outbox.subscribed(POSITION, reply(3));
         var busy = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
-        var slow = new AbstractList<DataMessage>() {
+        var slow = new AbstractList<DeviceDataMessage>() {
             @Override
-            public DataMessage get(int index) {
+            public DeviceDataMessage get(int index) {
                 busy.countDown();
                 try {
                     goOn.await();

@@ -8,12 +8,12 @@ import java.io.IOException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Clients that ask for their data, in lock step with the world. */
+/** Clients in pull mode, in lock step with the world. */
 @Timeout(60)
 class PullTest {
     private static final int FRAMES = 200;
 
-    /** Drives in curves for a while; returns all that the server has said. */
+    /** Drives in curves for a while; returns everything that the server has sent. */
     private static byte[] run(Served served) throws WireException {
         try (var runner = SimulationRunner.start(served.simulation, 1, snapshot -> {});
                 var client = RawClient.greeted(served.port())) {
@@ -56,7 +56,7 @@ class PullTest {
             var reader = new MessageReader(in, 1 << 16);
             int tick = 0;
             while (in.available() > 0) {
-                Message message = reader.read();
+                WireMessage message = reader.read();
                 if (message.header().type() == MessageType.DATA
                         && message.header().address().interfaceCode() == 4) {
                     assertThat(message.header().timeSeconds()).isEqualTo(tick++ / 10.0);
@@ -79,7 +79,7 @@ class PullTest {
             for (int frame = 0; frame < 20; frame++) {
                 client.ask(new PlayerRequest.NextData());
                 client.next(MessageType.SYNCH, 1, 1);
-                // every reply has the time of the newest frame: the world waits for its answer
+                // every reply has the time of the newest frame: the world waits for this client's answer
                 assertThat(client.ask(new PlayerRequest.DeviceList()).header().timeSeconds())
                         .isEqualTo(frame / 10.0);
             }

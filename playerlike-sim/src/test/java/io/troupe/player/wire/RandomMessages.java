@@ -6,17 +6,17 @@ import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** Records of every kind with random content. */
+/** WireMessage records of every kind with random content. */
 final class RandomMessages {
     private static final double[] ODD = {
         0, -0.0, Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.MIN_VALUE, Double.MAX_VALUE
     };
     private final Random random;
 
-    /** A request and the interface that it is for. */
+    /** A request and the interface it is sent to. */
     record Asked(int interfaceCode, DeviceRequest request) {}
 
-    /** A reply, and the request's interface and subtype. */
+    /** A reply with the interface and subtype of its request. */
     record Answered(int interfaceCode, int subtype, DeviceReply reply) {}
 
     RandomMessages(Random random) {
@@ -82,8 +82,8 @@ final class RandomMessages {
     }
 
     /** One of each kind, by interface. */
-    List<DataMessage> data() {
-        return Stream.<DataMessage>of(
+    List<DeviceDataMessage> data() {
+        return Stream.<DeviceDataMessage>of(
                         of(4, new DeviceData.Position2d(d(), d(), d(), d(), d(), d(), b())),
                         of(4, new DeviceData.GeometryChanged(positionGeometry())),
                         of(5, new DeviceData.SonarRanges(list(this::f))),
@@ -112,8 +112,8 @@ final class RandomMessages {
                 .toList();
     }
 
-    private DataMessage of(int code, DeviceData data) {
-        return new DataMessage(new DeviceAddress(i(), i(), code, random.nextInt(3)), d(), data);
+    private DeviceDataMessage of(int code, DeviceData data) {
+        return new DeviceDataMessage(new DeviceAddress(i(), i(), code, random.nextInt(3)), d(), data);
     }
 
     List<DeviceCommand> positionCommands() {

@@ -12,7 +12,7 @@ import java.net.Socket;
 import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 
-/** A client that sends and receives bytes and knows nothing of our client library. */
+/** A client that sends and receives raw bytes, independent of our client library. */
 final class RawClient implements AutoCloseable {
     private static final int PATIENCE_MILLIS = 20_000;
 
@@ -71,12 +71,12 @@ final class RawClient implements AutoCloseable {
     }
 
     static byte[] message(MessageType type, int code, int index, Content content) {
-        return Message.of(new DeviceAddress(0, 0, code, index), type, content.subtype(), 0, content.payload())
+        return WireMessage.of(new DeviceAddress(0, 0, code, index), type, content.subtype(), 0, content.payload())
                 .bytes();
     }
 
     static byte[] bytes(PlayerRequest request) {
-        return message(MessageType.REQ, 1, 0, PlayerMessages.encode(request));
+        return message(MessageType.REQ, 1, 0, PlayerDeviceCodec.encode(request));
     }
 
     static byte[] access(Interfaces type, int mode) {
@@ -87,13 +87,13 @@ final class RawClient implements AutoCloseable {
         return send(bytes(request));
     }
 
-    /** Sends, and expects an ACK as the very next message. */
-    Message ask(PlayerRequest request) {
+    /** Sends a request and expects an ACK as the very next message. */
+    WireMessage ask(PlayerRequest request) {
         send(request);
-        Message reply = next();
+        WireMessage reply = next();
         assertThat(reply.header().type()).as("reply to %s", request).isEqualTo(MessageType.ACK);
         assertThat(reply.header().subtype())
-                .isEqualTo(PlayerMessages.encode(request).subtype());
+                .isEqualTo(PlayerDeviceCodec.encode(request).subtype());
         return reply;
     }
 
@@ -106,12 +106,12 @@ final class RawClient implements AutoCloseable {
                 MessageType.CMD,
                 4,
                 0,
-                CommandMessages.encode(new DeviceCommand.Velocity(forwardMps, 0, turnRadps, true))));
+                CommandCodec.encode(new DeviceCommand.Velocity(forwardMps, 0, turnRadps, true))));
     }
 
-    Message next() {
+    WireMessage next() {
         try {
-            Message message = reader.read();
+            WireMessage message = reader.read();
             assertThat(message).as("the next message").isNotNull();
             return message;
         } catch (IOException e) {
@@ -121,35 +121,34 @@ final class RawClient implements AutoCloseable {
         }
     }
 
-    Message next(MessageType type, int code, int subtype) {
-        Message message = next();
+    WireMessage next(MessageType type, int code, int subtype) {
+        WireMessage message = next();
         assertThat(message)
                 .as("the next message")
-                .hasToString(Message.of(new DeviceAddress(0, 0, code, 0), type, subtype, 0, message.payload())
+                .hasToString(WireMessage.of(new DeviceAddress(0, 0, code, 0), type, subtype, 0, message.payload())
                         .toString());
         return message;
     }
 
     DeviceData.Position2d nextPosition() throws WireException {
         return (DeviceData.Position2d)
-                DataMessages.decode(4, 1, next(MessageType.DATA, 4, 1).payload())
-                        .orElseThrow();
+                DataCodec.decode(4, 1, next(MessageType.DATA, 4, 1).payload()).orElseThrow();
     }
 
-    /** Waits until the server has ended the connection. */
+    /** Waits until the server has closed the connection. */
     void awaitEnd() {
         try {
             while (in.read(new byte[4096], 0, 4096) >= 0) {
-                // what was on its way
+                // what was still in transit
             }
         } catch (SocketTimeoutException e) {
             throw new AssertionError("the server did not end the connection", e);
         } catch (IOException reset) {
-            // that is an end too
+            // a reset ends the connection too
         }
     }
 
-    /** All that has been read so far. */
+    /** All bytes read so far. */
     byte[] received() {
         return received.toByteArray();
     }

@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.connect;
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.connect;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** How a line through a socket ends, or does not come about. */
+/** How a connection over a socket ends, or fails to open. */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RemoteEndTest implements PlayerConstants {
@@ -84,7 +84,7 @@ class RemoteEndTest implements PlayerConstants {
                     .hasMessageContaining("has gone");
             assertThatThrownBy(son::isDataReady).isInstanceOf(PlayerException.class);
             client.close();
-            var again = connect(other); // the caller's decision
+            var again = connect(other); // the caller decides to reconnect
             son = again.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
             other.send(other.sonar(2));
             again.readAll();
@@ -173,7 +173,7 @@ class RemoteEndTest implements PlayerConstants {
         try (var server = new ScriptedSocket("", (message, self) -> true)) {
             var remote = new RemoteServer("localhost", server.port(), limit);
             assertThatThrownBy(() -> remote.connect(new NoSink(), null))
-                    .isInstanceOf(LineClosedException.class)
+                    .isInstanceOf(ConnectionClosedException.class)
                     .hasMessage("localhost:" + server.port() + " did not answer within 50 ms");
         }
     }

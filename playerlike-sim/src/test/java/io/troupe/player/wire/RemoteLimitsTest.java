@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.connect;
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.connect;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A client waits for nothing longer than its limit, keeps no more than it should, and takes no reply for another. */
+/** A client never waits longer than its limit, bounds what it keeps, and never takes a reply for another one. */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RemoteLimitsTest implements PlayerConstants {
@@ -53,7 +53,7 @@ class RemoteLimitsTest implements PlayerConstants {
     }
 
     @Test
-    void serverThatReadsNoMore_endsSendingAfterTheLimit_andByAnInterrupt_andTheLineGoesOn() throws Exception {
+    void serverThatReadsNoMore_endsSendingAfterTheLimit_andByAnInterrupt_andTheConnectionGoesOn() throws Exception {
         var readOn = new CountDownLatch(1);
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 1, 10)) {
@@ -82,16 +82,17 @@ class RemoteLimitsTest implements PlayerConstants {
 
             readOn.countDown();
             pos.setSpeed(0.3, 0.4);
-            client.requestAddReplaceRule(-1, -1, 1, -1, 1); // understood after all that was sent, in part too
-            Message newest = server.nextCommand();
+            // decoded after everything that was sent before, partly sent messages included
+            client.requestAddReplaceRule(-1, -1, 1, -1, 1);
+            WireMessage newest = server.nextCommand();
             int commands = 1;
-            for (Message each = server.pollCommand(); each != null; each = server.pollCommand()) {
+            for (WireMessage each = server.pollCommand(); each != null; each = server.pollCommand()) {
                 newest = each;
                 commands++;
             }
             assertThat(commands).isGreaterThan(1);
             assertThat(newest.payload())
-                    .isEqualTo(CommandMessages.encode(new DeviceCommand.Velocity(0.3, 0, 0.4, true))
+                    .isEqualTo(CommandCodec.encode(new DeviceCommand.Velocity(0.3, 0, 0.4, true))
                             .payload());
             client.close();
         } finally {
@@ -101,7 +102,7 @@ class RemoteLimitsTest implements PlayerConstants {
 
     @Test
     void lateReply_goesToNoOtherRequest() throws Exception {
-        var held = new ArrayList<Message>();
+        var held = new ArrayList<WireMessage>();
         try (var server = new ScriptedSocket((message, self) -> {
             if (!is(message, 31, 1)) {
                 return false;
@@ -112,26 +113,26 @@ class RemoteLimitsTest implements PlayerConstants {
             }
             return true;
         })) {
-            var line = new RemoteServer("localhost", server.port()).connect(new Sink(), null);
-            line.replyLimit(Duration.ofMillis(50));
-            assertThatThrownBy(() -> line.request(SIMULATION, new DeviceRequest.GetPose("a")))
+            var connection = new RemoteServer("localhost", server.port()).connect(new Sink(), null);
+            connection.replyLimit(Duration.ofMillis(50));
+            assertThatThrownBy(() -> connection.request(SIMULATION, new DeviceRequest.GetPose("a")))
                     .isInstanceOf(RequestFailedException.class);
-            line.replyLimit(Duration.ofMinutes(1));
-            assertThat(line.request(SIMULATION, new DeviceRequest.GetPose("b")))
+            connection.replyLimit(Duration.ofMinutes(1));
+            assertThat(connection.request(SIMULATION, new DeviceRequest.GetPose("b")))
                     .isEqualTo(new DeviceReply.ModelPose("b", 2, 0, 0));
-            line.close();
+            connection.close();
         }
     }
 
-    private static Message pose(Message request, String model, double x) {
-        byte[] payload = ReplyMessages.encode(new DeviceReply.ModelPose(model, x, 0, 0));
+    private static WireMessage pose(WireMessage request, String model, double x) {
+        byte[] payload = ReplyCodec.encode(new DeviceReply.ModelPose(model, x, 0, 0));
         Header asked = request.header();
-        return new Message(
+        return new WireMessage(
                 new Header(asked.address(), MessageType.ACK, asked.subtype(), 0, asked.sequence(), payload.length),
                 payload);
     }
 
-    /** The reader is stopped where it has noticed the end and tells the sink. */
+    /** Stops the reader where it has noticed the end and notifies the sink. */
     @Test
     void serverThatHasGone_isKnownToTheSinkAndToEveryCall_atTheSameTime() throws Exception {
         var server = new ScriptedSocket((message, self) -> false);
@@ -148,20 +149,20 @@ class RemoteLimitsTest implements PlayerConstants {
                 }
             }
         };
-        var line = new RemoteServer("localhost", server.port()).connect(sink, null);
+        var connection = new RemoteServer("localhost", server.port()).connect(sink, null);
         server.close();
         toldByReader.await();
-        assertThatThrownBy(line::devices).hasMessageContaining("has gone");
+        assertThatThrownBy(connection::devices).hasMessageContaining("has gone");
         assertThat(toldBy).as("told before the call failed").hasSize(2).contains(Thread.currentThread());
         goOn.countDown();
-        line.close();
+        connection.close();
     }
 
     @Test
-    void errorOfTheSink_endsTheLine_andEveryCallThatWaits() throws Exception {
+    void errorOfTheSink_endsTheConnection_andEveryCallThatWaits() throws Exception {
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 4, 1)) {
-                self.send(self.position(1)); // and no reply
+                self.send(self.position(1)); // and sends no reply
                 return true;
             }
             return false;
@@ -172,12 +173,13 @@ class RemoteLimitsTest implements PlayerConstants {
                     throw new NoClassDefFoundError("of a class that could not be read");
                 }
             };
-            var line = new RemoteServer("localhost", server.port()).connect(sink, null);
-            line.replyLimit(Duration.ofHours(1));
-            assertThatThrownBy(() -> line.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()))
-                    .isInstanceOf(LineClosedException.class)
+            var connection = new RemoteServer("localhost", server.port()).connect(sink, null);
+            connection.replyLimit(Duration.ofHours(1));
+            assertThatThrownBy(() ->
+                            connection.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()))
+                    .isInstanceOf(ConnectionClosedException.class)
                     .hasMessageContaining("NoClassDefFoundError");
-            line.close();
+            connection.close();
         }
     }
 
@@ -195,17 +197,17 @@ class RemoteLimitsTest implements PlayerConstants {
                     return false;
                 })) {
             var sink = new Sink();
-            var line = new RemoteServer("localhost", server.port()).connect(sink, space);
+            var connection = new RemoteServer("localhost", server.port()).connect(sink, space);
             space.execute(() -> awaitQuietly(goOn));
-            line.replyLimit(Duration.ofMinutes(1));
-            line.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()); // after all data
+            connection.replyLimit(Duration.ofMinutes(1));
+            connection.request(server.device(Interfaces.POSITION2D), new DeviceRequest.Geometry()); // after all data
             goOn.countDown();
             var done = new CountDownLatch(1);
             space.execute(done::countDown);
             done.await();
             assertThat(sink.frames).hasSize(1024);
             assertThat(List.copyOf(sink.frames).getLast().timeSeconds()).isEqualTo(sent);
-            line.close();
+            connection.close();
         }
     }
 
@@ -220,12 +222,12 @@ class RemoteLimitsTest implements PlayerConstants {
                     }
                     socket.getInputStream().read();
                 } catch (IOException clientHasGone) {
-                    // as it should
+                    // expected
                 }
             });
             var remote = new RemoteServer("localhost", listener.getLocalPort(), Duration.ofMillis(100));
             assertThatThrownBy(() -> remote.connect(new Sink(), null))
-                    .isInstanceOf(LineClosedException.class)
+                    .isInstanceOf(ConnectionClosedException.class)
                     .hasMessage("localhost:" + listener.getLocalPort() + " did not answer within 100 ms");
             trickle.join();
         }
@@ -238,7 +240,10 @@ class RemoteLimitsTest implements PlayerConstants {
                 long asked =
                         self.received.stream().filter(each -> is(each, 1, 4)).count();
                 self.send(self.reply(message, MessageType.ACK, Content.NONE));
-                self.send(asked < 3 ? new Message[] {self.synch()} : new Message[] {self.position(3), self.synch()});
+                self.send(
+                        asked < 3
+                                ? new WireMessage[] {self.synch()}
+                                : new WireMessage[] {self.position(3), self.synch()});
                 return true;
             }
             return false;

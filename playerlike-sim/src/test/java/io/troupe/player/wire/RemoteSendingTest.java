@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
@@ -31,7 +31,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Messages that do not get through, or only in part, to a server that does not read. */
+/** Messages that are not sent, or only in part, because the server does not read. */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class RemoteSendingTest {
@@ -67,12 +67,12 @@ class RemoteSendingTest {
         return new RemoteServer("localhost", server.port()).connect(sink, null);
     }
 
-    /** Sends until all buffers are full, and far more is left to send than a buffer may grow by. */
-    private static void fill(PlayerConnection line) {
+    /** Sends until all buffers are full and far more remains than a buffer can grow by. */
+    private static void fill(PlayerConnection connection) {
         var large = new DeviceRequest.GetPose("a".repeat(900_000));
         RequestFailedException failed;
         do {
-            failed = catchThrowableOfType(RequestFailedException.class, () -> line.request(SIMULATION, large));
+            failed = catchThrowableOfType(RequestFailedException.class, () -> connection.request(SIMULATION, large));
         } while (!failed.getMessage().contains("has not taken a message"));
     }
 
@@ -89,19 +89,19 @@ class RemoteSendingTest {
             }
             return false;
         })) {
-            var line = connect(server, sink(frame::complete, reason -> {}));
-            line.delivery(Delivery.PULL);
-            line.replyLimit(SHORT);
-            assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
+            var connection = connect(server, sink(frame::complete, reason -> {}));
+            connection.delivery(Delivery.PULL);
+            connection.replyLimit(SHORT);
+            assertThatThrownBy(() -> connection.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class);
-            fill(line);
-            assertThatThrownBy(() -> line.answered(PlayerConnection.NO_TICK))
+            fill(connection);
+            assertThatThrownBy(() -> connection.answered(PlayerConnection.NO_TICK))
                     .isInstanceOf(RequestFailedException.class);
             readOn.countDown();
-            line.replyLimit(LONG);
-            line.answered(PlayerConnection.NO_TICK);
+            connection.replyLimit(LONG);
+            connection.answered(PlayerConnection.NO_TICK);
             assertThat(frame.get(30, TimeUnit.SECONDS).timeSeconds()).isEqualTo(1);
-            line.close();
+            connection.close();
         } finally {
             readOn.countDown();
         }
@@ -110,7 +110,7 @@ class RemoteSendingTest {
     @Test
     void pull_onAnActorSpace_questionForDataThatCannotBeSent_losesTheLine() throws Exception {
         var lost = new CompletableFuture<String>();
-        var line = new CompletableFuture<PlayerConnection>();
+        var connection = new CompletableFuture<PlayerConnection>();
         try (var space = ActorSpace.create(SpaceSettings.named("asking"));
                 var server = new ScriptedSocket((message, self) -> {
                     if (is(message, 1, 4)) {
@@ -120,21 +120,21 @@ class RemoteSendingTest {
                     }
                     return false;
                 })) {
-            var sink = sink(frame -> fill(line.join()), lost::complete);
-            line.complete(new RemoteServer("localhost", server.port()).connect(sink, space));
-            line.join().delivery(Delivery.PULL);
-            line.join().replyLimit(SHORT);
-            line.join().answered(PlayerConnection.NO_TICK);
+            var sink = sink(frame -> fill(connection.join()), lost::complete);
+            connection.complete(new RemoteServer("localhost", server.port()).connect(sink, space));
+            connection.join().delivery(Delivery.PULL);
+            connection.join().replyLimit(SHORT);
+            connection.join().answered(PlayerConnection.NO_TICK);
             assertThat(lost.get(30, TimeUnit.SECONDS))
                     .startsWith("data cannot be asked for: localhost:" + server.port() + " has not taken a message");
             readOn.countDown();
-            line.join().close();
+            connection.join().close();
         } finally {
             readOn.countDown();
         }
     }
 
-    /** The server answers in order and without numbers. */
+    /** The server replies in order and without sequence numbers. */
     @Test
     void requestThatWasSentInPart_getsItsReply_andNoLaterRequestDoes() throws Exception {
         try (var server = new ScriptedSocket((message, self) -> {
@@ -146,25 +146,25 @@ class RemoteSendingTest {
             }
             try {
                 String model = ((DeviceRequest.GetPose)
-                                RequestMessages.decode(SIMULATION.interfaceCode(), 1, message.payload()))
+                                RequestCodec.decode(SIMULATION.interfaceCode(), 1, message.payload()))
                         .model();
                 var pose = new DeviceReply.ModelPose(model.substring(0, 1), 0, 0, 0);
-                self.send(self.reply(message, MessageType.ACK, ReplyMessages.encode(pose)));
+                self.send(self.reply(message, MessageType.ACK, ReplyCodec.encode(pose)));
             } catch (WireException e) {
                 throw new IOException(e);
             }
             return true;
         })) {
-            var line = connect(server, sink(frame -> {}, reason -> {}));
-            line.replyLimit(SHORT);
-            assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
+            var connection = connect(server, sink(frame -> {}, reason -> {}));
+            connection.replyLimit(SHORT);
+            assertThatThrownBy(() -> connection.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class);
-            fill(line);
+            fill(connection);
             readOn.countDown();
-            line.replyLimit(LONG);
-            assertThat(line.request(SIMULATION, new DeviceRequest.GetPose("b")))
+            connection.replyLimit(LONG);
+            assertThat(connection.request(SIMULATION, new DeviceRequest.GetPose("b")))
                     .isEqualTo(new DeviceReply.ModelPose("b", 0, 0, 0));
-            line.close();
+            connection.close();
         } finally {
             readOn.countDown();
         }
@@ -172,7 +172,7 @@ class RemoteSendingTest {
 
     @Test
     void socket_saysHowMuchWasSent_andSendsTheRest() throws Exception {
-        byte[] message = new byte[16 << 20]; // more than all buffers hold
+        byte[] message = new byte[16 << 20]; // more than all buffers can hold
         try (var listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
                 var socket = new RemoteSocket()) {
             socket.connect(new InetSocketAddress(listener.getInetAddress(), listener.getLocalPort()), LONG);
@@ -200,7 +200,7 @@ class RemoteSendingTest {
 
     @Test
     void questionForASignOfLife_isSent_whileNoCarrierOfVirtualThreadsIsFree() throws Exception {
-        var asked = new CountDownLatch(2); // by connecting, and for the sign
+        var asked = new CountDownLatch(2); // one from connecting, one for the keep-alive request
         var stop = new AtomicBoolean();
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 1, 1)) {
@@ -208,7 +208,7 @@ class RemoteSendingTest {
             }
             return false;
         })) {
-            var line = (RemoteLine) connect(server, sink(frame -> {}, reason -> {}));
+            var connection = (RemoteConnection) connect(server, sink(frame -> {}, reason -> {}));
             int carriers = Runtime.getRuntime().availableProcessors();
             var spinning = new CountDownLatch(carriers);
             var threads = new ArrayList<Thread>();
@@ -222,7 +222,7 @@ class RemoteSendingTest {
             }
             try {
                 spinning.await();
-                line.askForSign();
+                connection.sendKeepAlive();
                 assertThat(asked.await(20, TimeUnit.SECONDS)).isTrue();
             } finally {
                 stop.set(true);
@@ -230,11 +230,11 @@ class RemoteSendingTest {
                     each.join();
                 }
             }
-            line.close();
+            connection.close();
         }
     }
 
-    /** Every look at the clock takes an hour, so sending takes the whole limit. */
+    /** Each read of the clock advances it by an hour, so sending uses up the whole limit. */
     @Test
     void call_hasOneLimit_forSendingAndForWaiting() throws Exception {
         var slow = new AtomicBoolean();
@@ -258,14 +258,14 @@ class RemoteSendingTest {
             }
         };
         try (var server = new ScriptedSocket((message, self) -> is(message, 1, 10))) {
-            var line = new RemoteServer("localhost", server.port(), LONG, clock)
+            var connection = new RemoteServer("localhost", server.port(), LONG, clock)
                     .connect(sink(frame -> {}, reason -> {}), null);
             slow.set(true);
-            line.replyLimit(Duration.ofMinutes(59));
-            assertThatThrownBy(() -> line.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
+            connection.replyLimit(Duration.ofMinutes(59));
+            assertThatThrownBy(() -> connection.replace(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)))
                     .isInstanceOf(RequestFailedException.class)
                     .hasMessageContaining("did not answer within 3540000 ms");
-            line.close();
+            connection.close();
         }
     }
 

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** What is encoded and decoded again is the same, for random content of every message. */
+/** Encoding and decoding returns the same record, for random content of every message. */
 class RoundTripTest {
     private static final int SEEDS = 300;
 
@@ -30,11 +30,11 @@ class RoundTripTest {
     void data_ofEveryKind_comesBack() throws WireException {
         forSeeds(messages -> {
             for (var message : messages.data()) {
-                Content content = DataMessages.encode(message.data());
+                Content content = DataCodec.encode(message.data());
                 assertThat(content.payload().length % 4).isZero();
-                assertThat(DataMessages.decode(message.from().interfaceCode(), content.subtype(), content.payload()))
+                assertThat(DataCodec.decode(message.from().interfaceCode(), content.subtype(), content.payload()))
                         .contains(message.data());
-                Message whole = Message.of(
+                WireMessage whole = WireMessage.of(
                         message.from(), MessageType.DATA, content.subtype(), message.timeSeconds(), content.payload());
                 assertThat(Hex.message(whole.bytes()).header()).isEqualTo(whole.header());
             }
@@ -45,14 +45,14 @@ class RoundTripTest {
     void commands_ofEveryKind_comeBack() throws WireException {
         forSeeds(messages -> {
             for (var command : messages.positionCommands()) {
-                Content content = CommandMessages.encode(command);
-                assertThat(CommandMessages.decode(4, content.subtype(), content.payload()))
+                Content content = CommandCodec.encode(command);
+                assertThat(CommandCodec.decode(4, content.subtype(), content.payload()))
                         .contains(command);
             }
         });
         for (var command : List.of(new DeviceCommand.Pause(), new DeviceCommand.Reset(), new DeviceCommand.Save())) {
-            Content content = CommandMessages.encode(command);
-            assertThat(CommandMessages.decode(31, content.subtype(), content.payload()))
+            Content content = CommandCodec.encode(command);
+            assertThat(CommandCodec.decode(31, content.subtype(), content.payload()))
                     .contains(command);
         }
     }
@@ -61,8 +61,8 @@ class RoundTripTest {
     void requests_ofEveryKind_comeBack() throws WireException {
         forSeeds(messages -> {
             for (var asked : messages.requests()) {
-                Content content = RequestMessages.encode(asked.interfaceCode(), asked.request());
-                assertThat(RequestMessages.decode(asked.interfaceCode(), content.subtype(), content.payload()))
+                Content content = RequestCodec.encode(asked.interfaceCode(), asked.request());
+                assertThat(RequestCodec.decode(asked.interfaceCode(), content.subtype(), content.payload()))
                         .isEqualTo(asked.request());
             }
         });
@@ -72,11 +72,11 @@ class RoundTripTest {
     void replies_ofEveryKind_comeBack() throws WireException {
         forSeeds(messages -> {
             for (var answered : messages.replies()) {
-                assertThat(ReplyMessages.decode(
+                assertThat(ReplyCodec.decode(
                                 answered.interfaceCode(),
-                                ReplyMessages.type(answered.reply()),
+                                ReplyCodec.type(answered.reply()),
                                 answered.subtype(),
-                                ReplyMessages.encode(answered.reply())))
+                                ReplyCodec.encode(answered.reply())))
                         .isEqualTo(answered.reply());
             }
         });
@@ -86,8 +86,8 @@ class RoundTripTest {
     void playerRequests_ofEveryKind_comeBack() throws WireException {
         forSeeds(messages -> {
             for (var request : messages.playerRequests()) {
-                Content content = PlayerMessages.encode(request);
-                assertThat(PlayerMessages.request(content.subtype(), content.payload()))
+                Content content = PlayerDeviceCodec.encode(request);
+                assertThat(PlayerDeviceCodec.request(content.subtype(), content.payload()))
                         .isEqualTo(request);
             }
         });
@@ -103,8 +103,8 @@ class RoundTripTest {
         return List.of(0, 1, 2).stream()
                 .map(at -> DynamicTest.dynamicTest(
                         replies.get(at).toString(),
-                        () -> assertThat(PlayerMessages.reply(
-                                        MessageType.ACK, at + 1, PlayerMessages.encode(replies.get(at))))
+                        () -> assertThat(PlayerDeviceCodec.reply(
+                                        MessageType.ACK, at + 1, PlayerDeviceCodec.encode(replies.get(at))))
                                 .isEqualTo(replies.get(at))))
                 .toList();
     }

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** A ranger:0 for one client, which says and answers what it has been told to. */
+/** A server with a ranger:0 for one client, which publishes and replies as the test scripts it. */
 class ScriptedRanger implements PlayerServer, PlayerConnection {
     static final DeviceAddress ADDRESS = new DeviceAddress(0, 1, 62, 0);
 
-    /** What the client has answered, from the first. */
+    /** The ticks that the client has answered, oldest first. */
     final List<Long> answers = new ArrayList<>();
 
     /** Runs while a client is being subscribed. */
@@ -25,7 +25,7 @@ class ScriptedRanger implements PlayerServer, PlayerConnection {
     }
 
     void publish(double timeSeconds, @Nullable DeviceData data) {
-        sink.frame(new Frame(tick++, timeSeconds, List.of(new DataMessage(ADDRESS, timeSeconds, data))));
+        sink.frame(new Frame(tick++, timeSeconds, List.of(new DeviceDataMessage(ADDRESS, timeSeconds, data))));
     }
 
     @Override

@@ -16,27 +16,29 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
-/** A server behind a socket that behaves as a test says; answers what the test leaves to it as a real one does. */
+/**
+ * A server at a socket whose behaviour the test scripts; what the script leaves out is answered as a real server does.
+ */
 final class ScriptedSocket implements AutoCloseable {
     private static final int LOOPBACK = 0x0100007f;
 
-    /** What a test answers itself. */
+    /** The requests that a test answers itself. */
     interface Script {
-        /** False to leave the message to the usual answer. */
-        boolean answers(Message message, ScriptedSocket server) throws IOException;
+        /** False leaves the message to the default reply. */
+        boolean answers(WireMessage message, ScriptedSocket server) throws IOException;
     }
 
-    /** All but commands. */
-    final List<Message> received = new CopyOnWriteArrayList<>();
+    /** All messages except commands. */
+    final List<WireMessage> received = new CopyOnWriteArrayList<>();
 
-    private final BlockingQueue<Message> commands = new LinkedBlockingQueue<>();
+    private final BlockingQueue<WireMessage> commands = new LinkedBlockingQueue<>();
     private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
     private final byte[] greeting;
     private final Script script;
     private final Thread thread;
     private volatile @Nullable Socket client;
 
-    /** A greeting of Player is padded to its 32 bytes; another is sent as it is. */
+    /** A Player greeting is padded to its 32 bytes; any other is sent unchanged. */
     ScriptedSocket(String greeting, Script script) throws IOException {
         byte[] text = greeting.getBytes(StandardCharsets.ISO_8859_1);
         this.greeting = greeting.startsWith("Player") ? Arrays.copyOf(text, 32) : text;
@@ -61,7 +63,7 @@ final class ScriptedSocket implements AutoCloseable {
             client = socket;
             socket.getOutputStream().write(greeting);
             var messages = new MessageReader(socket.getInputStream(), 1 << 20);
-            for (Message message = messages.read(); message != null; message = messages.read()) {
+            for (WireMessage message = messages.read(); message != null; message = messages.read()) {
                 if (message.header().type() == MessageType.CMD) {
                     commands.add(message);
                     continue;
@@ -72,52 +74,52 @@ final class ScriptedSocket implements AutoCloseable {
                 }
             }
         } catch (IOException closed) {
-            // by the client or by the test
+            // closed by the client or by the test
         } catch (WireException e) {
             throw new AssertionError(e);
         }
     }
 
-    private void answer(Message message) throws IOException, WireException {
+    private void answer(WireMessage message) throws IOException, WireException {
         var header = message.header();
         if (header.address().interfaceCode() != PlayerRequest.INTERFACE) {
             send(reply(message, MessageType.ACK, Content.NONE));
             return;
         }
-        PlayerReply reply = switch (PlayerMessages.request(header.subtype(), message.payload())) {
+        PlayerReply reply = switch (PlayerDeviceCodec.request(header.subtype(), message.payload())) {
             case PlayerRequest.DeviceList list ->
                 new PlayerReply.DeviceList(
                         List.of(device(Interfaces.POSITION2D), device(Interfaces.SONAR), device(Interfaces.RANGER)));
             case PlayerRequest.Access access -> new PlayerReply.Access(access.device(), access.mode(), "stage");
             default -> new PlayerReply.Ack();
         };
-        send(reply(message, PlayerMessages.type(reply), PlayerMessages.encode(reply)));
+        send(reply(message, PlayerDeviceCodec.type(reply), PlayerDeviceCodec.encode(reply)));
     }
 
-    Message reply(Message to, MessageType type, byte[] payload) {
-        return Message.of(to.header().address(), type, to.header().subtype(), 0, payload);
+    WireMessage reply(WireMessage to, MessageType type, byte[] payload) {
+        return WireMessage.of(to.header().address(), type, to.header().subtype(), 0, payload);
     }
 
-    Message position(double x) {
+    WireMessage position(double x) {
         return data(Interfaces.POSITION2D, new DeviceData.Position2d(x, 0, 0, 0, 0, 0, false), x);
     }
 
-    Message sonar(float range) {
+    WireMessage sonar(float range) {
         return data(Interfaces.SONAR, new DeviceData.SonarRanges(List.of(range)), range);
     }
 
-    Message data(Interfaces type, DeviceData data, double timeSeconds) {
-        Content content = DataMessages.encode(data);
-        return Message.of(device(type), MessageType.DATA, content.subtype(), timeSeconds, content.payload());
+    WireMessage data(Interfaces type, DeviceData data, double timeSeconds) {
+        Content content = DataCodec.encode(data);
+        return WireMessage.of(device(type), MessageType.DATA, content.subtype(), timeSeconds, content.payload());
     }
 
-    /** With an address and a time as the real server has them. */
-    Message synch() {
-        return Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, 1, Double.NaN, Content.NONE);
+    /** With address and time as a real server sends them. */
+    WireMessage synch() {
+        return WireMessage.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, 1, Double.NaN, Content.NONE);
     }
 
-    /** In one write, as one segment. */
-    void send(Message... messages) throws IOException {
+    /** In a single write, so as one segment. */
+    void send(WireMessage... messages) throws IOException {
         var bytes = new java.io.ByteArrayOutputStream();
         for (var each : messages) {
             bytes.writeBytes(each.bytes());
@@ -129,17 +131,17 @@ final class ScriptedSocket implements AutoCloseable {
         requireNonNull(client, "nobody has connected").getOutputStream().write(bytes);
     }
 
-    Message nextCommand() throws InterruptedException {
+    WireMessage nextCommand() throws InterruptedException {
         return requireNonNull(commands.poll(30, TimeUnit.SECONDS), "no command came");
     }
 
-    /** The next command that has come already, or null. */
+    /** The next command that has already arrived, or null. */
     @Nullable
-    Message pollCommand() {
+    WireMessage pollCommand() {
         return commands.poll();
     }
 
-    /** The server goes away. */
+    /** Closes the server. */
     @Override
     public void close() {
         try {

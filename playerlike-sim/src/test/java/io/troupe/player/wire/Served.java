@@ -48,7 +48,7 @@ final class Served implements AutoCloseable {
         return new Served(simulation, TcpServer.open(devices, port, InetAddress.getLoopbackAddress(), shared));
     }
 
-    /** Where the captured robot stood, with sixteen sonars as it had; nothing around. */
+    /** The robot of the captured conversations: its pose and its sixteen sonars, in an empty world. */
     private static RobotSpec robot() {
         RobotSpec plain = TestWorlds.robot("r1", 0, -5, 0);
         return new RobotSpec(
@@ -73,14 +73,14 @@ final class Served implements AutoCloseable {
         return server.port();
     }
 
-    /** Ticks, and waits until that is done; for clients that need not answer. */
+    /** Ticks and returns when that is done; for clients that need not answer. */
     void tick(int times) {
         for (int i = 0; i < times; i++) {
             done(ticker.submit(simulation::tick));
         }
     }
 
-    /** Ticks on another thread: in lock step a tick ends when the client asks again. */
+    /** Ticks on another thread: in lock step a tick ends only when the client requests the next data. */
     void tickApart() {
         ticks.add(ticker.submit(simulation::tick));
     }
@@ -93,7 +93,7 @@ final class Served implements AutoCloseable {
         }
     }
 
-    /** Ticks that began must have gone well; without clients they wait for nobody. */
+    /** Checks that all started ticks have succeeded; without clients they wait for no answer. */
     @Override
     public void close() {
         server.close();

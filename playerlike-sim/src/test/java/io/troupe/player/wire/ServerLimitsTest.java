@@ -29,7 +29,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What a server allows its clients, and what it does when the machine has no more to give. */
+/** Limits that a server sets its clients, and its behaviour when the machine runs out of resources. */
 @Timeout(60)
 class ServerLimitsTest {
     private static final Duration LONG = Duration.ofDays(1);
@@ -70,8 +70,8 @@ class ServerLimitsTest {
     // ---- clients that send without a pause
 
     /**
-     * Threads that never block hold every carrier of virtual threads, as the readers of clients that send without a
-     * pause did.
+     * Threads that never block occupy every carrier of virtual threads, as the readers of clients that send without a
+     * pause once did.
      */
     @Test
     void client_isServed_whileNoVirtualThreadCanRun() throws Exception {
@@ -107,7 +107,7 @@ class ServerLimitsTest {
         }
     }
 
-    /** A ranger whose replies wait for the test. */
+    /** A ranger whose replies the test holds back. */
     private static final class SlowReplies implements PlayerServer {
         final AtomicInteger handled = new AtomicInteger();
         final AtomicInteger mostAtOnce = new AtomicInteger();

@@ -19,18 +19,18 @@ import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
 /**
- * A server under clients that send without a pause, ask without reading, send garbage, connect and leave, beside a good
- * one in lock step, which has to get every frame in its order.
+ * A server under clients that send without a pause, send requests without reading, send garbage, connect and leave.
+ * Beside them a good client runs in lock step and must receive every frame in order.
  *
- * <p>Short in every build: until the good client has had its frames and every other kind of client has got somewhere.
- * {@code -Dsoak.minutes=10} makes it as long as that, and then says how many frames there were, the longest time
- * between two, and the heap in use.
+ * <p>Short in every build: until the good client has received its frames and every other kind of client has made
+ * progress. {@code -Dsoak.minutes=10} extends the run and prints the number of frames, the longest time between two,
+ * and the heap in use.
  */
 class ServerSoakTest {
     private static final int FRAMES = 50;
     private static final long EACH = 20;
 
-    /** What a kind of client does again and again; returns how much that was. */
+    /** What one kind of client does repeatedly; returns the amount of work done. */
     private interface Behaviour {
         long once(int port, Random random, AtomicBoolean stop) throws IOException;
     }
@@ -49,7 +49,7 @@ class ServerSoakTest {
         double minutes = Double.parseDouble(System.getProperty("soak.minutes", "0"));
         var logger = Logger.getLogger("io.troupe.player.wire");
         Level before = logger.getLevel();
-        logger.setLevel(Level.SEVERE); // what hostile clients lead to is logged line by line
+        logger.setLevel(Level.SEVERE); // errors caused by hostile clients are logged line by line
         try {
             soak(Duration.ofMillis((long) (minutes * 60_000)));
         } finally {
@@ -72,7 +72,7 @@ class ServerSoakTest {
                 var good = RawClient.greeted(served.port());
                 var runner = SimulationRunner.start(served.simulation, 1, snapshot -> {}, new Pace.Unlimited())) {
             good.ask(new PlayerRequest.DataMode(Delivery.PULL));
-            good.subscribe(Interfaces.SONAR); // nobody else drives by it
+            good.subscribe(Interfaces.SONAR); // no other client drives the robot
             for (var kind : kinds) {
                 for (int i = 0; i < storms; i++) {
                     long seed = i;
@@ -112,7 +112,7 @@ class ServerSoakTest {
 
     private static void report(long frames, long longestNanos, List<Kind> kinds) {
         var runtime = Runtime.getRuntime();
-        Logger.getLogger("soak") // the loggers of this package are silent
+        Logger.getLogger("soak") // the loggers of this package are switched off
                 .info(() -> frames + " frames, at most " + longestNanos / 1_000_000 + " ms between two, "
                         + (runtime.totalMemory() - runtime.freeMemory()) / (1 << 20) + " MiB of heap in use; "
                         + String.join(
@@ -128,7 +128,7 @@ class ServerSoakTest {
                 try {
                     kind.done().addAndGet(kind.behaviour().once(port, random, stop));
                 } catch (IOException | UncheckedIOException | AssertionError ended) {
-                    kind.done().incrementAndGet(); // by the server, as a hostile client has to expect
+                    kind.done().incrementAndGet(); // closed by the server, which a hostile client has to expect
                 }
             }
         } catch (RuntimeException e) {
@@ -137,10 +137,10 @@ class ServerSoakTest {
     }
 
     private static Content velocity() {
-        return CommandMessages.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
+        return CommandCodec.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
     }
 
-    /** Sends one message on and on; once in a while by a new client. */
+    /** Sends one message repeatedly; from time to time over a new connection. */
     private static Behaviour storm(byte[] message) {
         var many = new byte[100 * message.length];
         for (int i = 0; i < 100; i++) {
@@ -150,7 +150,7 @@ class ServerSoakTest {
         return (port, random, stop) -> {
             try (var client = new RawClient(port)) {
                 OutputStream out = client.socket.getOutputStream();
-                if (unread) { // what fits without waiting for ever
+                if (unread) { // as much as fits without blocking
                     out.write(many, 0, 10 * message.length);
                     return 10;
                 }

@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-import static io.troupe.player.wire.RemoteLineTest.connect;
-import static io.troupe.player.wire.RemoteLineTest.is;
+import static io.troupe.player.wire.RemoteConnectionTest.connect;
+import static io.troupe.player.wire.RemoteConnectionTest.is;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -25,7 +25,7 @@ import java.util.logging.SimpleFormatter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Servers that stay connected and do not say what a client waits for. */
+/** Servers that stay connected and do not send what a client waits for. */
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class SilentServerTest implements PlayerConstants {
     private static final int SET_INTEGER_PROPERTY = 253;
@@ -35,10 +35,10 @@ class SilentServerTest implements PlayerConstants {
     private Duration limit = Duration.ofSeconds(4);
 
     /**
-     * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end. The limit is four
-     * seconds.
+     * Reads come from the list: a number of bytes, 0 for a time-out of one second, -1 for the end of the stream. The
+     * limit is four seconds.
      */
-    private PatientInput input(Integer... reads) {
+    private RemoteReader.KeepAliveInput input(Integer... reads) {
         Queue<Integer> next = new ArrayDeque<>(List.of(reads));
         var in = new InputStream() {
             @Override
@@ -57,7 +57,8 @@ class SilentServerTest implements PlayerConstants {
                 return count;
             }
         };
-        return new PatientInput(in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
+        return new RemoteReader.KeepAliveInput(
+                in, clock, () -> limit, () -> events.add("ask"), () -> events.add("silent"));
     }
 
     @Test

@@ -16,8 +16,8 @@ import java.util.Random;
 import org.junit.jupiter.api.Test;
 
 /**
- * Damaged bytes lead to {@link WireException} and to nothing else. {@code -Dwire.fuzz=1000000} tries so many,
- * {@code -Dwire.seed=7} with another seed.
+ * Damaged bytes cause a {@link WireException} and nothing else. {@code -Dwire.fuzz=1000000} sets the number of
+ * attempts, {@code -Dwire.seed=7} the seed.
  */
 class WireFuzzTest {
     private static final int CASES = Integer.getInteger("wire.fuzz", 200_000);
@@ -25,18 +25,18 @@ class WireFuzzTest {
     private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10};
     private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};
 
-    /** Decodes a payload in all the ways in which it could arrive; returns how many of them were refused. */
+    /** Decodes a payload in every way in which it could arrive; returns how many attempts were rejected. */
     private static int decode(int code, int subtype, byte[] payload) {
         int refused = 0;
         for (int way = 0; way < 6; way++) {
             try {
                 Object decoded = switch (way) {
-                    case 0 -> DataMessages.decode(code, subtype, payload);
-                    case 1 -> CommandMessages.decode(code, subtype, payload);
-                    case 2 -> RequestMessages.decode(code, subtype, payload);
-                    case 3 -> ReplyMessages.decode(code, MessageType.ACK, subtype, payload);
-                    case 4 -> PlayerMessages.request(subtype, payload);
-                    default -> PlayerMessages.reply(MessageType.ACK, subtype, payload);
+                    case 0 -> DataCodec.decode(code, subtype, payload);
+                    case 1 -> CommandCodec.decode(code, subtype, payload);
+                    case 2 -> RequestCodec.decode(code, subtype, payload);
+                    case 3 -> ReplyCodec.decode(code, MessageType.ACK, subtype, payload);
+                    case 4 -> PlayerDeviceCodec.request(subtype, payload);
+                    default -> PlayerDeviceCodec.reply(MessageType.ACK, subtype, payload);
                 };
                 assertThat(decoded).isNotNull();
             } catch (WireException e) {
@@ -51,15 +51,15 @@ class WireFuzzTest {
         var messages = new RandomMessages(random);
         var payloads = new ArrayList<byte[]>();
         messages.data()
-                .forEach(each -> payloads.add(DataMessages.encode(each.data()).payload()));
+                .forEach(each -> payloads.add(DataCodec.encode(each.data()).payload()));
         messages.positionCommands()
-                .forEach(each -> payloads.add(CommandMessages.encode(each).payload()));
+                .forEach(each -> payloads.add(CommandCodec.encode(each).payload()));
         messages.requests()
-                .forEach(each -> payloads.add(RequestMessages.encode(each.interfaceCode(), each.request())
+                .forEach(each -> payloads.add(RequestCodec.encode(each.interfaceCode(), each.request())
                         .payload()));
-        messages.replies().forEach(each -> payloads.add(ReplyMessages.encode(each.reply())));
+        messages.replies().forEach(each -> payloads.add(ReplyCodec.encode(each.reply())));
         messages.playerRequests()
-                .forEach(each -> payloads.add(PlayerMessages.encode(each).payload()));
+                .forEach(each -> payloads.add(PlayerDeviceCodec.encode(each).payload()));
         return payloads;
     }
 
@@ -78,7 +78,7 @@ class WireFuzzTest {
                 }
             }
             default -> {
-                if (damaged.length >= 8) { // a count that is the same twice
+                if (damaged.length >= 8) { // a valid count, repeated as the format requires
                     int at = 4 * random.nextInt(damaged.length / 4 - 1);
                     var buffer = ByteBuffer.wrap(damaged);
                     int count = COUNTS[random.nextInt(COUNTS.length)];
@@ -115,7 +115,7 @@ class WireFuzzTest {
         int whole = 0;
         int refused = 0;
         for (int i = 0; i < CASES / 10; i++) {
-            var message = Message.of(
+            var message = WireMessage.of(
                     new DeviceAddress(0, 0, 4, 0),
                     MessageType.REQ,
                     random.nextInt(256),
@@ -156,7 +156,7 @@ class WireFuzzTest {
 
     @Test
     void hugeSize_isRefused_andAnnouncedBytesTakeNoMemory() throws Exception {
-        byte[] header = Message.of(new DeviceAddress(0, 0, 4, 0), MessageType.REQ, 1, 0, new byte[0])
+        byte[] header = WireMessage.of(new DeviceAddress(0, 0, 4, 0), MessageType.REQ, 1, 0, new byte[0])
                 .bytes();
         ByteBuffer.wrap(header).putInt(36, 1 << 31);
         assertThatThrownBy(() -> new MessageReader(new ByteArrayInputStream(header), 65_536).read())
@@ -172,17 +172,17 @@ class WireFuzzTest {
 
     @Test
     void errors_nameFieldValueAndExpectation() {
-        assertThatThrownBy(() -> DataMessages.decode(5, 1, Hex.bytes("00000002 00000003 00000000 00000000")))
+        assertThatThrownBy(() -> DataCodec.decode(5, 1, Hex.bytes("00000002 00000003 00000000 00000000")))
                 .isInstanceOf(WireException.class)
                 .hasMessage("sonar DATA 1: count of ranges is 2, then 3, expected the same twice");
-        assertThatThrownBy(() -> DataMessages.decode(5, 1, Hex.bytes("80000000 80000000 00000000")))
+        assertThatThrownBy(() -> DataCodec.decode(5, 1, Hex.bytes("80000000 80000000 00000000")))
                 .hasMessage(
                         "sonar DATA 1: count of ranges is 2147483648, expected at most 1 for the 4 bytes that follow");
-        assertThatThrownBy(() -> CommandMessages.decode(4, 3, new byte[12]))
+        assertThatThrownBy(() -> CommandCodec.decode(4, 3, new byte[12]))
                 .hasMessage("position2d CMD 3: size is 12, expected 8 bytes for angle at offset 8");
-        assertThatThrownBy(() -> CommandMessages.decode(4, 3, new byte[20]))
+        assertThatThrownBy(() -> CommandCodec.decode(4, 3, new byte[20]))
                 .hasMessage("position2d CMD 3: size is 20, expected 16");
-        assertThatThrownBy(() -> PlayerMessages.request(5, Hex.bytes("00000009")))
+        assertThatThrownBy(() -> PlayerDeviceCodec.request(5, Hex.bytes("00000009")))
                 .hasMessage("player REQ 5: mode is 9, expected 1 (push) or 2 (pull)");
     }
 }

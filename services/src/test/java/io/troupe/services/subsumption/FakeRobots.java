@@ -5,17 +5,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.player.PlayerPorts;
-import io.troupe.player.wire.DataMessage;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.ReplaceRule;
@@ -187,7 +187,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     @Override
     public PlayerConnection connect(DataSink sink, @Nullable ActorSpace space) {
         if (refuses) {
-            throw new LineClosedException("no more clients");
+            throw new ConnectionClosedException("no more clients");
         }
         connectionsMade++;
         var connection = new Connection(sink);
@@ -212,7 +212,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
                     subscribed.stream()
                             .filter(device -> device.interfaceCode() != Interfaces.LASER.code()
                                     || !slowLasers.contains(device.index()))
-                            .map(device -> new DataMessage(device, seconds, read(device)))
+                            .map(device -> new DeviceDataMessage(device, seconds, read(device)))
                             .toList()));
         }
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.actarray;
 
-/** A part of the messages of an array of actuators; no device here uses it. */
+/** Part of a message of the Player interface actarray. This client does not use it. */
 public class PlayerActarrayActuator {
     private float position;
     private float speed;

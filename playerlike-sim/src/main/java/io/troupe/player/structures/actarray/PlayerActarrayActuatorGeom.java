@@ -3,7 +3,7 @@ package io.troupe.player.structures.actarray;
 import io.troupe.player.structures.PlayerOrientation3d;
 import io.troupe.player.structures.PlayerPoint3d;
 
-/** A part of the messages of an array of actuators; no device here uses it. */
+/** Part of a message of the Player interface actarray. This client does not use it. */
 public class PlayerActarrayActuatorGeom {
     private byte type;
     private float length;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.actarray;
 
-/** A setting or a question of an array of actuators; no device here uses it. */
+/** A request of the Player interface actarray. This client does not use it. */
 public class PlayerActarrayBrakesConfig {
     private byte value;
 

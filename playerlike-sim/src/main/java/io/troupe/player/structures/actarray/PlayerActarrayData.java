@@ -1,6 +1,6 @@
 package io.troupe.player.structures.actarray;
 
-/** Data of an array of actuators; no device here uses it. */
+/** Data of the Player interface actarray. This client does not use it. */
 public class PlayerActarrayData {
     private int actuators_count;
     private PlayerActarrayActuator[] actuators = new PlayerActarrayActuator[0];

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.actarray;
 
-/** A command of an array of actuators; no device here uses it. */
+/** A command of the Player interface actarray. This client does not use it. */
 public class PlayerActarrayPositionCmd {
     private byte joint;
     private float position;

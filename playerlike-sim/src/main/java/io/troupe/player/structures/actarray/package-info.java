@@ -1,4 +1,4 @@
-/** Structures of an array of actuators; no device here uses them. */
+/** Structures of the Player interface actarray: an array of actuators. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.actarray;
 

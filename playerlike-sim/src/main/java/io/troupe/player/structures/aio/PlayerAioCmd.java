@@ -1,6 +1,6 @@
 package io.troupe.player.structures.aio;
 
-/** A command of analogue inputs and outputs; no device here uses it. */
+/** A command of the Player interface aio. This client does not use it. */
 public class PlayerAioCmd {
     private int id;
     private float voltage;

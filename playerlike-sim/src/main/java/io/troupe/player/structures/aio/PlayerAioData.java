@@ -1,6 +1,6 @@
 package io.troupe.player.structures.aio;
 
-/** Data of analogue inputs and outputs; no device here uses it. */
+/** Data of the Player interface aio. This client does not use it. */
 public class PlayerAioData {
     private int voltages_count;
     private float[] voltages = new float[0];

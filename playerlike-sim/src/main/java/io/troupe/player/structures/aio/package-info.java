@@ -1,4 +1,4 @@
-/** Structures of analogue inputs and outputs; no device here uses them. */
+/** Structures of the Player interface aio: analogue inputs and outputs. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.aio;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.audio;
 
-/** A part of the messages of sound; no device here uses it. */
+/** Part of a message of the Player interface audio. This client does not use it. */
 public class PlayerAudioState {
     private int state;
 

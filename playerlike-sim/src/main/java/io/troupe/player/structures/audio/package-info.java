@@ -1,4 +1,4 @@
-/** Structures of sound; no device here uses them. */
+/** Structures of the Player interface audio: audio. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.audio;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.audiodsp;
 
-/** A command of a sound processor; no device here uses it. */
+/** A command of the Player interface audiodsp. This client does not use it. */
 public class PlayerAudiodspCmd {
     private float frequency;
     private float amplitude;

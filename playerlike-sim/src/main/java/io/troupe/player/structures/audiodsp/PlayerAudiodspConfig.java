@@ -1,6 +1,6 @@
 package io.troupe.player.structures.audiodsp;
 
-/** A setting or a question of a sound processor; no device here uses it. */
+/** A request of the Player interface audiodsp. This client does not use it. */
 public class PlayerAudiodspConfig {
     private int format;
     private float frequency;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.audiodsp;
 
-/** Data of a sound processor; no device here uses it. */
+/** Data of the Player interface audiodsp. This client does not use it. */
 public class PlayerAudiodspData {
     private int frequency_count;
     private float[] frequency = new float[0];

@@ -1,4 +1,4 @@
-/** Structures of a sound processor; no device here uses them. */
+/** Structures of the Player interface audiodsp: audio signal processing. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.audiodsp;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.audiomixer;
 
-/** A command of a sound mixer; no device here uses it. */
+/** A command of the Player interface audiomixer. This client does not use it. */
 public class PlayerAudiomixerCmd {
     private int left;
     private int right;

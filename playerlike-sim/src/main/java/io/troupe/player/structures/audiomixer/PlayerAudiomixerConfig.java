@@ -1,6 +1,6 @@
 package io.troupe.player.structures.audiomixer;
 
-/** A setting or a question of a sound mixer; no device here uses it. */
+/** A request of the Player interface audiomixer. This client does not use it. */
 public class PlayerAudiomixerConfig {
     private int master_left;
     private int master_right;

@@ -1,4 +1,4 @@
-/** Structures of a sound mixer; no device here uses them. */
+/** Structures of the Player interface audiomixer: an audio mixer. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.audiomixer;
 

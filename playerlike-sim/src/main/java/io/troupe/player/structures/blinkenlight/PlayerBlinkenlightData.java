@@ -2,7 +2,7 @@ package io.troupe.player.structures.blinkenlight;
 
 import io.troupe.player.structures.PlayerColor;
 
-/** Data of a lamp; no device here uses it. */
+/** Data of the Player interface blinkenlight. This client does not use it. */
 public class PlayerBlinkenlightData {
     private byte enable;
     private float period;

@@ -1,4 +1,4 @@
-/** Structures of a lamp; no device here uses them. */
+/** Structures of the Player interface blinkenlight: a light. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.blinkenlight;
 

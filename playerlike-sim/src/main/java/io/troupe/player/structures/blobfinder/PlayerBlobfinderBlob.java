@@ -1,6 +1,6 @@
 package io.troupe.player.structures.blobfinder;
 
-/** A patch of colour, in pixels; x grows to the right, y downwards; the range is in metres. */
+/** A colour blob, in pixels; x grows to the right, y downwards; the range is in metres. */
 public class PlayerBlobfinderBlob {
     private int id;
     private int color;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.blobfinder;
 
-/** The colours a blobfinder shall track on one channel, each part from 0 to 255. */
+/** The colours that a blobfinder tracks on one channel; components from 0 to 255. */
 public class PlayerBlobfinderColorConfig {
     private int channel;
     private int rmin;

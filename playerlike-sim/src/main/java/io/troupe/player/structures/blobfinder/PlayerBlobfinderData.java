@@ -1,6 +1,6 @@
 package io.troupe.player.structures.blobfinder;
 
-/** What the camera sees; width and height are 0 when there is no blob. */
+/** The blobs of a camera image; width and height are 0 if there is no blob. */
 public class PlayerBlobfinderData {
     private int width;
     private int height;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.blobfinder;
 
-/** Settings of the camera behind a blobfinder; -1 leaves one as it is. */
+/** Settings of a blobfinder's camera; -1 leaves a value unchanged. */
 public class PlayerBlobfinderImagerConfig {
     private int brightness;
     private int contrast;

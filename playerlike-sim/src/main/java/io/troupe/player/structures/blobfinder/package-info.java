@@ -1,4 +1,4 @@
-/** Data of the blobfinder interface: patches of colour in a camera image. */
+/** Data of the blobfinder interface: colour blobs in a camera image. */
 @NullMarked
 package io.troupe.player.structures.blobfinder;
 

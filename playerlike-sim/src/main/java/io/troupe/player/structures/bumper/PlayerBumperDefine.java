@@ -2,7 +2,7 @@ package io.troupe.player.structures.bumper;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A part of the messages of bumpers; no device here uses it. */
+/** Part of a message of the Player interface bumper. This client does not use it. */
 public class PlayerBumperDefine {
     private PlayerPose3d pose = new PlayerPose3d();
     private float length;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.bumper;
 
-/** A part of the messages of bumpers; no device here uses it. */
+/** Part of a message of the Player interface bumper. This client does not use it. */
 public class PlayerBumperGeom {
     private int bumper_def_count;
     private PlayerBumperDefine[] bumper_def = new PlayerBumperDefine[0];

@@ -1,4 +1,4 @@
-/** Structures of bumpers; no device here uses them. */
+/** Structures of the Player interface bumper: bumpers. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.bumper;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.camera;
 
-/** Data of a camera; no device here uses it. */
+/** Data of the Player interface camera. This client does not use it. */
 public class PlayerCameraData {
     private int width;
     private int height;

@@ -1,4 +1,4 @@
-/** Structures of a camera; no device here uses them. */
+/** Structures of the Player interface camera: a camera. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.camera;
 

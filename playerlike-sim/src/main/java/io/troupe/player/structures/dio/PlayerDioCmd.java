@@ -1,6 +1,6 @@
 package io.troupe.player.structures.dio;
 
-/** A command of digital inputs and outputs; no device here uses it. */
+/** A command of the Player interface dio. This client does not use it. */
 public class PlayerDioCmd {
     private int count;
     private int digout;

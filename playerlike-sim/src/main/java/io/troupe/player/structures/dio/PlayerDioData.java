@@ -1,6 +1,6 @@
 package io.troupe.player.structures.dio;
 
-/** Data of digital inputs and outputs; no device here uses it. */
+/** Data of the Player interface dio. This client does not use it. */
 public class PlayerDioData {
     private int count;
     private int digin;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.fiducial;
 
-/** Data of a finder of marks; no device here uses it. */
+/** Data of the Player interface fiducial. This client does not use it. */
 public class PlayerFiducialData {
     private int fiducials_count;
     private PlayerFiducialItem[] fiducials = new PlayerFiducialItem[0];

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.fiducial;
 
-/** A part of the messages of a finder of marks; no device here uses it. */
+/** Part of a message of the Player interface fiducial. This client does not use it. */
 public class PlayerFiducialFov {
     private float min_range;
     private float max_range;

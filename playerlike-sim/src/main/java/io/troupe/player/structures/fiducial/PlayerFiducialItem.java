@@ -2,7 +2,7 @@ package io.troupe.player.structures.fiducial;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A part of the messages of a finder of marks; no device here uses it. */
+/** Part of a message of the Player interface fiducial. This client does not use it. */
 public class PlayerFiducialItem {
     private int id;
     private PlayerPose3d pose = new PlayerPose3d();

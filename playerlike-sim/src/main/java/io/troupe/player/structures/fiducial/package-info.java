@@ -1,4 +1,4 @@
-/** Structures of a finder of marks; no device here uses them. */
+/** Structures of the Player interface fiducial: a fiducial marker detector. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.fiducial;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.gps;
 
-/** Data of a satellite receiver; no device here uses it. */
+/** Data of the Player interface gps. This client does not use it. */
 public class PlayerGpsData {
     private int time_sec;
     private int time_usec;

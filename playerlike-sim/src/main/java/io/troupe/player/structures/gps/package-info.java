@@ -1,4 +1,4 @@
-/** Structures of a satellite receiver; no device here uses them. */
+/** Structures of the Player interface gps: a GPS receiver. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.gps;
 

@@ -3,7 +3,7 @@ package io.troupe.player.structures.graphics2d;
 import io.troupe.player.structures.PlayerColor;
 import io.troupe.player.structures.PlayerPoint2d;
 
-/** A command of drawings in a plane; no device here uses it. */
+/** A command of the Player interface graphics2d. This client does not use it. */
 public class PlayerGraphics2dCmdPolyline {
     private int count;
     private PlayerPoint2d[] points = new PlayerPoint2d[0];

@@ -1,4 +1,4 @@
-/** Structures of drawings in a plane; no device here uses them. */
+/** Structures of the Player interface graphics2d: 2D graphics. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.graphics2d;
 

@@ -3,7 +3,7 @@ package io.troupe.player.structures.graphics3d;
 import io.troupe.player.structures.PlayerColor;
 import io.troupe.player.structures.PlayerPoint3d;
 
-/** A command of drawings in space; no device here uses it. */
+/** A command of the Player interface graphics3d. This client does not use it. */
 public class PlayerGraphics3dCmdDraw {
     private int draw_mode;
     private int count;

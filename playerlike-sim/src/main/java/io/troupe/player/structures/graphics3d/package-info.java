@@ -1,4 +1,4 @@
-/** Structures of drawings in space; no device here uses them. */
+/** Structures of the Player interface graphics3d: 3D graphics. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.graphics3d;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.gripper;
 
-/** Data of a gripper; no device here uses it. */
+/** Data of the Player interface gripper. This client does not use it. */
 public class PlayerGripperData {
     private int state;
     private int beams;

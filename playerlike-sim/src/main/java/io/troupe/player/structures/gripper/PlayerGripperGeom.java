@@ -3,7 +3,7 @@ package io.troupe.player.structures.gripper;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A part of the messages of a gripper; no device here uses it. */
+/** Part of a message of the Player interface gripper. This client does not use it. */
 public class PlayerGripperGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d innerSize = new PlayerBbox3d();

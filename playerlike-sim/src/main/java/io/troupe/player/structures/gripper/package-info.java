@@ -1,4 +1,4 @@
-/** Structures of a gripper; no device here uses them. */
+/** Structures of the Player interface gripper: a gripper. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.gripper;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.health;
 
-/** Data of the load of a machine; no device here uses it. */
+/** Data of the Player interface health. This client does not use it. */
 public class PlayerHealthData {
     private PlayerHealthCpu cpu = new PlayerHealthCpu();
     private PlayerHealthMemory mem = new PlayerHealthMemory();

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.health;
 
-/** A part of the messages of the load of a machine; no device here uses it. */
+/** Part of a message of the Player interface health. This client does not use it. */
 public class PlayerHealthMemory {
     private long total;
     private long used;

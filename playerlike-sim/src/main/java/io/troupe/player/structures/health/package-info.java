@@ -1,4 +1,4 @@
-/** Structures of the load of a machine; no device here uses them. */
+/** Structures of the Player interface health: the load of the server machine. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.health;
 

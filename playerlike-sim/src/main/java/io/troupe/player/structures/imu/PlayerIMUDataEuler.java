@@ -2,7 +2,7 @@ package io.troupe.player.structures.imu;
 
 import io.troupe.player.structures.PlayerOrientation3d;
 
-/** A part of the messages of an inertial sensor; no device here uses it. */
+/** Part of a message of the Player interface imu. This client does not use it. */
 public class PlayerIMUDataEuler {
     private PlayerIMUDataCalib calib_data = new PlayerIMUDataCalib();
     private PlayerOrientation3d quaternions = new PlayerOrientation3d();

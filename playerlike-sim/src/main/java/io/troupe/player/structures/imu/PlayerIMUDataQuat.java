@@ -1,6 +1,6 @@
 package io.troupe.player.structures.imu;
 
-/** A part of the messages of an inertial sensor; no device here uses it. */
+/** Part of a message of the Player interface imu. This client does not use it. */
 public class PlayerIMUDataQuat {
     private PlayerIMUDataCalib calib_data = new PlayerIMUDataCalib();
     private float[] quaternions = new float[0];

@@ -1,4 +1,4 @@
-/** Structures of an inertial sensor; no device here uses them. */
+/** Structures of the Player interface imu: an inertial sensor. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.imu;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ir;
 
-/** Data of infrared sensors; no device here uses it. */
+/** Data of the Player interface ir. This client does not use it. */
 public class PlayerIrData {
     private int voltages_count;
     private float[] voltages = new float[0];

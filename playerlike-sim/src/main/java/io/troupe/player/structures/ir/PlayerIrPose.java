@@ -2,7 +2,7 @@ package io.troupe.player.structures.ir;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A part of the messages of infrared sensors; no device here uses it. */
+/** Part of a message of the Player interface ir. This client does not use it. */
 public class PlayerIrPose {
     private int poses_count;
     private PlayerPose3d[] poses = new PlayerPose3d[0];

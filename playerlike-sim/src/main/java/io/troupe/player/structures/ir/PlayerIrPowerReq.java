@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ir;
 
-/** A setting or a question of infrared sensors; no device here uses it. */
+/** A request of the Player interface ir. This client does not use it. */
 public class PlayerIrPowerReq {
     private byte state;
 

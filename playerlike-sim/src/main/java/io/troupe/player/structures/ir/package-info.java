@@ -1,4 +1,4 @@
-/** Structures of infrared sensors; no device here uses them. */
+/** Structures of the Player interface ir: infrared sensors. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.ir;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.joystick;
 
-/** Data of a joystick; no device here uses it. */
+/** Data of the Player interface joystick. This client does not use it. */
 public class PlayerJoystickData {
     private int[] pos = new int[8];
     private int[] scale = new int[8];

@@ -1,4 +1,4 @@
-/** Structures of a joystick; no device here uses them. */
+/** Structures of the Player interface joystick: a joystick. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.joystick;
 

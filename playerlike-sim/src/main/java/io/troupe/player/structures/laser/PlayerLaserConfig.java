@@ -1,6 +1,6 @@
 package io.troupe.player.structures.laser;
 
-/** How a laser scans: radians, metres, hertz; intensity 1 means that intensities come with the ranges. */
+/** Scan configuration of a laser: radians, metres, hertz; with intensity 1 scans contain intensities. */
 public class PlayerLaserConfig {
     private float min_angle;
     private float max_angle;

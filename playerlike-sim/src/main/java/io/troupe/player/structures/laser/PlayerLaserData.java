@@ -3,7 +3,7 @@ package io.troupe.player.structures.laser;
 import io.troupe.player.structures.PlayerPoint2d;
 
 /**
- * A scan from the least angle (right) to the greatest (left): radians and metres; the points are in the laser's frame.
+ * A scan from the least angle (right) to the greatest (left): radians and metres. The points are in the laser's frame.
  */
 public class PlayerLaserData {
     private float min_angle;

@@ -3,7 +3,7 @@ package io.troupe.player.structures.laser;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** A scan, and where the robot was when it was taken. */
+/** A scan with the robot's pose at that time. */
 public class PlayerLaserDataScanpose {
     private PlayerLaserData scan = new PlayerLaserData();
     private PlayerPose pose = new PlayerPose();

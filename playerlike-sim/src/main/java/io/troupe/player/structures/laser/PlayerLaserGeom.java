@@ -3,7 +3,7 @@ package io.troupe.player.structures.laser;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Where a laser sits in the robot's frame, and how large it is. */
+/** Pose and size of a laser, in the robot's frame. */
 public class PlayerLaserGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d size = new PlayerBbox3d();

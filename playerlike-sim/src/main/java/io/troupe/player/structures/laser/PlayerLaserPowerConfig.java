@@ -1,6 +1,6 @@
 package io.troupe.player.structures.laser;
 
-/** A setting or a question of the laser interface, by its name in the original client. */
+/** A request of the Player interface laser, named as in the original client. */
 public class PlayerLaserPowerConfig {
     private byte state;
 

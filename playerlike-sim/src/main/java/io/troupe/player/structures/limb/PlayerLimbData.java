@@ -2,7 +2,7 @@ package io.troupe.player.structures.limb;
 
 import io.troupe.player.structures.PlayerPoint3d;
 
-/** Data of an arm; no device here uses it. */
+/** Data of the Player interface limb. This client does not use it. */
 public class PlayerLimbData {
     private PlayerPoint3d position = new PlayerPoint3d();
     private PlayerPoint3d approach = new PlayerPoint3d();

@@ -2,7 +2,7 @@ package io.troupe.player.structures.limb;
 
 import io.troupe.player.structures.PlayerPoint3d;
 
-/** A setting or a question of an arm; no device here uses it. */
+/** A request of the Player interface limb. This client does not use it. */
 public class PlayerLimbGeomReq {
     private PlayerPoint3d basePos = new PlayerPoint3d();
 

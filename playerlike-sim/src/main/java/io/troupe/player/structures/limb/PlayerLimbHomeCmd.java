@@ -1,4 +1,4 @@
 package io.troupe.player.structures.limb;
 
-/** A command of an arm; no device here uses it. */
+/** A command of the Player interface limb. This client does not use it. */
 public class PlayerLimbHomeCmd {}

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.limb;
 
-/** A setting or a question of an arm; no device here uses it. */
+/** A request of the Player interface limb. This client does not use it. */
 public class PlayerLimbSpeedReq {
     private float speed;
 

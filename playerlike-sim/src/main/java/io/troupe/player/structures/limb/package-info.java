@@ -1,4 +1,4 @@
-/** Structures of an arm; no device here uses them. */
+/** Structures of the Player interface limb: a robot arm. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.limb;
 

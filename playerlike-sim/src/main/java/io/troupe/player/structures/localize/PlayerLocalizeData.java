@@ -1,6 +1,6 @@
 package io.troupe.player.structures.localize;
 
-/** Data of a localization; no device here uses it. */
+/** Data of the Player interface localize. This client does not use it. */
 public class PlayerLocalizeData {
     private int pending_count;
     private double pending_time;

@@ -3,7 +3,7 @@ package io.troupe.player.structures.localize;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** A part of the messages of a localization; no device here uses it. */
+/** Part of a message of the Player interface localize. This client does not use it. */
 public class PlayerLocalizeParticle {
     private PlayerPose pose = new PlayerPose();
     private double alpha;

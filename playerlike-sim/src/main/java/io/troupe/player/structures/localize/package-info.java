@@ -1,4 +1,4 @@
-/** Structures of a localization; no device here uses them. */
+/** Structures of the Player interface localize: localization. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.localize;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.log;
 
-/** A part of the messages of a recorder; no device here uses it. */
+/** Part of a message of the Player interface log. This client does not use it. */
 public class PlayerLogSetFilename {
     private int filename_count;
     private char[] filename = new char[0];

@@ -1,4 +1,4 @@
-/** Structures of a recorder; no device here uses them. */
+/** Structures of the Player interface log: data logging. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.log;
 

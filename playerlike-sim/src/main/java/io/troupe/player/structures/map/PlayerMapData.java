@@ -1,6 +1,6 @@
 package io.troupe.player.structures.map;
 
-/** Data of a map; no device here uses it. */
+/** Data of the Player interface map. This client does not use it. */
 public class PlayerMapData {
     private int col;
     private int row;

@@ -2,7 +2,7 @@ package io.troupe.player.structures.map;
 
 import io.troupe.player.structures.PlayerSegment;
 
-/** A part of the messages of a map; no device here uses it. */
+/** Part of a message of the Player interface map. This client does not use it. */
 public class PlayerMapDataVector {
     private float minx;
     private float maxx;

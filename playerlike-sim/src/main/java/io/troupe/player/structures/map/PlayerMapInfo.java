@@ -3,7 +3,7 @@ package io.troupe.player.structures.map;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** A part of the messages of a map; no device here uses it. */
+/** Part of a message of the Player interface map. This client does not use it. */
 public class PlayerMapInfo {
     private float scale;
     private int width;

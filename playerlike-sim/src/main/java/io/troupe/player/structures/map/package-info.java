@@ -1,4 +1,4 @@
-/** Structures of a map; no device here uses them. */
+/** Structures of the Player interface map: a map. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.map;
 

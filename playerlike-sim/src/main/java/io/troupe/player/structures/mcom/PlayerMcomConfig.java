@@ -1,6 +1,6 @@
 package io.troupe.player.structures.mcom;
 
-/** A setting or a question of a store of messages between clients; no device here uses it. */
+/** A request of the Player interface mcom. This client does not use it. */
 public class PlayerMcomConfig {
     private int command;
     private int type;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.mcom;
 
-/** Data of a store of messages between clients; no device here uses it. */
+/** Data of the Player interface mcom. This client does not use it. */
 public class PlayerMcomData {
     private char full;
     private int data_count;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.mcom;
 
-/** A part of the messages of a store of messages between clients; no device here uses it. */
+/** Part of a message of the Player interface mcom. This client does not use it. */
 public class PlayerMcomReturn {
     private int type;
     private int channel_count;

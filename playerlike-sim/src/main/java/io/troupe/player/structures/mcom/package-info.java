@@ -1,4 +1,4 @@
-/** Structures of a store of messages between clients; no device here uses them. */
+/** Structures of the Player interface mcom: messages stored for other clients. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.mcom;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.opaque;
 
-/** Data of messages of a driver that has its own; no device here uses it. */
+/** Data of the Player interface opaque. This client does not use it. */
 public class PlayerOpaqueData {
     private int data_count;
     private byte[] data = new byte[0];

@@ -1,4 +1,4 @@
-/** Structures of messages of a driver that has its own; no device here uses them. */
+/** Structures of the Player interface opaque: driver-defined messages. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.opaque;
 

@@ -3,7 +3,7 @@ package io.troupe.player.structures.planner;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** Data of a path planner; no device here uses it. */
+/** Data of the Player interface planner. This client does not use it. */
 public class PlayerPlannerData {
     private byte valid;
     private byte done;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.planner;
 
-/** A setting or a question of a path planner; no device here uses it. */
+/** A request of the Player interface planner. This client does not use it. */
 public class PlayerPlannerEnableReq {
     private byte state;
 

@@ -2,7 +2,7 @@ package io.troupe.player.structures.planner;
 
 import io.troupe.player.structures.PlayerPose;
 
-/** A setting or a question of a path planner; no device here uses it. */
+/** A request of the Player interface planner. This client does not use it. */
 public class PlayerPlannerWaypointsReq {
     private int waypoints_count;
     private PlayerPose[] waypoints = new PlayerPose[0];

@@ -1,4 +1,4 @@
-/** Structures of a path planner; no device here uses them. */
+/** Structures of the Player interface planner: a path planner. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.planner;
 

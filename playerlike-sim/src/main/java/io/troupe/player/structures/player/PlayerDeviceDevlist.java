@@ -2,7 +2,7 @@ package io.troupe.player.structures.player;
 
 import io.troupe.player.structures.PlayerDevAddr;
 
-/** The devices of a server. */
+/** The list of a server's devices. */
 public class PlayerDeviceDevlist {
     private int deviceCount;
     private PlayerDevAddr[] devList = new PlayerDevAddr[0];

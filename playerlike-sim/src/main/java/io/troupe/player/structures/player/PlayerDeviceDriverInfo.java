@@ -2,7 +2,7 @@ package io.troupe.player.structures.player;
 
 import io.troupe.player.structures.PlayerDevAddr;
 
-/** The driver behind a device. */
+/** The driver that serves a device. */
 public class PlayerDeviceDriverInfo {
     private PlayerDevAddr addr = new PlayerDevAddr();
     private String driverName = "";

@@ -1,4 +1,4 @@
-/** What the server tells about itself. */
+/** Structures of requests to the server itself. */
 @NullMarked
 package io.troupe.player.structures.player;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.pointcloud3d;
 
-/** Data of a cloud of points; no device here uses it. */
+/** Data of the Player interface pointcloud3d. This client does not use it. */
 public class PlayerPointCloud3DData {
     private int points_count;
     private PlayerPointCloud3DElement[] points = new PlayerPointCloud3DElement[0];

@@ -3,7 +3,7 @@ package io.troupe.player.structures.pointcloud3d;
 import io.troupe.player.structures.PlayerColor;
 import io.troupe.player.structures.PlayerPoint3d;
 
-/** A part of the messages of a cloud of points; no device here uses it. */
+/** Part of a message of the Player interface pointcloud3d. This client does not use it. */
 public class PlayerPointCloud3DElement {
     private PlayerPoint3d point = new PlayerPoint3d();
     private PlayerColor color = new PlayerColor();

@@ -1,4 +1,4 @@
-/** Structures of a cloud of points; no device here uses them. */
+/** Structures of the Player interface pointcloud3d: 3D point clouds. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.pointcloud3d;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.position1d;
 
-/** A command of a linear actuator; no device here uses it. */
+/** A command of the Player interface position1d. This client does not use it. */
 public class PlayerPosition1dCmdPos {
     private float pos;
     private float vel;

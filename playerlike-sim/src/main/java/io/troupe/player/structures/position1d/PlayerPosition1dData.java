@@ -1,6 +1,6 @@
 package io.troupe.player.structures.position1d;
 
-/** Data of a linear actuator; no device here uses it. */
+/** Data of the Player interface position1d. This client does not use it. */
 public class PlayerPosition1dData {
     private float pos;
     private float vel;

@@ -3,7 +3,7 @@ package io.troupe.player.structures.position1d;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A part of the messages of a linear actuator; no device here uses it. */
+/** Part of a message of the Player interface position1d. This client does not use it. */
 public class PlayerPosition1dGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d size = new PlayerBbox3d();

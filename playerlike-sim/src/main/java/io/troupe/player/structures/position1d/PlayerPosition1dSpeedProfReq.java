@@ -1,6 +1,6 @@
 package io.troupe.player.structures.position1d;
 
-/** A setting or a question of a linear actuator; no device here uses it. */
+/** A request of the Player interface position1d. This client does not use it. */
 public class PlayerPosition1dSpeedProfReq {
     private float speed;
     private float acc;

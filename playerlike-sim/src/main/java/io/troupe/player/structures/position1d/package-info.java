@@ -1,4 +1,4 @@
-/** Structures of a linear actuator; no device here uses them. */
+/** Structures of the Player interface position1d: a linear actuator. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.position1d;
 

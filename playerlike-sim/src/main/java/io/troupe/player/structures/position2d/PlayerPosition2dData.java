@@ -3,7 +3,7 @@ package io.troupe.player.structures.position2d;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** What position2d reports. */
+/** Data of the position2d interface: pose, velocity and stall. */
 public class PlayerPosition2dData {
     private PlayerPose pos = new PlayerPose();
     private PlayerPose vel = new PlayerPose();

@@ -5,7 +5,7 @@ import io.troupe.player.structures.PlayerBbox2d;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** The body in the robot's frame: its centre and its size. */
+/** Centre and size of the body, in the robot's frame. */
 public class PlayerPosition2dGeom {
     private PlayerPose pose = new PlayerPose();
     private PlayerBbox size = new PlayerBbox();

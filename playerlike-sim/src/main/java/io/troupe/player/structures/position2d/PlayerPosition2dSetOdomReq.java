@@ -3,7 +3,7 @@ package io.troupe.player.structures.position2d;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** A setting or a question of the position2d interface, by its name in the original client. */
+/** A request of the Player interface position2d, named as in the original client. */
 public class PlayerPosition2dSetOdomReq {
     private PlayerPose pose = new PlayerPose();
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.position2d;
 
-/** A setting or a question of the position2d interface, by its name in the original client. */
+/** A request of the Player interface position2d, named as in the original client. */
 public class PlayerPosition2dVelocityModeConfig {
     private int value;
 

@@ -1,4 +1,4 @@
-/** Data of the position2d interface: odometry and wheels. */
+/** Structures of the position2d interface: odometry and drive. */
 @NullMarked
 package io.troupe.player.structures.position2d;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.position3d;
 
-/** A setting or a question of a robot that moves in space; no device here uses it. */
+/** A request of the Player interface position3d. This client does not use it. */
 public class PlayerPosition3dPositionModeReq {
     private int value;
 

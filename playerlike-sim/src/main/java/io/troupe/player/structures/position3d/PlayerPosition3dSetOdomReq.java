@@ -2,7 +2,7 @@ package io.troupe.player.structures.position3d;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A setting or a question of a robot that moves in space; no device here uses it. */
+/** A request of the Player interface position3d. This client does not use it. */
 public class PlayerPosition3dSetOdomReq {
     private PlayerPose3d pos = new PlayerPose3d();
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.power;
 
-/** A setting or a question of a battery; no device here uses it. */
+/** A request of the Player interface power. This client does not use it. */
 public class PlayerPowerChargepolicyConfig {
     private byte enable_input;
     private byte enable_output;

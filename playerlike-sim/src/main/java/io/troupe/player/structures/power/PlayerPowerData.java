@@ -1,6 +1,6 @@
 package io.troupe.player.structures.power;
 
-/** Data of a battery; no device here uses it. */
+/** Data of the Player interface power. This client does not use it. */
 public class PlayerPowerData {
     private int valid;
     private float volts;

@@ -1,4 +1,4 @@
-/** Structures of a battery; no device here uses them. */
+/** Structures of the Player interface power: a battery. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.power;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ptz;
 
-/** A command of a camera that pans, tilts and zooms; no device here uses it. */
+/** A command of the Player interface ptz. This client does not use it. */
 public class PlayerPtzCmd {
     private float pan;
     private float tilt;

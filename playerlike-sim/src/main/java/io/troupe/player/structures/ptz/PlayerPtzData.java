@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ptz;
 
-/** Data of a camera that pans, tilts and zooms; no device here uses it. */
+/** Data of the Player interface ptz. This client does not use it. */
 public class PlayerPtzData {
     private float pan;
     private float tilt;

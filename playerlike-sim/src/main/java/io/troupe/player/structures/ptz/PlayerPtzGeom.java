@@ -3,7 +3,7 @@ package io.troupe.player.structures.ptz;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A part of the messages of a camera that pans, tilts and zooms; no device here uses it. */
+/** Part of a message of the Player interface ptz. This client does not use it. */
 public class PlayerPtzGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d size = new PlayerBbox3d();

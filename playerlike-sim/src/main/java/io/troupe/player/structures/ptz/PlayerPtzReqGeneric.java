@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ptz;
 
-/** A setting or a question of a camera that pans, tilts and zooms; no device here uses it. */
+/** A request of the Player interface ptz. This client does not use it. */
 public class PlayerPtzReqGeneric {
     private int config_count;
     private int[] config = new int[0];

@@ -1,4 +1,4 @@
-/** Structures of a camera that pans, tilts and zooms; no device here uses them. */
+/** Structures of the Player interface ptz: a pan-tilt-zoom camera. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.ptz;
 

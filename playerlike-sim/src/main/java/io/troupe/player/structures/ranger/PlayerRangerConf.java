@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ranger;
 
-/** How a ranger scans: radians, metres, hertz; NaN where it is not known. */
+/** Scan configuration of a ranger: radians, metres, hertz; NaN for an unknown value. */
 public class PlayerRangerConf {
     private double min_angle = Double.NaN;
     private double max_angle = Double.NaN;

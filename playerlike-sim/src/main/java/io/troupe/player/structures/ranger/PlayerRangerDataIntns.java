@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ranger;
 
-/** How strongly each range of a ranger was reflected. */
+/** The intensity of the echo of each range of a ranger. */
 public class PlayerRangerDataIntns {
     private int intns_count;
     private double[] intens = new double[0];

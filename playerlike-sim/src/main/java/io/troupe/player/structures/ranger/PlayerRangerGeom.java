@@ -3,7 +3,7 @@ package io.troupe.player.structures.ranger;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Where a ranger and its elements sit in the robot's frame, and how large they are. */
+/** Poses and sizes of a ranger and its elements, in the robot's frame. */
 public class PlayerRangerGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d size = new PlayerBbox3d();

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.ranger;
 
-/** A setting or a question of the ranger interface, by its name in the original client. */
+/** A request of the Player interface ranger, named as in the original client. */
 public class PlayerRangerPowerConfig {
     private byte state;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.rfid;
 
-/** Data of a reader of radio tags; no device here uses it. */
+/** Data of the Player interface rfid. This client does not use it. */
 public class PlayerRfidData {
     private int tags_count;
     private PlayerRfidTag[] tags = new PlayerRfidTag[0];

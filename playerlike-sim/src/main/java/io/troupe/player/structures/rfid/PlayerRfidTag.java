@@ -1,6 +1,6 @@
 package io.troupe.player.structures.rfid;
 
-/** A part of the messages of a reader of radio tags; no device here uses it. */
+/** Part of a message of the Player interface rfid. This client does not use it. */
 public class PlayerRfidTag {
     private int type;
     private int guid_count;

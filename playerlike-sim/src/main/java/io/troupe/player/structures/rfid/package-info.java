@@ -1,4 +1,4 @@
-/** Structures of a reader of radio tags; no device here uses them. */
+/** Structures of the Player interface rfid: an RFID reader. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.rfid;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.simulation;
 
-/** A command of the simulation interface, by its name in the original client. */
+/** A command of the simulation interface, named as in the original client. */
 public class PlayerSimulationCmd {
     private byte cmd;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.simulation;
 
-/** Data of the simulation interface, by its name in the original client. */
+/** Data of the simulation interface, named as in the original client. */
 public class PlayerSimulationData {
     private byte data;
 

@@ -3,7 +3,7 @@ package io.troupe.player.structures.simulation;
 import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 
-/** Where a model of the world is, in the world's frame. */
+/** The pose of a model, in the world's frame. */
 public class PlayerSimulationPose2dReq {
     private String name = "";
     private PlayerPose pose = new PlayerPose();

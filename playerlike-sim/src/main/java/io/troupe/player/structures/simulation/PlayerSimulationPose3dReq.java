@@ -2,7 +2,7 @@ package io.troupe.player.structures.simulation;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** A setting or a question of the simulation interface, by its name in the original client. */
+/** A request of the Player interface simulation, named as in the original client. */
 public class PlayerSimulationPose3dReq {
     private int name_count;
     private char[] name = new char[0];

@@ -2,7 +2,7 @@ package io.troupe.player.structures.sonar;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Where the sonars sit and point, in the robot's frame. */
+/** The poses of the sonars, in the robot's frame. */
 public class PlayerSonarGeom {
     private int poses_count;
     private PlayerPose3d[] poses = new PlayerPose3d[0];

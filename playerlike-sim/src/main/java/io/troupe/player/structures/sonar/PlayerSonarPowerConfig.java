@@ -1,6 +1,6 @@
 package io.troupe.player.structures.sonar;
 
-/** A setting or a question of the sonar interface, by its name in the original client. */
+/** A request of the Player interface sonar, named as in the original client. */
 public class PlayerSonarPowerConfig {
     private byte state;
 

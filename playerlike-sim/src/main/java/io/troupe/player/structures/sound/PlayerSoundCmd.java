@@ -1,6 +1,6 @@
 package io.troupe.player.structures.sound;
 
-/** A command of sound clips; no device here uses it. */
+/** A command of the Player interface sound. This client does not use it. */
 public class PlayerSoundCmd {
     private int index;
 

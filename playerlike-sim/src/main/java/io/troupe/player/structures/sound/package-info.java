@@ -1,4 +1,4 @@
-/** Structures of sound clips; no device here uses them. */
+/** Structures of the Player interface sound: sound clips. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.sound;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.speech;
 
-/** A command of a speech synthesizer; no device here uses it. */
+/** A command of the Player interface speech. This client does not use it. */
 public class PlayerSpeechCmd {
     private int string_count;
     private char[] string = new char[0];

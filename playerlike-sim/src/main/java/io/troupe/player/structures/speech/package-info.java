@@ -1,4 +1,4 @@
-/** Structures of a speech synthesizer; no device here uses them. */
+/** Structures of the Player interface speech: a speech synthesizer. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.speech;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.speechrecognition;
 
-/** Data of a speech recognizer; no device here uses it. */
+/** Data of the Player interface speech_recognition. This client does not use it. */
 public class PlayerSpeechRecognitionData {
     private int text_count;
     private String text = "";

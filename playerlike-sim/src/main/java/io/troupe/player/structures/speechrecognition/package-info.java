@@ -1,4 +1,4 @@
-/** Structures of a speech recognizer; no device here uses them. */
+/** Structures of the Player interface speech_recognition: a speech recognizer. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.speechrecognition;
 

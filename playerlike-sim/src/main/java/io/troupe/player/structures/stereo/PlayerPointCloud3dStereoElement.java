@@ -1,6 +1,6 @@
 package io.troupe.player.structures.stereo;
 
-/** A part of the messages of a stereo camera; no device here uses it. */
+/** Part of a message of the Player interface stereo. This client does not use it. */
 public class PlayerPointCloud3dStereoElement {
     private float px;
     private float py;

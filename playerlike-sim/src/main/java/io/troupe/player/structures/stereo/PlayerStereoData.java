@@ -2,7 +2,7 @@ package io.troupe.player.structures.stereo;
 
 import io.troupe.player.structures.camera.PlayerCameraData;
 
-/** Data of a stereo camera; no device here uses it. */
+/** Data of the Player interface stereo. This client does not use it. */
 public class PlayerStereoData {
     private PlayerCameraData leftChannel = new PlayerCameraData();
     private PlayerCameraData rightChannel = new PlayerCameraData();

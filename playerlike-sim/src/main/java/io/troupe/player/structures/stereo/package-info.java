@@ -1,4 +1,4 @@
-/** Structures of a stereo camera; no device here uses them. */
+/** Structures of the Player interface stereo: a stereo camera. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.stereo;
 

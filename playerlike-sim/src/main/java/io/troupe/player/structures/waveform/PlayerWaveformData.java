@@ -1,6 +1,6 @@
 package io.troupe.player.structures.waveform;
 
-/** Data of a source of waveforms; no device here uses it. */
+/** Data of the Player interface waveform. This client does not use it. */
 public class PlayerWaveformData {
     private int rate;
     private int depth;

@@ -1,4 +1,4 @@
-/** Structures of a source of waveforms; no device here uses them. */
+/** Structures of the Player interface waveform: waveforms. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.waveform;
 

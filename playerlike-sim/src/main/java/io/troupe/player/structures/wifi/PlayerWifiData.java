@@ -1,6 +1,6 @@
 package io.troupe.player.structures.wifi;
 
-/** Data of a wireless network; no device here uses it. */
+/** Data of the Player interface wifi. This client does not use it. */
 public class PlayerWifiData {
     private int links_count;
     private PlayerWifiLink[] links = new PlayerWifiLink[0];

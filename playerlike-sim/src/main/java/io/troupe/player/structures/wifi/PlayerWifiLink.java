@@ -1,6 +1,6 @@
 package io.troupe.player.structures.wifi;
 
-/** A part of the messages of a wireless network; no device here uses it. */
+/** Part of a message of the Player interface wifi. This client does not use it. */
 public class PlayerWifiLink {
     private int mac_count;
     private byte[] mac = new byte[0];

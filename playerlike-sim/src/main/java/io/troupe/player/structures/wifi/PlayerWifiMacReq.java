@@ -1,6 +1,6 @@
 package io.troupe.player.structures.wifi;
 
-/** A setting or a question of a wireless network; no device here uses it. */
+/** A request of the Player interface wifi. This client does not use it. */
 public class PlayerWifiMacReq {
     private int mac_count;
     private byte[] mac = new byte[0];

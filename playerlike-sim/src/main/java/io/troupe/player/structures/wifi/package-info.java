@@ -1,4 +1,4 @@
-/** Structures of a wireless network; no device here uses them. */
+/** Structures of the Player interface wifi: a wireless network. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.wifi;
 

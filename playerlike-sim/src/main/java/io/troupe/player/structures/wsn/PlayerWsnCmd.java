@@ -1,6 +1,6 @@
 package io.troupe.player.structures.wsn;
 
-/** A command of a network of sensor nodes; no device here uses it. */
+/** A command of the Player interface wsn. This client does not use it. */
 public class PlayerWsnCmd {
     private int node_id;
     private int group_id;

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.wsn;
 
-/** Data of a network of sensor nodes; no device here uses it. */
+/** Data of the Player interface wsn. This client does not use it. */
 public class PlayerWsnNodeData {
     private float light;
     private float mic;

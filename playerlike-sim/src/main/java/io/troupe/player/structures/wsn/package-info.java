@@ -1,4 +1,4 @@
-/** Structures of a network of sensor nodes; no device here uses them. */
+/** Structures of the Player interface wsn: a wireless sensor network. This client does not use them. */
 @NullMarked
 package io.troupe.player.structures.wsn;
 

@@ -4,12 +4,12 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The newest of something, and whether it has been looked for since it came.
+ * The newest value of some kind, with a flag that is set until the value is polled.
  *
- * <p><b>Threads.</b> Any thread; whoever is told that it is new sees it, because the value is written before the flag
- * and read after it.
+ * <p><b>Threads.</b> Any thread. The value is written before the flag and read after it, so a caller that sees the flag
+ * also sees the value.
  */
-final class Latest<T> {
+final class LatestValue<T> {
     private final AtomicBoolean isNew = new AtomicBoolean();
     private volatile @Nullable T value;
 

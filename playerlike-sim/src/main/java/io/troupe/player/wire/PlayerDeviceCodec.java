@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
-/** Requests to the player device, its replies, and SYNCH, as bytes and back. */
-final class PlayerMessages {
+/** Encodes and decodes requests to the player device, its replies, and SYNCH. */
+final class PlayerDeviceCodec {
     static final int SYNCH_OK = 1;
     static final int SYNCH_OVERFLOW = 2;
 
@@ -15,18 +15,18 @@ final class PlayerMessages {
     private static final int PUSH = 1;
     private static final int PULL = 2;
 
-    private PlayerMessages() {}
+    private PlayerDeviceCodec() {}
 
     static Content encode(PlayerRequest request) {
         var out = new XdrWriter();
         return switch (request) {
             case PlayerRequest.DeviceList list -> Content.empty(DEVICE_LIST);
             case PlayerRequest.DriverInfo info -> {
-                Shapes.address(out, info.device());
+                XdrStructures.address(out, info.device());
                 yield new Content(DRIVER_INFO, out.opaque(Content.NONE).bytes());
             }
             case PlayerRequest.Access access -> {
-                Shapes.address(out, access.device());
+                XdrStructures.address(out, access.device());
                 yield new Content(
                         ACCESS, out.int32(access.mode()).opaque(Content.NONE).bytes());
             }
@@ -54,17 +54,17 @@ final class PlayerMessages {
         PlayerRequest request = switch (subtype) {
             case DEVICE_LIST -> {
                 if (payload.length > 0) { // javaclient sends an empty list
-                    in.array("devices", Shapes.ADDRESS_BYTES, Shapes::address);
+                    in.array("devices", XdrStructures.ADDRESS_BYTES, XdrStructures::address);
                 }
                 yield new PlayerRequest.DeviceList();
             }
             case DRIVER_INFO -> {
-                DeviceAddress device = Shapes.address(in);
+                DeviceAddress device = XdrStructures.address(in);
                 in.string("driver name");
                 yield new PlayerRequest.DriverInfo(device);
             }
             case ACCESS -> {
-                DeviceAddress device = Shapes.address(in);
+                DeviceAddress device = XdrStructures.address(in);
                 int mode = in.uint8("access");
                 in.string("driver name");
                 yield new PlayerRequest.Access(device, mode);
@@ -101,7 +101,7 @@ final class PlayerMessages {
         return new ReplaceRule(interfaceCode, index, type, subtype, replace);
     }
 
-    /** Whether the player device understands such a message. */
+    /** True if the player device supports such a message. */
     static boolean isServed(int type, int subtype) {
         return type == MessageType.REQ.code()
                 && switch (subtype) {
@@ -118,30 +118,32 @@ final class PlayerMessages {
         var out = new XdrWriter();
         switch (reply) {
             case PlayerReply.Ack ack -> {}
-            case PlayerReply.Nack nack -> {} // javaclient would not skip a payload
-            case PlayerReply.DeviceList list -> out.array(list.devices(), Shapes::address);
+            case PlayerReply.Nack nack -> {} // javaclient does not skip the payload of a NACK
+            case PlayerReply.DeviceList list -> out.array(list.devices(), XdrStructures::address);
             case PlayerReply.DriverInfo info -> {
-                Shapes.address(out, info.device());
+                XdrStructures.address(out, info.device());
                 out.string(info.driver());
             }
             case PlayerReply.Access access -> {
-                Shapes.address(out, access.device());
+                XdrStructures.address(out, access.device());
                 out.int32(access.mode()).string(access.driver());
             }
         }
         return out.bytes();
     }
 
-    /** The reply to a request of that subtype. Real servers refuse with and without a payload. */
+    /** Decodes the reply to a request of that subtype. Real servers send a NACK with or without a payload. */
     static PlayerReply reply(MessageType type, int subtype, byte[] payload) throws WireException {
         if (type == MessageType.NACK) {
             return new PlayerReply.Nack();
         }
         var in = new XdrReader("player ACK " + subtype, payload);
         PlayerReply reply = switch (subtype) {
-            case DEVICE_LIST -> new PlayerReply.DeviceList(in.array("devices", Shapes.ADDRESS_BYTES, Shapes::address));
-            case DRIVER_INFO -> new PlayerReply.DriverInfo(Shapes.address(in), in.string("driver name"));
-            case ACCESS -> new PlayerReply.Access(Shapes.address(in), in.uint8("access"), in.string("driver name"));
+            case DEVICE_LIST ->
+                new PlayerReply.DeviceList(in.array("devices", XdrStructures.ADDRESS_BYTES, XdrStructures::address));
+            case DRIVER_INFO -> new PlayerReply.DriverInfo(XdrStructures.address(in), in.string("driver name"));
+            case ACCESS ->
+                new PlayerReply.Access(XdrStructures.address(in), in.uint8("access"), in.string("driver name"));
             default -> new PlayerReply.Ack();
         };
         in.end();
@@ -156,7 +158,7 @@ final class PlayerMessages {
                         SYNCH_OVERFLOW, new XdrWriter().int32(droppedMessages).bytes());
     }
 
-    /** How many messages the server has dropped for this client. */
+    /** Number of messages that the server has dropped for this client. */
     static int dropped(int subtype, byte[] payload) throws WireException {
         return subtype == SYNCH_OVERFLOW ? new XdrReader("SYNCH 2", payload).int32("dropped messages") : 0;
     }

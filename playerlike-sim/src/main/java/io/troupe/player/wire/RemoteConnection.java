@@ -22,23 +22,24 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A client's line to a server behind a socket.
+ * A client's connection to a server over a socket.
  *
- * <p><b>Threads.</b> Any thread. A daemon thread reads, hands frames to the sink and replies to whoever waits; it ends
- * when the line is closed. Every call but {@link #close} returns within the client's limit, one for sending and for
- * waiting for the reply together, also if the server does not read what is sent to it, and ends when its thread is
- * interrupted; the line stays as it is then. No call here waits for data. On an actor space, data are asked for when
- * nothing is left to do there, which no call of the program sees: if that fails, the line is lost.
+ * <p><b>Threads.</b> Any thread. A daemon thread reads and passes frames to the sink and replies to their callers; it
+ * ends when the connection is closed. Every call but {@link #close} returns within the client's limit, which covers
+ * sending and waiting for the reply together, even if the server does not read. It also returns when its thread is
+ * interrupted; the connection stays usable. No call here waits for data. On an actor space, the next data are requested
+ * when the space has no more work. No call of the program sees that request, so if it fails, the connection counts as
+ * lost.
  *
- * <p><b>Order.</b> What one thread sends stays in order. Data that come before a reply are with the sink before the
- * reply is seen.
+ * <p><b>Order.</b> Messages of one thread are sent in order. Data that arrive before a reply reach the sink before the
+ * caller gets the reply.
  */
-final class RemoteLine implements PlayerConnection {
-    private static final System.Logger LOG = System.getLogger(RemoteLine.class.getName());
-    /** How often a read that waits looks whether the server is silent, at least; only if there is a silence limit. */
+final class RemoteConnection implements PlayerConnection {
+    private static final System.Logger LOG = System.getLogger(RemoteConnection.class.getName());
+    /** Longest time between two checks for a silent server during a read; only used with a silence limit. */
     private static final int READ_TIMEOUT_MILLIS = 500;
-    /** Frames for a space that is busy; as many as a server keeps for a client. */
-    private static final int MOST_KEPT = 1024;
+    /** Bound of frames queued for a busy space, the same as a server's queue for a client. */
+    private static final int MAX_QUEUED_FRAMES = 1024;
 
     private static final DeviceAddress PLAYER = new DeviceAddress(0, 0, PlayerRequest.INTERFACE, 0);
 
@@ -48,20 +49,20 @@ final class RemoteLine implements PlayerConnection {
     private final @Nullable ActorSpace space;
     private final Thread reader;
     private final Clock clock;
-    private final OpenRequests open;
+    private final PendingRequests pending;
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
-    private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by itself
-    private boolean keptTooMany; // only for the reader
+    private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by its own monitor
+    private boolean overflowLogged; // used by the reader only
     private volatile List<DeviceAddress> devices = List.of();
     private volatile Duration replyLimit;
-    private volatile Duration silenceLimit = Duration.ZERO; // none
+    private volatile Duration silenceLimit = Duration.ZERO; // no limit
     private final AtomicReference<@Nullable End> end = new AtomicReference<>();
 
-    /** @param lost whether the server has gone, and this line was not closed by its client */
+    /** @param lost true if the server is gone; false if the client closed this connection */
     private record End(String reason, boolean lost) {}
 
-    RemoteLine(
+    RemoteConnection(
             String name,
             RemoteSocket socket,
             DataSink sink,
@@ -74,14 +75,14 @@ final class RemoteLine implements PlayerConnection {
         this.space = space;
         this.replyLimit = replyLimit;
         this.clock = clock;
-        this.open = new OpenRequests(clock);
+        this.pending = new PendingRequests(clock);
         this.reader = Thread.ofPlatform()
                 .daemon()
                 .name("player-line-" + name)
-                .unstarted(() -> new RemoteReader(this, name, socket, open, frames).run());
+                .unstarted(() -> new RemoteReader(this, name, socket, pending, frames).run());
     }
 
-    /** Starts reading, and asks what there is. */
+    /** Starts the reader and requests the list of devices. */
     void begin() {
         reader.start();
         try {
@@ -96,7 +97,7 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    // ---- for the client
+    // ---- called by the client
 
     @Override
     public List<DeviceAddress> devices() {
@@ -144,27 +145,27 @@ final class RemoteLine implements PlayerConnection {
 
     @Override
     public void command(DeviceAddress device, DeviceCommand command) {
-        Content content = CommandMessages.encode(command);
+        Content content = CommandCodec.encode(command);
         send(device, MessageType.CMD, content, 0, deadline(), () -> {});
     }
 
     @Override
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
-        Content content = RequestMessages.encode(device.interfaceCode(), request);
+        Content content = RequestCodec.encode(device.interfaceCode(), request);
         return decode(call(device, content, request + " to " + text(device)));
     }
 
     @Override
     public void request(DeviceAddress device, DeviceRequest request, Consumer<DeviceReply> receiver) {
         checkOpen();
-        Content content = RequestMessages.encode(device.interfaceCode(), request);
+        Content content = RequestCodec.encode(device.interfaceCode(), request);
         var deadline = deadline();
-        var sent = open.add(device, content.subtype());
+        var sent = pending.add(device, content.subtype());
         sent.reply().orTimeout(deadline.leftNanos(), TimeUnit.NANOSECONDS).whenComplete((message, failure) -> {
             if (message != null) {
                 receiver.accept(decode(message));
             } else {
-                open.giveUp(sent);
+                pending.giveUp(sent);
                 receiver.accept(new DeviceReply.Nack(
                         failure instanceof TimeoutException
                                 ? "no reply within " + deadline.millis()
@@ -173,7 +174,7 @@ final class RemoteLine implements PlayerConnection {
         });
         try {
             send(device, content, sent, deadline);
-        } catch (LineClosedException | RequestFailedException notSent) {
+        } catch (ConnectionClosedException | RequestFailedException notSent) {
             sent.reply().completeExceptionally(notSent);
         }
     }
@@ -196,26 +197,26 @@ final class RemoteLine implements PlayerConnection {
         checkOpen();
         var deadline = deadline();
         if (frames.wantsData(tick)) {
-            Content question = PlayerMessages.encode(new PlayerRequest.NextData());
-            send(PLAYER, MessageType.REQ, question, 0, deadline, frames::refused);
+            Content request = PlayerDeviceCodec.encode(new PlayerRequest.NextData());
+            send(PLAYER, MessageType.REQ, request, 0, deadline, frames::refused);
         } else if (frames.mode() == Delivery.PULL) {
-            // the question may have been sent in part, and no other message may follow
+            // the request may have been sent in part, and no other message may follow
             sending(() -> socket.sendRest(deadline), deadline, () -> {});
         }
     }
 
     @Override
     public void answers(boolean whether) {
-        // the server sees the mode of delivery
+        // the server knows the delivery mode
     }
 
     @Override
     public void delivery(Delivery mode) {
         checkOpen();
-        Content content = PlayerMessages.encode(new PlayerRequest.DataMode(mode));
+        Content content = PlayerDeviceCodec.encode(new PlayerRequest.DataMode(mode));
         var deadline = deadline();
-        var sent = open.add(PLAYER, content.subtype());
-        // in the reader, so that the mode changes at its place in the stream
+        var sent = pending.add(PLAYER, content.subtype());
+        // on the reader thread, so that the mode changes at its place in the stream
         var changed = sent.reply().thenApply(message -> {
             if (message.header().type() == MessageType.ACK) {
                 frames.mode(mode).forEach(this::deliver);
@@ -253,19 +254,19 @@ final class RemoteLine implements PlayerConnection {
     // ---- sending, and waiting for replies
 
     private PlayerReply ask(PlayerRequest request, String what) {
-        Message message = call(PLAYER, PlayerMessages.encode(request), what);
+        WireMessage message = call(PLAYER, PlayerDeviceCodec.encode(request), what);
         try {
-            return PlayerMessages.reply(
+            return PlayerDeviceCodec.reply(
                     message.header().type(), message.header().subtype(), message.payload());
         } catch (WireException e) {
             throw new RequestFailedException(what + ": " + name + " answered what cannot be read: " + e.getMessage());
         }
     }
 
-    private Message call(DeviceAddress device, Content content, String what) {
+    private WireMessage call(DeviceAddress device, Content content, String what) {
         checkOpen();
         var deadline = deadline();
-        var sent = open.add(device, content.subtype());
+        var sent = pending.add(device, content.subtype());
         send(device, content, sent, deadline);
         return await(sent.reply(), sent, deadline, what);
     }
@@ -274,45 +275,50 @@ final class RemoteLine implements PlayerConnection {
         return Deadline.after(replyLimit, clock);
     }
 
-    /** If that fails in the middle of the message, the request is given up: it goes out later and is answered. */
-    private void send(DeviceAddress device, Content content, OpenRequests.Request request, Deadline deadline) {
+    /**
+     * Sends a request. If that fails in the middle of the message, the request counts as given up: the rest is sent
+     * later and gets a reply.
+     */
+    private void send(DeviceAddress device, Content content, PendingRequests.Request request, Deadline deadline) {
         try {
-            send(device, MessageType.REQ, content, request.sequence(), deadline, () -> open.drop(request));
+            send(device, MessageType.REQ, content, request.sequence(), deadline, () -> pending.drop(request));
         } catch (RuntimeException e) {
-            open.giveUp(request); // no effect if it was dropped
+            pending.giveUp(request); // no effect if it was dropped
             throw e;
         }
     }
 
-    private Message await(
-            CompletableFuture<Message> awaited, OpenRequests.Request sent, Deadline deadline, String what) {
+    private WireMessage await(
+            CompletableFuture<WireMessage> awaited, PendingRequests.Request sent, Deadline deadline, String what) {
         try {
             return awaited.get(deadline.leftNanos(), TimeUnit.NANOSECONDS);
         } catch (TimeoutException e) {
-            open.giveUp(sent);
+            pending.giveUp(sent);
             throw new RequestFailedException(
                     name + " did not answer within " + deadline.millis() + ": " + what + " was requested");
         } catch (InterruptedException e) {
-            open.giveUp(sent);
+            pending.giveUp(sent);
             Thread.currentThread().interrupt();
             throw new RequestFailedException("interrupted while waiting for " + name + ": " + what + " was requested");
         } catch (ExecutionException e) {
             checkOpen();
-            throw new LineClosedException(e.getCause().getMessage());
+            throw new ConnectionClosedException(e.getCause().getMessage());
         }
     }
 
-    private DeviceReply decode(Message message) {
+    private DeviceReply decode(WireMessage message) {
         var header = message.header();
         try {
-            return ReplyMessages.decode(
+            return ReplyCodec.decode(
                     header.address().interfaceCode(), header.type(), header.subtype(), message.payload());
         } catch (WireException e) {
             return new DeviceReply.Nack("the reply cannot be read: " + e.getMessage());
         }
     }
 
-    /** @param nothingSent called if that fails before the first byte, so that the server will never see the message */
+    /**
+     * @param nothingSent called if sending fails before the first byte, so the server will never receive the message
+     */
     private void send(
             DeviceAddress device,
             MessageType type,
@@ -323,7 +329,7 @@ final class RemoteLine implements PlayerConnection {
         byte[] payload = content.payload();
         var header = new Header(device, type, content.subtype(), 0, sequence, payload.length);
         checkOpen();
-        sending(() -> socket.send(new Message(header, payload).bytes(), deadline), deadline, nothingSent);
+        sending(() -> socket.send(new WireMessage(header, payload).bytes(), deadline), deadline, nothingSent);
     }
 
     private interface Sending {
@@ -348,7 +354,7 @@ final class RemoteLine implements PlayerConnection {
         }
     }
 
-    /** As the device list has it: real servers are not the same everywhere in what they call themselves. */
+    /** The address from the device list: real servers differ in the host and robot parts that they send. */
     DeviceAddress listed(DeviceAddress device) {
         return devices.stream()
                 .filter(each -> each.interfaceCode() == device.interfaceCode() && each.index() == device.index())
@@ -357,9 +363,9 @@ final class RemoteLine implements PlayerConnection {
     }
 
     /**
-     * A call that fails by the loss of the server has told the sink first, as the thread that has met the loss may be
-     * just about to: a program finds no call that still works after one that said that the server has gone, whether it
-     * asks the line or the sink.
+     * Throws if the connection is closed. A call that fails because the server is gone first notifies the sink, since
+     * the thread that noticed the loss may not have done so yet. So after one call has reported the loss, every later
+     * call fails too, on the connection and on the sink.
      */
     private void checkOpen() {
         End ended = end.get();
@@ -367,7 +373,7 @@ final class RemoteLine implements PlayerConnection {
             if (ended.lost()) {
                 sink.lost(ended.reason());
             }
-            throw new LineClosedException(ended.reason());
+            throw new ConnectionClosedException(ended.reason());
         }
     }
 
@@ -379,7 +385,7 @@ final class RemoteLine implements PlayerConnection {
         return Interfaces.name(device.interfaceCode()) + ":" + device.index();
     }
 
-    // ---- for the reader
+    // ---- called by the reader
 
     void deliver(Frame frame) {
         if (space == null) {
@@ -387,8 +393,8 @@ final class RemoteLine implements PlayerConnection {
             return;
         }
         try {
-            if (keep(frame)) {
-                space.execute(() -> sink.frame(takeKept()));
+            if (enqueueForSpace(frame)) {
+                space.execute(() -> sink.frame(dequeueForSpace()));
             }
             if (frames.mode() == Delivery.PULL) {
                 space.onIdle(() -> {
@@ -398,18 +404,21 @@ final class RemoteLine implements PlayerConnection {
                 });
             }
         } catch (ActorStoppedException spaceIsClosed) {
-            close(); // a client ends with the space it lives on
+            close(); // a client ends together with its actor space
         }
     }
 
-    /** In an idle action an exception would reach no call of the program, which would wait for data for ever. */
+    /**
+     * Answers from an idle action. An exception there would reach no call of the program, which would then wait for
+     * data for ever.
+     */
     private void answerOrLose(long tick) {
         try {
             answered(tick);
         } catch (RequestFailedException e) {
             lose("data cannot be asked for: " + e.getMessage());
-        } catch (LineClosedException e) {
-            LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage()); // and the sink knows
+        } catch (ConnectionClosedException e) {
+            LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage()); // and the sink was notified
         }
     }
 
@@ -418,43 +427,46 @@ final class RemoteLine implements PlayerConnection {
     }
 
     /**
-     * Asks for something that every server answers at once; on a thread of its own, as sending may have to wait, and a
-     * platform thread, as virtual ones may have no carrier.
+     * Sends a request that every server answers at once. It runs on a separate thread, because sending may block; a
+     * platform thread, because virtual threads may find no free carrier.
      */
-    void askForSign() {
+    void sendKeepAlive() {
         Thread.ofPlatform().daemon().name("player-ask-" + name).start(() -> {
-            Content question = PlayerMessages.encode(new PlayerRequest.DeviceList());
+            Content keepAlive = PlayerDeviceCodec.encode(new PlayerRequest.DeviceList());
             try {
-                send(PLAYER, question, open.addUnawaited(PLAYER, question.subtype()), deadline());
+                send(PLAYER, keepAlive, pending.addUnawaited(PLAYER, keepAlive.subtype()), deadline());
             } catch (RuntimeException notSent) {
                 LOG.log(Level.DEBUG, "{0} was not asked for a sign of life: {1}", name, notSent.getMessage());
             }
         });
     }
 
-    /** The server is connected and has not said anything for the whole limit. */
-    void silent() {
+    /** The server is connected but has sent nothing for the whole limit. */
+    void serverSilent() {
         sink.lost("the Player server at " + name + " is connected and silent: nothing has come from it for "
                 + Deadline.nanos(silenceLimit) / 1_000_000 + " ms, and no answer to a request");
     }
 
-    /** Keeps a frame for the space; false if the oldest one had to give way, whose turn is this one's then. */
-    private boolean keep(Frame frame) {
+    /**
+     * Queues a frame for the space. False if the queue was full and the oldest frame was dropped; the turn queued for
+     * that frame then delivers this one.
+     */
+    private boolean enqueueForSpace(Frame frame) {
         synchronized (forSpace) {
             forSpace.add(frame);
-            if (forSpace.size() <= MOST_KEPT) {
+            if (forSpace.size() <= MAX_QUEUED_FRAMES) {
                 return true;
             }
             forSpace.remove();
         }
-        if (!keptTooMany) {
-            keptTooMany = true;
+        if (!overflowLogged) {
+            overflowLogged = true;
             LOG.log(Level.WARNING, "{0}: actor space {1} is too slow, the oldest data are dropped", name, space);
         }
         return false;
     }
 
-    private Frame takeKept() {
+    private Frame dequeueForSpace() {
         synchronized (forSpace) {
             return forSpace.remove();
         }
@@ -474,11 +486,11 @@ final class RemoteLine implements PlayerConnection {
             }
         } finally {
             try {
-                socket.close(); // ends a read and a write that wait
+                socket.close(); // ends a blocked read or write
             } catch (IOException e) {
                 LOG.log(Level.DEBUG, "{0}: {1}", name, e.getMessage());
             }
-            open.failAll(new LineClosedException(how.reason()));
+            pending.failAll(new ConnectionClosedException(how.reason()));
         }
     }
 }

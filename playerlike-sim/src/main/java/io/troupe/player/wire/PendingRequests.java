@@ -8,21 +8,21 @@ import java.util.concurrent.CompletableFuture;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The requests a client has sent and got no reply to.
+ * The requests that a client has sent and that have no reply yet.
  *
  * <p><b>Threads.</b> Any thread.
  *
  * <p><b>Order.</b> A reply belongs to the request whose sequence number it repeats. The drivers of a real server send 0
- * instead: such a reply belongs to the oldest request of the same device and subtype, requests that were given up
- * included, as a driver answers in order. So a late reply goes to no later request. If such a server has dropped a
- * request, each later one of the same kind fails, since its reply cannot be told from the late one of the request
- * before, until there has been none of them, and no reply to one, for {@link #QUIET}: then those that were given up are
- * forgotten. A reply that is later than that, or that more than {@value #MOST_GIVEN_UP} later failures have outlived,
- * may go to a wrong request.
+ * instead. Such a reply belongs to the oldest request of the same device and subtype, including requests that were
+ * given up, because a driver replies in order. So a late reply is never matched to a later request. If such a server
+ * drops a request, each later request of the same kind fails, because its reply cannot be distinguished from the late
+ * reply to the request before. That ends when there has been no request of this kind, and no reply to one, for
+ * {@link #QUIET}: then the requests that were given up are forgotten. A reply may be matched to a wrong request if it
+ * is later than that, or if more than {@value #MAX_GIVEN_UP} requests were given up after its own.
  */
-final class OpenRequests {
-    /** Requests that were given up are forgotten, the oldest first, when there are more. */
-    private static final int MOST_GIVEN_UP = 256;
+final class PendingRequests {
+    /** Bound of requests that were given up and are still remembered; the oldest is forgotten first. */
+    private static final int MAX_GIVEN_UP = 256;
 
     static final Duration QUIET = Duration.ofSeconds(30);
 
@@ -30,9 +30,9 @@ final class OpenRequests {
         final DeviceAddress device;
         final int subtype;
         final int sequence;
-        final CompletableFuture<Message> reply = new CompletableFuture<>();
+        final CompletableFuture<WireMessage> reply = new CompletableFuture<>();
         boolean givenUp;
-        long touchedNanos; // the newest event of its kind
+        long touchedNanos; // time of the latest event of its kind
 
         Entry(DeviceAddress device, int subtype, int sequence) {
             this.device = device;
@@ -53,19 +53,19 @@ final class OpenRequests {
     }
 
     /**
-     * A request that is to be sent.
+     * A request to be sent.
      *
      * @param sequence its number, never 0
-     * @param reply is given the reply; it has failed already after {@link #failAll}
+     * @param reply completes with the reply; already failed after {@link #failAll}
      */
-    record Request(int sequence, CompletableFuture<Message> reply) {}
+    record Request(int sequence, CompletableFuture<WireMessage> reply) {}
 
     private final Clock clock;
     private final List<Entry> entries = new ArrayList<>();
     private int lastSequence;
     private @Nullable RuntimeException failure;
 
-    OpenRequests(Clock clock) {
+    PendingRequests(Clock clock) {
         this.clock = clock;
     }
 
@@ -84,7 +84,7 @@ final class OpenRequests {
         return new Request(entry.sequence, entry.reply);
     }
 
-    /** A request whose reply is of no interest: it is given up from the beginning. */
+    /** Adds a request whose reply is not needed: it counts as given up from the start. */
     synchronized Request addUnawaited(DeviceAddress device, int subtype) {
         Request request = add(device, subtype);
         giveUp(request);
@@ -100,12 +100,12 @@ final class OpenRequests {
         }
     }
 
-    /** It was not sent. */
+    /** Removes a request that was not sent. */
     synchronized void drop(Request request) {
         entries.removeIf(each -> each.reply == request.reply());
     }
 
-    /** Its caller waits no more, but its reply may come. */
+    /** The caller stops waiting, but the reply may still arrive. */
     synchronized void giveUp(Request request) {
         for (var each : entries) {
             if (each.reply == request.reply()) {
@@ -113,18 +113,18 @@ final class OpenRequests {
                 touch(each.device, each.subtype);
             }
         }
-        if (entries.stream().filter(each -> each.givenUp).count() > MOST_GIVEN_UP) {
+        if (entries.stream().filter(each -> each.givenUp).count() > MAX_GIVEN_UP) {
             entries.stream().filter(each -> each.givenUp).findFirst().ifPresent(entries::remove);
         }
     }
 
-    /** False for a reply that no request waits for. */
-    boolean answer(Message message) {
-        CompletableFuture<Message> answered = take(message.header());
+    /** False if no caller waits for this reply. */
+    boolean answer(WireMessage message) {
+        CompletableFuture<WireMessage> answered = take(message.header());
         return answered != null && answered.complete(message);
     }
 
-    private synchronized @Nullable CompletableFuture<Message> take(Header header) {
+    private synchronized @Nullable CompletableFuture<WireMessage> take(Header header) {
         for (var each : entries) {
             if (each.isAnsweredBy(header)) {
                 entries.remove(each);

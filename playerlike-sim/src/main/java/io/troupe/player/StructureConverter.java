@@ -5,9 +5,9 @@ import io.troupe.player.structures.PlayerPose3d;
 import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.Size3d;
 
-/** Poses and sizes from the wire as the client's structures. */
-final class Shapes {
-    private Shapes() {}
+/** Converts poses and sizes of the wire protocol to the client's structures. */
+final class StructureConverter {
+    private StructureConverter() {}
 
     static PlayerPose3d pose(Pose3d pose) {
         var converted = new PlayerPose3d();

@@ -10,9 +10,9 @@ import io.troupe.player.wire.DeviceCommand.VelocityHeading;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** CMD messages to devices as bytes, and back. */
-final class CommandMessages {
-    private CommandMessages() {}
+/** Encodes and decodes CMD messages to devices. */
+final class CommandCodec {
+    private CommandCodec() {}
 
     static Content encode(DeviceCommand command) {
         var out = new XdrWriter();
@@ -45,7 +45,7 @@ final class CommandMessages {
         };
     }
 
-    /** Empty for commands that are not known here. */
+    /** Empty for an unknown command. */
     static Optional<DeviceCommand> decode(int interfaceCode, int subtype, byte[] payload) throws WireException {
         var in = new XdrReader(Interfaces.name(interfaceCode) + " CMD " + subtype, payload);
         DeviceCommand command = null;

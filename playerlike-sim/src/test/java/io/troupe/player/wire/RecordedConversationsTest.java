@@ -10,12 +10,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What real clients say, and what they must hear. */
+/** What real clients send, and which replies they must receive. */
 @Timeout(60)
-class ConversationsTest {
+class RecordedConversationsTest {
     private static final String REAL_PORT = "00001a09";
 
-    /** Time and sequence number are free, the port is ours, what the sonars see too. */
+    /** The message without the parts that may differ: time, sequence number, port and sonar readings. */
     private static String comparable(byte[] message, int port) {
         String text = Hex.text(message).replace(port(port), REAL_PORT);
         boolean sonarData = text.startsWith("00000005000000000000000100000001", 16);
@@ -29,7 +29,7 @@ class ConversationsTest {
     @ParameterizedTest
     @ValueSource(
             strings = {"s32-playerprint-position2d.txt", "s32-playerprint-sonar.txt", "s32-playerprint-blobfinder.txt"})
-    void playerprint_asCaptured_hearsTheSameBytes(String name) {
+    void playerprint_asCaptured_receivesTheSameBytes(String name) {
         List<Hex.Line> lines = Hex.capture(name);
         try (var served = Served.open();
                 var client = RawClient.greeted(served.port())) {
@@ -49,7 +49,7 @@ class ConversationsTest {
     }
 
     @Test
-    void playerprintOfARanger_asCaptured_hearsTheSameBytes() throws WireException {
+    void playerprintOfARanger_asCaptured_receivesTheSameBytes() throws WireException {
         List<Hex.Line> lines = Hex.capture("playerprint-ranger.txt");
         var ranger = new ScriptedRanger(Map.of(
                 new DeviceRequest.GetConfiguration(), captured(lines, 5),
@@ -65,12 +65,12 @@ class ConversationsTest {
                 while (to < lines.size() && lines.get(to).sender() == 'S') {
                     to++;
                 }
-                publish(ranger, lines.subList(from, to)); // before it is asked for
+                publish(ranger, lines.subList(from, to)); // before it is requested
                 client.send(lines.get(at).bytes());
                 for (var line : lines.subList(from, to)) {
                     boolean data = line.message().header().type() == MessageType.DATA;
-                    byte[] heard = client.next().bytes();
-                    assertThat(data ? Hex.text(heard) : comparable(heard, server.port()))
+                    byte[] received = client.next().bytes();
+                    assertThat(data ? Hex.text(received) : comparable(received, server.port()))
                             .as("instead of %s", line.message())
                             .isEqualTo(
                                     data
@@ -79,9 +79,9 @@ class ConversationsTest {
                 }
                 at = to;
             }
-            // what a reply has flushed is answered with the frame that ends after it
+            // data flushed by a reply are answered with the frame that ends after them
             client.ask(new PlayerRequest.NextData());
-            client.ask(new PlayerRequest.DeviceList()); // so that the answer has arrived
+            client.ask(new PlayerRequest.DeviceList()); // wait until the answer has arrived
             synchronized (ranger) {
                 assertThat(ranger.answers).containsExactly(PlayerConnection.NO_TICK, 23L);
             }
@@ -94,14 +94,14 @@ class ConversationsTest {
             if (header.type() == MessageType.DATA) {
                 ranger.publish(
                         header.timeSeconds(),
-                        DataMessages.decode(62, header.subtype(), line.message().payload())
+                        DataCodec.decode(62, header.subtype(), line.message().payload())
                                 .orElseThrow());
             }
         }
     }
 
     private static DeviceReply captured(List<Hex.Line> lines, int subtype) throws WireException {
-        Message reply = lines.stream()
+        WireMessage reply = lines.stream()
                 .skip(1)
                 .map(Hex.Line::message)
                 .filter(each -> each.header().type() == MessageType.ACK
@@ -109,7 +109,7 @@ class ConversationsTest {
                         && each.header().subtype() == subtype)
                 .findFirst()
                 .orElseThrow();
-        return ReplyMessages.decode(62, MessageType.ACK, subtype, reply.payload());
+        return ReplyCodec.decode(62, MessageType.ACK, subtype, reply.payload());
     }
 
     @Test
@@ -137,14 +137,14 @@ class ConversationsTest {
                                         + "00000020" + here + code + "00000000 00000006 00000006 73746167 65000000"),
                                 served.port()));
             }
-            served.tick(3); // nothing of which the client hears: it has not subscribed
+            served.tick(3); // not sent to the client: it has not subscribed
             client.subscribe(Interfaces.POSITION2D);
             served.tick(1);
-            Message data = client.next(MessageType.DATA, 4, 1);
+            WireMessage data = client.next(MessageType.DATA, 4, 1);
             assertThat(data.header().timeSeconds()).isEqualTo(0.3);
             assertThat(data.header().address())
                     .isEqualTo(new DeviceAddress(TcpServer.LOOPBACK_HOST, served.port(), 4, 0));
-            client.drive(0.5, 0).ask(new PlayerRequest.DeviceList()); // so that the command has arrived
+            client.drive(0.5, 0).ask(new PlayerRequest.DeviceList()); // wait until the command has arrived
             served.tick(2);
             client.nextPosition();
             assertThat(client.nextPosition().px()).isGreaterThan(0.01);
@@ -176,7 +176,7 @@ class ConversationsTest {
             }
             for (byte[] request : nack) {
                 Header asked = Hex.message(request).header();
-                Message refused = client.next();
+                WireMessage refused = client.next();
                 assertThat(refused.header().type()).isEqualTo(MessageType.NACK);
                 assertThat(refused.payload()).isEmpty();
                 assertThat(refused.header().subtype()).isEqualTo(asked.subtype());
@@ -196,21 +196,21 @@ class ConversationsTest {
         try (var served = Served.open();
                 var client = RawClient.greeted(served.port())) {
             var header = new Header(new DeviceAddress(9, 9, 4, 0), MessageType.REQ, 1, 0, 77, 0);
-            client.send(new Message(header, Content.NONE).bytes());
-            Message reply = client.next(MessageType.ACK, 4, 1);
+            client.send(new WireMessage(header, Content.NONE).bytes());
+            WireMessage reply = client.next(MessageType.ACK, 4, 1);
             assertThat(reply.header().sequence()).isEqualTo(77);
-            assertThat(ReplyMessages.decode(4, MessageType.ACK, 1, reply.payload()))
+            assertThat(ReplyCodec.decode(4, MessageType.ACK, 1, reply.payload()))
                     .isEqualTo(new DeviceReply.Position2dGeometry(0, 0, 0, 0.4, 0.3));
             client.send(RawClient.message(MessageType.REQ, 5, 0, Content.empty(1)));
             assertThat(client.next(MessageType.ACK, 5, 1).payload()).hasSize(8 + 16 * 48);
             client.send(RawClient.message(
-                    MessageType.REQ, 4, 0, RequestMessages.encode(4, new DeviceRequest.SetOdometry(1, 2, 0.5))));
+                    MessageType.REQ, 4, 0, RequestCodec.encode(4, new DeviceRequest.SetOdometry(1, 2, 0.5))));
             assertThat(client.next(MessageType.ACK, 4, 5).payload()).isEmpty();
         }
     }
 
     @Test
-    void unsubscribed_hearsNothingMore() throws WireException {
+    void unsubscribed_receivesNothingMore() throws WireException {
         try (var served = Served.open();
                 var client = RawClient.greeted(served.port())) {
             client.subscribe(Interfaces.POSITION2D);
@@ -218,8 +218,9 @@ class ConversationsTest {
             served.tick(1);
             client.nextPosition();
             client.next(MessageType.DATA, 5, 1);
-            Message closed = client.ask(new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
-            assertThat(PlayerMessages.reply(MessageType.ACK, 3, closed.payload()))
+            WireMessage closed =
+                    client.ask(new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE));
+            assertThat(PlayerDeviceCodec.reply(MessageType.ACK, 3, closed.payload()))
                     .isEqualTo(new PlayerReply.Access(
                             new DeviceAddress(TcpServer.LOOPBACK_HOST, served.port(), 5, 0),
                             PlayerRequest.CLOSE,

@@ -14,11 +14,11 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
-/** DATA messages of devices as bytes, and back. */
-final class DataMessages {
+/** Encodes and decodes DATA messages of devices. */
+final class DataCodec {
     private static final int BLOB_BYTES = 40;
 
-    private DataMessages() {}
+    private DataCodec() {}
 
     static Content encode(DeviceData data) {
         var out = new XdrWriter();
@@ -32,7 +32,7 @@ final class DataMessages {
                 out.float64(state.px(), state.py(), state.pa(), state.vx(), state.vy(), state.va())
                         .bool(state.stall());
             case SonarRanges sonar -> out.array(sonar.rangesM(), XdrWriter::float32);
-            case Blobs image -> out.int32(image.width()).int32(image.height()).array(image.blobs(), DataMessages::blob);
+            case Blobs image -> out.int32(image.width()).int32(image.height()).array(image.blobs(), DataCodec::blob);
             case RangerRanges ranges -> doubles(out, ranges.rangesM());
             case RangerIntensities values -> {
                 doubles(out, values.intensities());
@@ -45,7 +45,7 @@ final class DataMessages {
             }
             case LaserScan scan -> scan(out, scan);
             case GeometryChanged changed -> {
-                ReplyMessages.write(out, changed.geometry());
+                ReplyCodec.write(out, changed.geometry());
                 return changed.geometry() instanceof DeviceReply.RangerGeometry ? 5 : 2;
             }
         }
@@ -72,10 +72,10 @@ final class DataMessages {
     private static void stamp(XdrWriter out, RangerStamped stamped) {
         var geometry = stamped.geometry();
         out.bool(geometry != null);
-        ReplyMessages.write(out, geometry == null ? ReplyMessages.NO_GEOMETRY : geometry);
+        ReplyCodec.write(out, geometry == null ? ReplyCodec.NO_GEOMETRY : geometry);
         var configuration = stamped.configuration();
         out.bool(configuration != null);
-        Shapes.rangerConfiguration(out, configuration == null ? ReplyMessages.NO_CONFIGURATION : configuration);
+        XdrStructures.rangerConfiguration(out, configuration == null ? ReplyCodec.NO_CONFIGURATION : configuration);
     }
 
     private static void scan(XdrWriter out, LaserScan scan) {
@@ -91,7 +91,7 @@ final class DataMessages {
         out.opaque(intensities).int32(scan.scanId());
     }
 
-    /** Empty for messages that are not known here. */
+    /** Empty for an unknown message. */
     static Optional<DeviceData> decode(int interfaceCode, int subtype, byte[] payload) throws WireException {
         Interfaces type = Interfaces.find(interfaceCode);
         if (type == null) {
@@ -110,21 +110,19 @@ final class DataMessages {
             case POSITION2D ->
                 switch (subtype) {
                     case 1 -> position(in);
-                    case 2 -> new GeometryChanged(ReplyMessages.positionGeometry(in));
+                    case 2 -> new GeometryChanged(ReplyCodec.positionGeometry(in));
                     default -> null;
                 };
             case SONAR ->
                 switch (subtype) {
                     case 1 -> new SonarRanges(in.array("ranges", 4, from -> from.float32("range")));
-                    case 2 -> new GeometryChanged(ReplyMessages.sonarGeometry(in));
+                    case 2 -> new GeometryChanged(ReplyCodec.sonarGeometry(in));
                     default -> null;
                 };
             case BLOBFINDER ->
                 subtype == 1
                         ? new Blobs(
-                                in.int32("width"),
-                                in.int32("height"),
-                                in.array("blobs", BLOB_BYTES, DataMessages::blob))
+                                in.int32("width"), in.int32("height"), in.array("blobs", BLOB_BYTES, DataCodec::blob))
                         : null;
             case RANGER ->
                 switch (subtype) {
@@ -132,7 +130,7 @@ final class DataMessages {
                     case 2 -> stamped(new RangerRanges(doubles(in)), in);
                     case 3 -> new RangerIntensities(doubles(in));
                     case 4 -> stamped(new RangerIntensities(doubles(in)), in);
-                    case 5 -> new GeometryChanged(ReplyMessages.rangerGeometry(in));
+                    case 5 -> new GeometryChanged(ReplyCodec.rangerGeometry(in));
                     default -> null;
                 };
             case LASER -> subtype == 1 ? scan(in) : null;
@@ -171,9 +169,9 @@ final class DataMessages {
 
     private static RangerStamped stamped(DeviceData data, XdrReader in) throws WireException {
         boolean hasGeometry = in.bool("have_geom");
-        var geometry = ReplyMessages.rangerGeometry(in);
+        var geometry = ReplyCodec.rangerGeometry(in);
         boolean hasConfiguration = in.bool("have_config");
-        var configuration = Shapes.rangerConfiguration(in);
+        var configuration = XdrStructures.rangerConfiguration(in);
         return new RangerStamped(data, hasGeometry ? geometry : null, hasConfiguration ? configuration : null);
     }
 

@@ -14,19 +14,19 @@ import io.troupe.player.wire.DeviceReply.SonarGeometry;
 import io.troupe.player.wire.DeviceReply.SonarMount;
 import java.util.List;
 
-/** Replies of devices (RESP_ACK and RESP_NACK) as bytes, and back. */
-final class ReplyMessages {
+/** Encodes and decodes replies of devices (RESP_ACK and RESP_NACK). */
+final class ReplyCodec {
     static final RangerGeometry NO_GEOMETRY =
             new RangerGeometry(Pose3d.flat(0, 0, 0), new Size3d(0, 0, 0), List.of(), List.of());
     static final RangerConfiguration NO_CONFIGURATION = new RangerConfiguration(0, 0, 0, 0, 0, 0, 0);
 
-    private ReplyMessages() {}
+    private ReplyCodec() {}
 
     static MessageType type(DeviceReply reply) {
         return reply instanceof Nack ? MessageType.NACK : MessageType.ACK;
     }
 
-    /** A refusal has no content: some clients do not expect any. */
+    /** A NACK has no content, because some clients do not expect any. */
     static byte[] encode(DeviceReply reply) {
         var out = new XdrWriter();
         write(out, reply);
@@ -38,24 +38,25 @@ final class ReplyMessages {
             case Ack ack -> {}
             case Nack nack -> {}
             case Position2dGeometry base -> {
-                Shapes.pose3d(out, Pose3d.flat(base.px(), base.py(), base.pa()));
-                Shapes.size3d(out, new Size3d(base.widthM(), base.lengthM(), 0));
+                XdrStructures.pose3d(out, Pose3d.flat(base.px(), base.py(), base.pa()));
+                XdrStructures.size3d(out, new Size3d(base.widthM(), base.lengthM(), 0));
             }
             case SonarGeometry sonar ->
                 out.array(
                         sonar.mounts(),
-                        (to, mount) -> Shapes.pose3d(to, Pose3d.flat(mount.px(), mount.py(), mount.yaw())));
+                        (to, mount) -> XdrStructures.pose3d(to, Pose3d.flat(mount.px(), mount.py(), mount.yaw())));
             case RangerGeometry ranger -> {
-                Shapes.pose3d(out, ranger.pose());
-                Shapes.size3d(out, ranger.size());
-                out.array(ranger.elementPoses(), Shapes::pose3d).array(ranger.elementSizes(), Shapes::size3d);
+                XdrStructures.pose3d(out, ranger.pose());
+                XdrStructures.size3d(out, ranger.size());
+                out.array(ranger.elementPoses(), XdrStructures::pose3d)
+                        .array(ranger.elementSizes(), XdrStructures::size3d);
             }
-            case OfRanger ranger -> Shapes.rangerConfiguration(out, ranger.configuration());
+            case OfRanger ranger -> XdrStructures.rangerConfiguration(out, ranger.configuration());
             case LaserGeometry laser -> {
-                Shapes.pose3d(out, laser.pose());
-                Shapes.size3d(out, laser.size());
+                XdrStructures.pose3d(out, laser.pose());
+                XdrStructures.size3d(out, laser.size());
             }
-            case OfLaser laser -> Shapes.laserConfiguration(out, laser.configuration());
+            case OfLaser laser -> XdrStructures.laserConfiguration(out, laser.configuration());
             case LaserId laser -> out.int32(laser.id());
             case ModelPose model -> out.string(model.model()).float64(model.px(), model.py(), model.pa());
             case Colour colour ->
@@ -69,7 +70,7 @@ final class ReplyMessages {
         }
     }
 
-    /** The reply to a request of that subtype. */
+    /** Decodes the reply to a request of that subtype. */
     static DeviceReply decode(int interfaceCode, MessageType type, int subtype, byte[] payload) throws WireException {
         if (type == MessageType.NACK) {
             return new Nack("refused by the server");
@@ -97,13 +98,13 @@ final class ReplyMessages {
             case RANGER ->
                 switch (subtype) {
                     case 1 -> rangerGeometry(in);
-                    case 4, 5 -> new OfRanger(Shapes.rangerConfiguration(in));
+                    case 4, 5 -> new OfRanger(XdrStructures.rangerConfiguration(in));
                     default -> new Ack();
                 };
             case LASER ->
                 switch (subtype) {
-                    case 1 -> new LaserGeometry(Shapes.pose3d(in), Shapes.size3d(in));
-                    case 2, 3 -> new OfLaser(Shapes.laserConfiguration(in));
+                    case 1 -> new LaserGeometry(XdrStructures.pose3d(in), XdrStructures.size3d(in));
+                    case 2, 3 -> new OfLaser(XdrStructures.laserConfiguration(in));
                     case 5 -> new LaserId(in.int32("id"));
                     default -> new Ack();
                 };
@@ -114,26 +115,26 @@ final class ReplyMessages {
         };
     }
 
-    /** Stage leaves what is missing here uninitialised. */
+    /** Reads the geometry of a position2d. The fields ignored here are uninitialised in Stage. */
     static Position2dGeometry positionGeometry(XdrReader in) throws WireException {
-        Pose3d pose = Shapes.pose3d(in);
-        Size3d size = Shapes.size3d(in);
+        Pose3d pose = XdrStructures.pose3d(in);
+        Size3d size = XdrStructures.size3d(in);
         return new Position2dGeometry(pose.x(), pose.y(), pose.yaw(), size.lengthM(), size.widthM());
     }
 
     static SonarGeometry sonarGeometry(XdrReader in) throws WireException {
-        return new SonarGeometry(in.array("poses", Shapes.POSE3D_BYTES, from -> {
-            Pose3d pose = Shapes.pose3d(from);
+        return new SonarGeometry(in.array("poses", XdrStructures.POSE3D_BYTES, from -> {
+            Pose3d pose = XdrStructures.pose3d(from);
             return new SonarMount(pose.x(), pose.y(), pose.yaw());
         }));
     }
 
     static RangerGeometry rangerGeometry(XdrReader in) throws WireException {
         return new RangerGeometry(
-                Shapes.pose3d(in),
-                Shapes.size3d(in),
-                in.array("element poses", Shapes.POSE3D_BYTES, Shapes::pose3d),
-                in.array("element sizes", Shapes.SIZE3D_BYTES, Shapes::size3d));
+                XdrStructures.pose3d(in),
+                XdrStructures.size3d(in),
+                in.array("element poses", XdrStructures.POSE3D_BYTES, XdrStructures::pose3d),
+                in.array("element sizes", XdrStructures.SIZE3D_BYTES, XdrStructures::size3d));
     }
 
     private static Colour colour(XdrReader in) throws WireException {

@@ -2,10 +2,10 @@ package io.troupe.player.wire;
 
 import java.nio.ByteBuffer;
 
-/** A message as it travels: its header, and its payload, which nobody changes once the message is made. */
-record Message(Header header, byte[] payload) {
-    static Message of(DeviceAddress address, MessageType type, int subtype, double timeSeconds, byte[] payload) {
-        return new Message(new Header(address, type, subtype, timeSeconds, 0, payload.length), payload);
+/** An encoded message: header and payload. The payload is not modified after construction. */
+record WireMessage(Header header, byte[] payload) {
+    static WireMessage of(DeviceAddress address, MessageType type, int subtype, double timeSeconds, byte[] payload) {
+        return new WireMessage(new Header(address, type, subtype, timeSeconds, 0, payload.length), payload);
     }
 
     byte[] bytes() {

@@ -8,14 +8,14 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Does what one client asks for and puts the replies into its outbox: one for each request, in their order.
+ * Handles the messages of one client and puts the replies into its outbox: one for each request, in order.
  *
- * <p><b>Threads.</b> {@link #hear} on the thread that reads from the client; {@link #frame} on the server's.
+ * <p><b>Threads.</b> {@link #handle} on the thread that reads from the client; {@link #frame} on the server's thread.
  *
- * <p><b>Errors.</b> What cannot be understood or done is refused if it is a request, else dropped and logged.
+ * <p><b>Errors.</b> An invalid request is refused with a NACK. Any other invalid message is dropped and logged.
  */
-final class Conversation {
-    private static final Logger LOG = System.getLogger(Conversation.class.getName());
+final class ClientMessageHandler {
+    private static final Logger LOG = System.getLogger(ClientMessageHandler.class.getName());
 
     private record Place(int interfaceCode, int index) {
         static Place of(DeviceAddress address) {
@@ -24,23 +24,26 @@ final class Conversation {
     }
 
     private final String peer;
-    private final PlayerConnection line;
+    private final PlayerConnection connection;
     private final Outbox outbox;
     private final int host;
     private final int robot;
-    /** Every device at its address in this JVM. */
+    /** The address of each device in this JVM, by interface and index. */
     private final Map<Place, DeviceAddress> devices = new LinkedHashMap<>();
 
     private boolean pull;
 
-    /** @param host and robot: what stands in every address that the client sees */
-    Conversation(String peer, PlayerConnection line, Outbox outbox, int host, int robot) {
+    /**
+     * @param host host part of every address that the client sees
+     * @param robot robot part (the port) of every such address
+     */
+    ClientMessageHandler(String peer, PlayerConnection connection, Outbox outbox, int host, int robot) {
         this.peer = peer;
-        this.line = line;
+        this.connection = connection;
         this.outbox = outbox;
         this.host = host;
         this.robot = robot;
-        for (var device : line.devices()) {
+        for (var device : connection.devices()) {
             devices.put(Place.of(device), device);
         }
     }
@@ -48,8 +51,8 @@ final class Conversation {
     // ---- to the client
 
     void frame(Frame frame) {
-        List<DataMessage> messages = frame.messages().stream()
-                .map(each -> new DataMessage(outside(each.from()), each.timeSeconds(), each.data()))
+        List<DeviceDataMessage> messages = frame.messages().stream()
+                .map(each -> new DeviceDataMessage(outside(each.from()), each.timeSeconds(), each.data()))
                 .toList();
         outbox.frame(frame.tick(), frame.timeSeconds(), messages);
     }
@@ -58,7 +61,7 @@ final class Conversation {
         return new DeviceAddress(host, robot, address.interfaceCode(), address.index());
     }
 
-    private Message reply(Header request, MessageType type, byte[] payload) {
+    private WireMessage reply(Header request, MessageType type, byte[] payload) {
         var header = new Header(
                 outside(request.address()),
                 type,
@@ -66,20 +69,20 @@ final class Conversation {
                 outbox.timeSeconds(),
                 request.sequence(),
                 payload.length);
-        return new Message(header, payload);
+        return new WireMessage(header, payload);
     }
 
-    private Message refusal(Header request) {
+    private WireMessage refusal(Header request) {
         return reply(request, MessageType.NACK, Content.NONE);
     }
 
-    private Message reply(Header request, PlayerReply reply) {
-        return reply(request, PlayerMessages.type(reply), PlayerMessages.encode(reply));
+    private WireMessage reply(Header request, PlayerReply reply) {
+        return reply(request, PlayerDeviceCodec.type(reply), PlayerDeviceCodec.encode(reply));
     }
 
     // ---- from the client
 
-    void hear(Message message) {
+    void handle(WireMessage message) {
         switch (message.header().type()) {
             case CMD -> command(message);
             case REQ -> request(message);
@@ -87,7 +90,7 @@ final class Conversation {
         }
     }
 
-    private void command(Message message) {
+    private void command(WireMessage message) {
         Header header = message.header();
         DeviceAddress device = devices.get(Place.of(header.address()));
         if (device == null) {
@@ -95,9 +98,9 @@ final class Conversation {
             return;
         }
         try {
-            var command = CommandMessages.decode(device.interfaceCode(), header.subtype(), message.payload());
+            var command = CommandCodec.decode(device.interfaceCode(), header.subtype(), message.payload());
             if (command.isPresent()) {
-                line.command(device, command.get());
+                connection.command(device, command.get());
             } else {
                 drop(message, "not a known command");
             }
@@ -106,27 +109,27 @@ final class Conversation {
         }
     }
 
-    private void drop(Message message, String reason) {
+    private void drop(WireMessage message, String reason) {
         LOG.log(Level.DEBUG, () -> peer + " sent " + message + ", which is dropped: " + reason);
     }
 
-    private void request(Message message) {
+    private void request(WireMessage message) {
         Header header = message.header();
         DeviceAddress device = devices.get(Place.of(header.address()));
         try {
             if (header.address().interfaceCode() == PlayerRequest.INTERFACE) {
-                player(header, PlayerMessages.request(header.subtype(), message.payload()));
+                player(header, PlayerDeviceCodec.request(header.subtype(), message.payload()));
             } else if (device == null) {
                 refuse(message, "there is no such device");
             } else {
-                var request = RequestMessages.decode(device.interfaceCode(), header.subtype(), message.payload());
+                var request = RequestCodec.decode(device.interfaceCode(), header.subtype(), message.payload());
                 DeviceReply answer = request instanceof DeviceRequest.Unknown
                         ? new DeviceReply.Nack("not a known request")
-                        : line.request(device, request);
+                        : connection.request(device, request);
                 if (answer instanceof DeviceReply.Nack(String reason)) {
                     refuse(message, reason);
                 } else {
-                    outbox.reply(reply(header, ReplyMessages.type(answer), ReplyMessages.encode(answer)));
+                    outbox.reply(reply(header, ReplyCodec.type(answer), ReplyCodec.encode(answer)));
                 }
             }
         } catch (WireException | IllegalArgumentException e) {
@@ -134,7 +137,7 @@ final class Conversation {
         }
     }
 
-    private void refuse(Message message, String reason) {
+    private void refuse(WireMessage message, String reason) {
         LOG.log(Level.DEBUG, () -> peer + " sent " + message + ", which is refused: " + reason);
         outbox.reply(refusal(message.header()));
     }
@@ -151,13 +154,15 @@ final class Conversation {
                 outbox.reply(
                         device == null
                                 ? refusal(header)
-                                : reply(header, new PlayerReply.DriverInfo(outside(device), line.driverName(device))));
+                                : reply(
+                                        header,
+                                        new PlayerReply.DriverInfo(outside(device), connection.driverName(device))));
             }
             case PlayerRequest.Access access -> access(header, access.mode(), devices.get(Place.of(access.device())));
             case PlayerRequest.NextData next -> {
                 long seen = outbox.ask(reply(header, new PlayerReply.Ack()));
                 if (pull) {
-                    line.answered(seen);
+                    connection.answered(seen);
                 }
             }
             case PlayerRequest.DataMode mode -> deliver(header, mode.mode());
@@ -167,7 +172,7 @@ final class Conversation {
             }
             case PlayerRequest.Capability capability ->
                 outbox.reply(
-                        PlayerMessages.isServed(capability.type(), capability.subtype())
+                        PlayerDeviceCodec.isServed(capability.type(), capability.subtype())
                                 ? reply(header, new PlayerReply.Ack())
                                 : refusal(header));
             case PlayerRequest.Other other -> outbox.reply(refusal(header));
@@ -177,7 +182,7 @@ final class Conversation {
     private void deliver(Header header, Delivery mode) {
         pull = mode == Delivery.PULL;
         if (outbox.hasSubscribed()) {
-            line.answers(pull);
+            connection.answers(pull);
         }
         outbox.mode(mode);
         outbox.reply(reply(header, new PlayerReply.Ack()));
@@ -188,18 +193,19 @@ final class Conversation {
             outbox.reply(refusal(header));
             return;
         }
-        Message reply = reply(header, new PlayerReply.Access(outside(device), mode, line.driverName(device)));
+        WireMessage reply = reply(header, new PlayerReply.Access(outside(device), mode, connection.driverName(device)));
         if (mode == PlayerRequest.CLOSE) {
-            line.unsubscribe(device);
+            connection.unsubscribe(device);
             outbox.unsubscribed(outside(device), reply);
             return;
         }
-        // the reply stands before the first data, but leaves only when the devices know of the subscription
+        // The reply precedes the first data in the outbox, but is sent only after the devices have added the
+        // subscription.
         outbox.cork();
         try {
             outbox.subscribed(outside(device), reply);
-            line.answers(pull);
-            line.subscribe(device);
+            connection.answers(pull);
+            connection.subscribe(device);
         } finally {
             outbox.uncork();
         }

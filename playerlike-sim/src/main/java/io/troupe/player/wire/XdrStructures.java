@@ -1,12 +1,12 @@
 package io.troupe.player.wire;
 
-/** The structures that several messages share. */
-final class Shapes {
+/** Encodes and decodes structures that several messages share. */
+final class XdrStructures {
     static final int POSE3D_BYTES = 48;
     static final int SIZE3D_BYTES = 24;
     static final int ADDRESS_BYTES = 16;
 
-    private Shapes() {}
+    private XdrStructures() {}
 
     static Pose3d pose3d(XdrReader in) throws WireException {
         return new Pose3d(
@@ -63,7 +63,7 @@ final class Shapes {
                 configuration.frequencyHz());
     }
 
-    /** 28 bytes, or 24 from clients that know of no frequency. */
+    /** 28 bytes, or 24 from clients that do not send the frequency. */
     static LaserConfiguration laserConfiguration(XdrReader in) throws WireException {
         return new LaserConfiguration(
                 in.float32("min_angle"),

@@ -3,168 +3,168 @@ package io.troupe.player;
 import io.troupe.player.structures.PlayerConstants;
 
 /**
- * The interfaces of the Player Java client that are not offered here, so that a program that asks for one is told at
- * run time what there is.
+ * The {@code requestInterface} methods of the interfaces that this client does not support. A program that calls one
+ * gets an error at run time that lists the alternatives.
  *
- * <p><b>Errors.</b> Each of these throws {@link PlayerException}, which names the device asked for, the interfaces this
- * client offers and the devices the server has.
+ * <p><b>Errors.</b> Each method throws {@link PlayerException}, which names the requested device, the supported
+ * interfaces and the devices of the server.
  */
-abstract class UnofferedInterfaces extends Thread implements PlayerConstants {
-    UnofferedInterfaces(String threadName) {
+abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
+    UnsupportedInterfaces(String threadName) {
         super(threadName);
     }
 
-    abstract PlayerException notOffered(String device);
+    abstract PlayerException notSupported(String device);
 
     public PowerInterface requestInterfacePower(int index, int access) {
-        throw notOffered("power:" + index);
+        throw notSupported("power:" + index);
     }
 
     public GripperInterface requestInterfaceGripper(int index, int access) {
-        throw notOffered("gripper:" + index);
+        throw notSupported("gripper:" + index);
     }
 
     public PtzInterface requestInterfacePtz(int index, int access) {
-        throw notOffered("ptz:" + index);
+        throw notSupported("ptz:" + index);
     }
 
     public FiducialInterface requestInterfaceFiducial(int index, int access) {
-        throw notOffered("fiducial:" + index);
+        throw notSupported("fiducial:" + index);
     }
 
     public SpeechInterface requestInterfaceSpeech(int index, int access) {
-        throw notOffered("speech:" + index);
+        throw notSupported("speech:" + index);
     }
 
     public GPSInterface requestInterfaceGPS(int index, int access) {
-        throw notOffered("gps:" + index);
+        throw notSupported("gps:" + index);
     }
 
     public BumperInterface requestInterfaceBumper(int index, int access) {
-        throw notOffered("bumper:" + index);
+        throw notSupported("bumper:" + index);
     }
 
     public DIOInterface requestInterfaceDIO(int index, int access) {
-        throw notOffered("dio:" + index);
+        throw notSupported("dio:" + index);
     }
 
     public AIOInterface requestInterfaceAIO(int index, int access) {
-        throw notOffered("aio:" + index);
+        throw notSupported("aio:" + index);
     }
 
     public IRInterface requestInterfaceIR(int index, int access) {
-        throw notOffered("ir:" + index);
+        throw notSupported("ir:" + index);
     }
 
     public WiFiInterface requestInterfaceWiFi(int index, int access) {
-        throw notOffered("wifi:" + index);
+        throw notSupported("wifi:" + index);
     }
 
     public WaveformInterface requestInterfaceWaveform(int index, int access) {
-        throw notOffered("waveform:" + index);
+        throw notSupported("waveform:" + index);
     }
 
     public LocalizeInterface requestInterfaceLocalize(int index, int access) {
-        throw notOffered("localize:" + index);
+        throw notSupported("localize:" + index);
     }
 
     public MComInterface requestInterfaceMCom(int index, int access) {
-        throw notOffered("mcom:" + index);
+        throw notSupported("mcom:" + index);
     }
 
     public SoundInterface requestInterfaceSound(int index, int access) {
-        throw notOffered("sound:" + index);
+        throw notSupported("sound:" + index);
     }
 
     public AudioDSPInterface requestInterfaceAudioDSP(int index, int access) {
-        throw notOffered("audiodsp:" + index);
+        throw notSupported("audiodsp:" + index);
     }
 
     public AudioMixerInterface requestInterfaceAudioMixer(int index, int access) {
-        throw notOffered("audiomixer:" + index);
+        throw notSupported("audiomixer:" + index);
     }
 
     public Position3DInterface requestInterfacePosition3D(int index, int access) {
-        throw notOffered("position3d:" + index);
+        throw notSupported("position3d:" + index);
     }
 
     public BlinkenlightInterface requestInterfaceBlinkenlight(int index, int access) {
-        throw notOffered("blinkenlight:" + index);
+        throw notSupported("blinkenlight:" + index);
     }
 
     public CameraInterface requestInterfaceCamera(int index, int access) {
-        throw notOffered("camera:" + index);
+        throw notSupported("camera:" + index);
     }
 
     public MapInterface requestInterfaceMap(int index, int access) {
-        throw notOffered("map:" + index);
+        throw notSupported("map:" + index);
     }
 
     public PlannerInterface requestInterfacePlanner(int index, int access) {
-        throw notOffered("planner:" + index);
+        throw notSupported("planner:" + index);
     }
 
     public LogInterface requestInterfaceLog(int index, int access) {
-        throw notOffered("log:" + index);
+        throw notSupported("log:" + index);
     }
 
     public JoystickInterface requestInterfaceJoystick(int index, int access) {
-        throw notOffered("joystick:" + index);
+        throw notSupported("joystick:" + index);
     }
 
     public SpeechRecognitionInterface requestInterfaceSpeechRecognition(int index, int access) {
-        throw notOffered("speech_recognition:" + index);
+        throw notSupported("speech_recognition:" + index);
     }
 
     public OpaqueInterface requestInterfaceOpaque(int index, int access) {
-        throw notOffered("opaque:" + index);
+        throw notSupported("opaque:" + index);
     }
 
     public Position1DInterface requestInterfacePosition1D(int index, int access) {
-        throw notOffered("position1d:" + index);
+        throw notSupported("position1d:" + index);
     }
 
     public ActarrayInterface requestInterfaceActarray(int index, int access) {
-        throw notOffered("actarray:" + index);
+        throw notSupported("actarray:" + index);
     }
 
     public LimbInterface requestInterfaceLimb(int index, int access) {
-        throw notOffered("limb:" + index);
+        throw notSupported("limb:" + index);
     }
 
     public Graphics2DInterface requestInterfaceGraphics2D(int index, int access) {
-        throw notOffered("graphics2d:" + index);
+        throw notSupported("graphics2d:" + index);
     }
 
     public Graphics3DInterface requestInterfaceGraphics3D(int index, int access) {
-        throw notOffered("graphics3d:" + index);
+        throw notSupported("graphics3d:" + index);
     }
 
     public RFIDInterface requestInterfaceRFID(int index, int access) {
-        throw notOffered("rfid:" + index);
+        throw notSupported("rfid:" + index);
     }
 
     public WSNInterface requestInterfaceWSN(int index, int access) {
-        throw notOffered("wsn:" + index);
+        throw notSupported("wsn:" + index);
     }
 
     public HealthInterface requestInterfaceHealth(int index, int access) {
-        throw notOffered("health:" + index);
+        throw notSupported("health:" + index);
     }
 
     public IMUInterface requestInterfaceIMU(int index, int access) {
-        throw notOffered("imu:" + index);
+        throw notSupported("imu:" + index);
     }
 
     public PointCloud3DInterface requestInterfacePointCloud3D(int index, int access) {
-        throw notOffered("pointcloud3d:" + index);
+        throw notSupported("pointcloud3d:" + index);
     }
 
     public AudioInterface requestInterfaceAudio(int index, int access) {
-        throw notOffered("audio:" + index);
+        throw notSupported("audio:" + index);
     }
 
     public StereoInterface requestInterfaceStereo(int index, int access) {
-        throw notOffered("stereo:" + index);
+        throw notSupported("stereo:" + index);
     }
 }

@@ -18,11 +18,11 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A client and a server behind a socket: what is sent, what it makes of what comes, and in which order. */
+/** A client and a server connected by a socket: what is sent, how arriving messages are handled, and in which order. */
 @Tag("threads")
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // nobody can interrupt a busy loop
-class RemoteLineTest implements PlayerConstants {
-    static boolean is(Message message, int interfaceCode, int subtype) {
+@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a busy loop cannot be interrupted
+class RemoteConnectionTest implements PlayerConstants {
+    static boolean is(WireMessage message, int interfaceCode, int subtype) {
         return message.header().type() == MessageType.REQ
                 && message.header().address().interfaceCode() == interfaceCode
                 && message.header().subtype() == subtype;
@@ -39,7 +39,7 @@ class RemoteLineTest implements PlayerConstants {
                 var reply = new PlayerReply.Access(self.device(Interfaces.POSITION2D), 1, "stage");
                 self.send(
                         self.position(1),
-                        self.reply(message, MessageType.ACK, PlayerMessages.encode(reply)),
+                        self.reply(message, MessageType.ACK, PlayerDeviceCodec.encode(reply)),
                         self.position(2),
                         self.position(3));
                 return true;
@@ -64,9 +64,9 @@ class RemoteLineTest implements PlayerConstants {
 
     @Test
     void commandsAndRequests_areSentInOrder_andRepliesAreMatchedByDevice() throws Exception {
-        var held = new ArrayList<Message>();
+        var held = new ArrayList<WireMessage>();
         try (var server = new ScriptedSocket((message, self) -> {
-            if (is(message, 4, 1)) { // the wheels' geometry takes longer than the sonars'
+            if (is(message, 4, 1)) { // the reply with the geometry of position2d comes later than that of the sonars
                 held.add(message);
                 return true;
             }
@@ -74,8 +74,8 @@ class RemoteLineTest implements PlayerConstants {
                 var sonars = new DeviceReply.SonarGeometry(List.of(new DeviceReply.SonarMount(0.1, 0.2, 0.3)));
                 var body = new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33);
                 self.send(
-                        self.reply(message, MessageType.ACK, ReplyMessages.encode(sonars)),
-                        self.reply(held.getFirst(), MessageType.ACK, ReplyMessages.encode(body)));
+                        self.reply(message, MessageType.ACK, ReplyCodec.encode(sonars)),
+                        self.reply(held.getFirst(), MessageType.ACK, ReplyCodec.encode(body)));
                 return true;
             }
             return false;
@@ -95,7 +95,7 @@ class RemoteLineTest implements PlayerConstants {
             pos.setSpeed(0.2, 0.1);
             pos.setCarCMD(0.3, 0);
             assertThat(server.nextCommand().payload())
-                    .isEqualTo(CommandMessages.encode(new DeviceCommand.Velocity(0.2, 0, 0.1, true))
+                    .isEqualTo(CommandCodec.encode(new DeviceCommand.Velocity(0.2, 0, 0.1, true))
                             .payload());
             assertThat(server.nextCommand().header().subtype()).isEqualTo(3);
             client.close();
@@ -141,7 +141,7 @@ class RemoteLineTest implements PlayerConstants {
         try (var server = new ScriptedSocket((message, self) -> {
             if (is(message, 1, 3)) {
                 boolean sonar = message.payload()[11] == Interfaces.SONAR.code();
-                var echo = PlayerMessages.encode(new PlayerReply.Access(self.device(Interfaces.SONAR), 3, ""));
+                var echo = PlayerDeviceCodec.encode(new PlayerReply.Access(self.device(Interfaces.SONAR), 3, ""));
                 self.send(self.reply(message, sonar ? MessageType.NACK : MessageType.ACK, echo));
                 return true;
             }
@@ -169,10 +169,10 @@ class RemoteLineTest implements PlayerConstants {
             assertThatThrownBy(() -> client.requestAddReplaceRule(-1, -1, 1, -1, 1))
                     .isInstanceOf(PlayerException.class)
                     .hasMessageContaining("localhost:" + server.port() + " did not answer within 50 ms: ReplaceRule[");
-            pos.setOdometry(new PlayerPose(1, 2, 3)); // leaves a warning
+            pos.setOdometry(new PlayerPose(1, 2, 3)); // logs a warning
             assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_RESP_NACK);
             client.setReadTimeout(30_000);
-            pos.resetOdometry(); // goes on, whatever became of the others
+            pos.resetOdometry(); // continues, whatever happened to the other requests
             assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_RESP_ACK);
             client.close();
         }
@@ -185,11 +185,11 @@ class RemoteLineTest implements PlayerConstants {
             var pos = client.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
             var wheels = server.device(Interfaces.POSITION2D);
             server.send(
-                    Message.of(new DeviceAddress(1, 2, 10, 0), MessageType.DATA, 1, 0, new byte[12]),
-                    Message.of(wheels, MessageType.DATA, 99, 0, new byte[4]),
-                    Message.of(wheels, MessageType.DATA, 1, 0, new byte[4]),
-                    Message.of(server.device(Interfaces.SONAR), MessageType.ACK, 1, 0, Content.NONE),
-                    Message.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, 2, 0, new byte[] {0, 0, 0, 9}),
+                    WireMessage.of(new DeviceAddress(1, 2, 10, 0), MessageType.DATA, 1, 0, new byte[12]),
+                    WireMessage.of(wheels, MessageType.DATA, 99, 0, new byte[4]),
+                    WireMessage.of(wheels, MessageType.DATA, 1, 0, new byte[4]),
+                    WireMessage.of(server.device(Interfaces.SONAR), MessageType.ACK, 1, 0, Content.NONE),
+                    WireMessage.of(new DeviceAddress(0, 0, 1, 0), MessageType.SYNCH, 2, 0, new byte[] {0, 0, 0, 9}),
                     server.position(7));
             assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_DATA);
             assertThat(pos.getX()).isEqualTo(7);

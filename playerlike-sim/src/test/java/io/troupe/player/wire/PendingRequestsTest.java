@@ -3,18 +3,18 @@ package io.troupe.player.wire;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.time.ManualClock;
-import io.troupe.player.wire.OpenRequests.Request;
+import io.troupe.player.wire.PendingRequests.Request;
 import org.junit.jupiter.api.Test;
 
-/** Which reply belongs to which request. */
-class OpenRequestsTest {
+/** Matching of replies to requests. */
+class PendingRequestsTest {
     private static final DeviceAddress SIMULATION = new DeviceAddress(1, 2, 31, 0);
 
     private final ManualClock clock = new ManualClock();
-    private final OpenRequests open = new OpenRequests(clock);
+    private final PendingRequests open = new PendingRequests(clock);
 
-    private static Message reply(int subtype, int sequence) {
-        return new Message(new Header(SIMULATION, MessageType.ACK, subtype, 0, sequence, 0), Content.NONE);
+    private static WireMessage reply(int subtype, int sequence) {
+        return new WireMessage(new Header(SIMULATION, MessageType.ACK, subtype, 0, sequence, 0), Content.NONE);
     }
 
     private boolean isAnswered(Request request) {
@@ -74,12 +74,12 @@ class OpenRequestsTest {
         assertThat(isAnswered(other)).isTrue();
 
         for (int i = 0; i < 4; i++) {
-            clock.advance(OpenRequests.QUIET.minusNanos(1));
+            clock.advance(PendingRequests.QUIET.minusNanos(1));
             Request spoiled = open.add(SIMULATION, 1);
             assertThat(open.answer(reply(1, 0))).isFalse();
             open.giveUp(spoiled);
         }
-        clock.advance(OpenRequests.QUIET);
+        clock.advance(PendingRequests.QUIET);
         Request afterQuiet = open.add(SIMULATION, 1);
         assertThat(open.answer(reply(1, 0))).isTrue();
         assertThat(isAnswered(afterQuiet)).isTrue();

@@ -9,21 +9,21 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 @Timeout(60)
-class ConversationTest {
+class ClientMessageHandlerTest {
     @Test
     void subscription_isConfirmed_whenTheDevicesKnowOfIt() throws InterruptedException {
         var ranger = new ScriptedRanger(Map.of());
         var outbox = new Outbox();
-        var conversation = new Conversation("test", ranger, outbox, 1, 2);
-        conversation.hear(Hex.message(RawClient.bytes(new PlayerRequest.DataMode(Delivery.PULL))));
+        var handler = new ClientMessageHandler("test", ranger, outbox, 1, 2);
+        handler.handle(Hex.message(RawClient.bytes(new PlayerRequest.DataMode(Delivery.PULL))));
         outbox.take();
         var seen = new ArrayList<Thread.State>();
         ranger.whileSubscribing = () -> seen.add(stateOfTaker(outbox));
-        conversation.hear(Hex.message(RawClient.access(Interfaces.RANGER, PlayerRequest.OPEN)));
+        handler.handle(Hex.message(RawClient.access(Interfaces.RANGER, PlayerRequest.OPEN)));
         assertThat(seen).as("whoever writes to the client").isEqualTo(List.of(Thread.State.WAITING));
     }
 
-    /** What becomes of a thread that takes what is to be sent: it ends with it, or it waits. */
+    /** State of a thread that takes output from the outbox: terminated or waiting. */
     private static Thread.State stateOfTaker(Outbox outbox) {
         Thread taker = Thread.ofPlatform().daemon().start(() -> {
             try {

@@ -23,12 +23,12 @@ import io.troupe.player.wire.DeviceRequest.SpeedProfile;
 import io.troupe.player.wire.DeviceRequest.Unknown;
 import io.troupe.player.wire.DeviceRequest.VelocityMode;
 
-/** REQ messages to devices as bytes, and back. */
-final class RequestMessages {
+/** Encodes and decodes REQ messages to devices. */
+final class RequestCodec {
     private static final int CAPABILITY = 255;
     private static final int SET_INTEGER_PROPERTY = 253;
 
-    private RequestMessages() {}
+    private RequestCodec() {}
 
     static Content encode(int interfaceCode, DeviceRequest request) {
         var out = new XdrWriter();
@@ -63,11 +63,11 @@ final class RequestMessages {
             case Intensities intensities -> subtype(3, out.bool(intensities.on()));
             case GetConfiguration configuration -> laser ? 3 : 5;
             case SetRangerConfiguration set -> {
-                Shapes.rangerConfiguration(out, set.configuration());
+                XdrStructures.rangerConfiguration(out, set.configuration());
                 yield 4;
             }
             case SetLaserConfiguration set -> {
-                Shapes.laserConfiguration(out, set.configuration());
+                XdrStructures.laserConfiguration(out, set.configuration());
                 yield 2;
             }
             case LaserId id -> 5;
@@ -85,7 +85,7 @@ final class RequestMessages {
         return subtype;
     }
 
-    /** {@link Unknown} for requests that are not known here. */
+    /** Returns {@link Unknown} for an unknown request. */
     static DeviceRequest decode(int interfaceCode, int subtype, byte[] payload) throws WireException {
         var in = new XdrReader(Interfaces.name(interfaceCode) + " REQ " + subtype, payload);
         if (subtype == CAPABILITY) {
@@ -124,7 +124,7 @@ final class RequestMessages {
             case 5 -> ended(new SetOdometry(in.float64("px"), in.float64("py"), in.float64("pa")), in);
             case 6 -> ended(new ResetOdometry(), in);
             case 7 -> {
-                boolean doubles = in.remaining() == 24; // javaclient3
+                boolean doubles = in.remaining() == 24; // javaclient3 sends doubles
                 yield ended(new SpeedPid(gain(in, doubles), gain(in, doubles), gain(in, doubles)), in);
             }
             case 8 -> {
@@ -154,7 +154,7 @@ final class RequestMessages {
                                 in.int32("bmin"),
                                 in.int32("bmax")),
                         in);
-            case 2 -> // javaclient sends 24 bytes, of which only these have a meaning
+            case 2 -> // javaclient sends 24 bytes, only these have a meaning
                 new SetImager(
                         in.int32("brightness"), in.int32("contrast"), in.int32("colormode"), in.int32("autogain"));
             case 3 -> new GetColour();
@@ -167,7 +167,7 @@ final class RequestMessages {
             case 1 -> new Geometry();
             case 2 -> ended(new Power(in.bool("state")), in);
             case 3 -> ended(new Intensities(in.bool("state")), in);
-            case 4 -> ended(new SetRangerConfiguration(Shapes.rangerConfiguration(in)), in);
+            case 4 -> ended(new SetRangerConfiguration(XdrStructures.rangerConfiguration(in)), in);
             case 5 -> new GetConfiguration();
             default -> new Unknown(subtype);
         };
@@ -176,7 +176,7 @@ final class RequestMessages {
     private static DeviceRequest laser(int subtype, XdrReader in) throws WireException {
         return switch (subtype) {
             case 1 -> new Geometry();
-            case 2 -> ended(new SetLaserConfiguration(Shapes.laserConfiguration(in)), in);
+            case 2 -> ended(new SetLaserConfiguration(XdrStructures.laserConfiguration(in)), in);
             case 3 -> new GetConfiguration();
             case 4 -> ended(new Power(in.bool("state")), in);
             case 5 -> new LaserId();
@@ -186,7 +186,7 @@ final class RequestMessages {
 
     private static DeviceRequest simulation(int subtype, XdrReader in) throws WireException {
         return switch (subtype) {
-            case 1 -> new GetPose(in.string("name")); // whatever pose follows
+            case 1 -> new GetPose(in.string("name")); // the pose that follows is ignored
             case 2 -> ended(new SetPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa")), in);
             default -> new Unknown(subtype);
         };

@@ -1,21 +1,26 @@
 package io.troupe.player;
 
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DeviceAddress;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.RequestFailedException;
 import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 
-/** The table of interfaces a client offers, and the devices it has subscribed to. */
-abstract class OfferedInterfaces extends UnofferedInterfaces {
+/** The {@code requestInterface} methods of the supported interfaces, and the client's subscriptions. */
+abstract class SupportedInterfaces extends UnsupportedInterfaces {
     final Subscriptions subscriptions = new Subscriptions();
     private final AtomicBoolean deviceGranted = new AtomicBoolean();
 
-    OfferedInterfaces(String threadName) {
+    SupportedInterfaces(String threadName) {
         super(threadName);
     }
 
@@ -23,7 +28,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
 
     abstract PlayerConnection connection();
 
-    // ---- for programs
+    // ---- called by programs
 
     public Position2DInterface requestInterfacePosition2D(int index, int access) {
         return request(new Position2DInterface(client()), Interfaces.POSITION2D, index, access);
@@ -49,7 +54,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
         return request(new SimulationInterface(client()), Interfaces.SIMULATION, index, access);
     }
 
-    /** The same by the interface's code, for example {@code PLAYER_SONAR_CODE}. */
+    /** Requests a device by the code of its interface, for example {@code PLAYER_SONAR_CODE}. */
     public PlayerDevice requestInterface(int type, int index, int access) {
         return switch (type) {
             case PLAYER_POSITION2D_CODE -> requestInterfacePosition2D(index, access);
@@ -58,7 +63,7 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
             case PLAYER_LASER_CODE -> requestInterfaceLaser(index, access);
             case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
             case PLAYER_SIMULATION_CODE -> requestInterfaceSimulation(index, access);
-            default -> throw notOffered(Interfaces.name(type) + ":" + index);
+            default -> throw notSupported(Interfaces.name(type) + ":" + index);
         };
     }
 
@@ -67,39 +72,39 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
         return deviceGranted.getAndSet(false);
     }
 
-    // ---- for this client
+    // ---- called by this client
 
     private <D extends PlayerDevice> D request(D device, Interfaces type, int index, int access) {
         if (access != PLAYER_OPEN_MODE && access != PLAYER_CLOSE_MODE) {
             throw new PlayerException("access mode of " + type.playerName() + ":" + index + " is " + access
                     + ", expected PLAYER_OPEN_MODE (1) or PLAYER_CLOSE_MODE (2)");
         }
-        var line = connection();
-        DeviceAddress address = calling(line::devices).stream()
+        var connection = connection();
+        DeviceAddress address = compute(connection::devices).stream()
                 .filter(each -> each.interfaceCode() == type.code() && each.index() == index)
                 .findFirst()
                 .orElseThrow(() -> new PlayerException("[PlayerClient] Requested device " + type.playerName() + ":"
                         + index + " is not in the device list. It has: " + listed()));
         device.bind(address, (byte) access, "");
         if (access == PLAYER_OPEN_MODE) {
-            subscriptions.add(device); // before its first data can come
+            subscriptions.add(device); // before its first data can arrive
             try {
-                tell(() -> line.subscribe(address));
+                execute(() -> connection.subscribe(address));
             } catch (PlayerException refused) {
                 subscriptions.remove(device);
                 throw refused;
             }
         } else {
-            tell(() -> line.unsubscribe(address));
+            execute(() -> connection.unsubscribe(address));
             subscriptions.removeAll(address);
         }
-        device.setDeviceDriverName(calling(() -> line.driverName(address)));
+        device.setDeviceDriverName(compute(() -> connection.driverName(address)));
         deviceGranted.set(true);
         return device;
     }
 
     @Override
-    PlayerException notOffered(String device) {
+    PlayerException notSupported(String device) {
         String offered =
                 Arrays.stream(Interfaces.values()).map(Interfaces::playerName).collect(Collectors.joining(", "));
         return new PlayerException("[PlayerClient] Requested device " + device
@@ -107,23 +112,77 @@ abstract class OfferedInterfaces extends UnofferedInterfaces {
     }
 
     private String listed() {
-        return calling(connection()::devices).stream()
+        return compute(connection()::devices).stream()
                 .map(each -> Interfaces.name(each.interfaceCode()) + ":" + each.index())
                 .collect(Collectors.joining(", "));
     }
 
-    static void tell(Runnable call) {
-        calling(() -> {
+    /** Runs a call of the connection; its exceptions become {@link PlayerException}. */
+    static void execute(Runnable call) {
+        compute(() -> {
             call.run();
             return true;
         });
     }
 
-    static <T> T calling(Supplier<T> call) {
+    /** The result of a call of the connection; its exceptions become {@link PlayerException}. */
+    static <T> T compute(Supplier<T> call) {
         try {
             return call.get();
-        } catch (LineClosedException | RequestFailedException | IllegalArgumentException refused) {
+        } catch (ConnectionClosedException | RequestFailedException | IllegalArgumentException refused) {
             throw new PlayerException(refused.getMessage(), refused);
+        }
+    }
+
+    /**
+     * The subscribed devices of a client by address; one client may subscribe to the devices of a thousand robots.
+     *
+     * <p><b>Threads.</b> Any thread; messages are dispatched under the lock of {@link ClientInbox}.
+     */
+    static final class Subscriptions {
+        private final Map<DeviceAddress, List<PlayerDevice>> devices = new ConcurrentHashMap<>();
+
+        void add(PlayerDevice device) {
+            at(device.address()).add(device);
+        }
+
+        void remove(PlayerDevice device) {
+            at(device.address()).remove(device);
+        }
+
+        void removeAll(DeviceAddress address) {
+            at(address).clear();
+        }
+
+        /** Binds a device to another address. */
+        void move(PlayerDevice device, DeviceAddress from, DeviceAddress to) {
+            if (at(from).remove(device)) {
+                at(to).add(device);
+            }
+        }
+
+        private List<PlayerDevice> at(DeviceAddress address) {
+            return devices.computeIfAbsent(address, none -> new CopyOnWriteArrayList<>());
+        }
+
+        boolean everythingSeen() {
+            for (var same : devices.values()) {
+                for (var device : same) {
+                    if (device.latest().isNew()) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        }
+
+        void dispatch(DeviceDataMessage message) {
+            List<PlayerDevice> same = devices.get(message.from());
+            if (same != null) {
+                for (var device : same) {
+                    device.receive(message);
+                }
+            }
         }
     }
 }
