@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps the registry, and sees to it that everybody who needs something gets it. */
+/** The broker's actor: keeps the registry, and assigns a provider to each need. */
 final class BrokerActor extends Actor implements Registry {
     private final Roster roster = new Roster();
     private final Events events;
@@ -50,9 +50,10 @@ final class BrokerActor extends Actor implements Registry {
     }
 
     /**
-     * Stops one that has lost its place.
+     * Stops a provider that was withdrawn or replaced.
      *
-     * @param tellUsers it is stopped when they have been notified, or before that if a successor is to be started
+     * @param tellUsers notifies its clients; the provider is stopped after that, or earlier if a successor has to be
+     *     started
      */
     private Promise<@Nullable Void> leave(Registration it, Supplier<Promise<?>> tellUsers) {
         var leaving = new Deferred<@Nullable Void>();
@@ -61,7 +62,7 @@ final class BrokerActor extends Actor implements Registry {
         it.gone = stopped.handle((nothing, error) -> {
             roster.forget(it);
             return null;
-        }); // before its users look for another provider, which may be a successor
+        }); // set before its clients look for another provider, which may be a successor
         it.cancelTimers();
         lifecycle.rejectWaitingStart(it);
         tellUsers.get().handle((notified, error) -> leaving.resolve(null));
@@ -88,7 +89,8 @@ final class BrokerActor extends Actor implements Registry {
                                 + Reasons.of(error),
                         error));
             } else {
-                takeOver(before, by).handle((stopped, stays) -> done.resolve(by.toRecord())); // observers hear of stays
+                // a failed stop of the old provider is reported to the observer
+                takeOver(before, by).handle((stopped, stays) -> done.resolve(by.toRecord()));
             }
             return null;
         });
@@ -135,7 +137,7 @@ final class BrokerActor extends Actor implements Registry {
         return Promise.done();
     }
 
-    // ---- whom to use
+    // ---- choosing a provider
 
     private void choose(
             Need need, boolean evenFailed, Consumer<Registration> found, Consumer<MissingServiceException> none) {
@@ -168,7 +170,7 @@ final class BrokerActor extends Actor implements Registry {
                 tried.put(it, error);
             } else if (!it.isRunning()) {
                 tried.put(it, new ProviderException(it + " ended while it started", it.why));
-            } // else it is among the best now, unless it was withdrawn meanwhile
+            } // it is now one of the best, unless it was withdrawn meanwhile
             tryNext(need, evenFailed, tried, found, none);
             return null;
         });
@@ -184,7 +186,7 @@ final class BrokerActor extends Actor implements Registry {
         users.leave(it);
     }
 
-    // ---- the end
+    // ---- shutdown
 
     @Override
     public Promise<List<ServiceRecord>> shutDown() {
@@ -200,7 +202,7 @@ final class BrokerActor extends Actor implements Registry {
         return shutDown;
     }
 
-    /** Stops the last of these, then those before. */
+    /** Stops the providers of the list one by one, the last first. */
     private void stopLast(List<Registration> rest, Deferred<List<ServiceRecord>> done) {
         if (rest.isEmpty()) {
             done.resolve(lifecycle.begun().stream().map(Registration::toRecord).toList());

@@ -10,28 +10,31 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
-/** The actor behind a connection. */
+/** The actor of a connection: queues calls and sends them to the current provider. */
 interface Caller {
     void tell(Call call);
 
     Promise<@Nullable Object> ask(Call call);
 
-    /** The caller does not wait for the answer to that call any more. */
+    /** The caller no longer waits for the answer to that call. */
     Promise<@Nullable Void> giveUp(Call call);
 
     /**
-     * Takes a callback that the next call passes on: as an argument of this message it has got its way back to its
-     * reader.
+     * Takes over a callback that the next call passes on. As an argument of this message, the callback is bound to the
+     * caller's space.
      */
     void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into);
 
-    /** Stands for a callback among the arguments of a call, until the caller's actor has taken it. */
+    /**
+     * Placeholder for a callback among the arguments of a call, until the connection's actor has taken over the
+     * callback.
+     */
     final class Adopted {
         @Nullable
-        Callback<@Nullable Object> callback; // set and read on the connection's space only
+        Callback<@Nullable Object> callback; // accessed on the connection's space only
     }
 
-    /** A method, and its arguments with {@link Adopted} in the place of callbacks. Equal to nothing but itself. */
+    /** A method and its arguments, with {@link Adopted} in place of callbacks. Compared by identity. */
     final class Call {
         final Method method;
         private final List<@Nullable Object> arguments;
@@ -54,7 +57,7 @@ interface Caller {
             return answer == null;
         }
 
-        /** Whether it was cancelled, or nobody waits for its answer any more. */
+        /** Returns whether the call was cancelled, or its answer has no listener any more. */
         boolean wasGivenUp() {
             return answer != null && answer.isAbandoned();
         }
@@ -66,8 +69,8 @@ interface Caller {
     }
 
     /**
-     * What a caller is given at once: settled as the connection answers. When the caller cancels it, or sets it a time
-     * limit that passes while nobody else waits, the connection learns of that.
+     * The promise that a caller gets at once; settled by the connection's answer. If the caller cancels it, or if its
+     * time limit passes and it has no other listener, the connection is notified.
      */
     final class Answer extends Promise<@Nullable Object> {
         private final ActorSpace home;
@@ -82,7 +85,7 @@ interface Caller {
             this.madeOutside = ActorSpace.current() != home;
         }
 
-        /** Asks the connection. */
+        /** Sends the request to the connection. */
         static Promise<@Nullable Object> ask(
                 Caller caller, ActorSpace home, Method method, List<@Nullable Object> arguments) {
             var answer = new Answer(home, method);

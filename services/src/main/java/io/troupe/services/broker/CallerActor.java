@@ -15,21 +15,23 @@ import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
-/** Sends calls to whoever provides the service now, and keeps those that wait and those that have no answer yet. */
+/**
+ * Sends calls to the current provider. Keeps the calls that are queued for a provider, and those without an answer yet.
+ */
 final class CallerActor extends Actor implements Caller, Broker.Connection {
     private final ActorServices services;
     private final Class<?> type;
     private final Need need;
     private final ConnectionSettings settings;
     private final Deferred<ServiceRecord> first;
-    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order in which they came
+    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
     private final Map<Call, PendingCall> underWay = new LinkedHashMap<>();
     private ActorProvider.@Nullable Running current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
     private @Nullable Events events;
-    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches =
-            new HashMap<>(); // of those that have not ended
+    // of instances that have not ended
+    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches = new HashMap<>();
 
     CallerActor(
             ActorServices services,
@@ -56,7 +58,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         });
     }
 
-    // ---- whom to call
+    // ---- the current provider
 
     @Override
     public void use(ServiceRecord provider) {
@@ -164,7 +166,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         }
     }
 
-    /** It may have ended a moment ago, which this actor has not heard yet. */
+    /** Returns whether the provider can be called. Its end may already be known before this actor is notified. */
     private boolean canSend() {
         return current != null && !current.hasEnded();
     }
@@ -208,7 +210,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
         if (underWay.remove(call.call) == null) {
-            if (!(error instanceof ActorStoppedException) && !call.wasGivenUp()) { // which are no answers
+            if (!(error instanceof ActorStoppedException) && !call.wasGivenUp()) { // neither is an answer
                 events().tell(new BrokerEvent.Late(call.receiver(), call.toString(), error));
             }
         } else if (error == null) {
@@ -240,7 +242,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         }
     }
 
-    /** Nobody has got it. */
+    /** Rejects a call that was not sent to any provider. */
     private void refuse(PendingCall call, Throwable why) {
         if (!call.reject(why)) {
             events().tell(new BrokerEvent.Undelivered(need, call.toString(), why));

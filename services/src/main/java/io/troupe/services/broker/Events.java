@@ -2,12 +2,12 @@ package io.troupe.services.broker;
 
 import io.troupe.actor.ActorSpace;
 
-/** Tells the observer, whose failures are none of the broker's. */
+/** Notifies the observer; its exceptions never reach the broker. */
 final class Events {
     private final BrokerObserver observer;
     private final ActorSpace space;
 
-    /** @param space where it is reported what the observer throws */
+    /** @param space reports the observer's exceptions */
     Events(BrokerObserver observer, ActorSpace space) {
         this.observer = observer;
         this.space = space;

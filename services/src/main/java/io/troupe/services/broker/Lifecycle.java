@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/** Starts, watches and stops providers. On the broker's space. */
+/** Starts, checks and stops providers. Runs on the broker's space. */
 final class Lifecycle {
     private final BrokerSettings settings;
     private final Limits limits;
@@ -36,7 +36,7 @@ final class Lifecycle {
         this.onFailed = onFailed;
     }
 
-    /** Starts it, unless it runs; those who call while it starts wait for the same start. */
+    /** Starts a provider unless it runs; calls during a start share that start. */
     Promise<@Nullable Void> start(Registration it) {
         if (it.isRunning()) {
             return Promise.done();
@@ -79,7 +79,7 @@ final class Lifecycle {
         }
     }
 
-    /** It has lost its place: a start that waits for a stop is not begun any more. */
+    /** The provider was withdrawn or replaced: a start that still waits for a stop is rejected. */
     void rejectWaitingStart(Registration it) {
         Deferred<@Nullable Void> waiting = it.starting;
         if (waiting != null && it.health != Health.STARTING) {
@@ -117,7 +117,7 @@ final class Lifecycle {
     private void started(Registration it, int run, Deferred<@Nullable Void> done) {
         it.health = Health.WELL;
         it.why = null;
-        it.startedLate = false; // one life: the stop of this run is that of the other, too
+        it.startedLate = false; // both starts led to one running provider: stopping this run stops it
         it.missedChecks = 0;
         events.tell(new BrokerEvent.Started(it.toRecord()));
         endOf(it).handle((ended, error) -> {
@@ -128,8 +128,8 @@ final class Lifecycle {
             return null;
         });
         checkLater(it);
-        if (it.restartPause
-                != null) { // one good check is not enough, else what fails again and again is restarted as often
+        // reset only after a long run: after one good check, a provider that keeps failing would be restarted at once
+        if (it.restartPause != null) {
             it.restartPauseEnd = limits.after(settings.longestRestartPause(), () -> it.restartPause = null);
         }
         done.resolve(null);
@@ -139,7 +139,7 @@ final class Lifecycle {
     private static Promise<?> endOf(Registration it) {
         try {
             return it.provider.whenEnded();
-        } catch (RuntimeException | Error thrown) { // a provider's code
+        } catch (RuntimeException | Error thrown) { // exception from a provider
             return Promise.failed(thrown);
         }
     }
@@ -157,8 +157,8 @@ final class Lifecycle {
     }
 
     /**
-     * A start of an earlier run has been answered when its limit was over. It is stopped, unless a later run goes on by
-     * now: then both are one life. While it is being started or stopped, what is to be done follows when that is over.
+     * A start completed after its time limit. The provider is stopped, unless a later start succeeded meanwhile: then
+     * both count as one run. During a start or stop in progress, this is only recorded and handled afterwards.
      */
     private void startedLate(Registration it, @Nullable Throwable error) {
         events.tell(new BrokerEvent.Late(it.toString(), "start", error));
@@ -226,7 +226,7 @@ final class Lifecycle {
         onFailed.accept(it);
     }
 
-    /** Tells what has failed to stop, in case it lives; nobody waits for that but its own next start. */
+    /** Stops a failed provider, because it may still run. Only its next start waits for this stop. */
     private void giveUp(Registration it) {
         if (it.stopping == null) {
             var done = new Deferred<@Nullable Void>();
@@ -244,7 +244,8 @@ final class Lifecycle {
     }
 
     /**
-     * Asks it to stop, and once more if a late start was answered meanwhile: it may have begun to run after the stop.
+     * Calls stop, and once more if a late start completed meanwhile: the provider may have started after the first
+     * stop.
      */
     private void stopAll(Registration it, Consumer<@Nullable Throwable> over) {
         it.startedLate = false;
@@ -258,7 +259,7 @@ final class Lifecycle {
         });
     }
 
-    /** Stops it, if it may run: after the start, or the stop, that is under way. */
+    /** Stops a provider if it may run; waits for a start or stop in progress first. */
     Promise<@Nullable Void> stop(Registration it) {
         it.cancelTimers();
         Promise<@Nullable Void> underWay = it.starting != null ? it.starting : it.stopping;
@@ -270,7 +271,7 @@ final class Lifecycle {
             return Promise.done();
         }
         it.run++;
-        it.health = Health.STOPPED; // from now on nobody is sent to it
+        it.health = Health.STOPPED; // from now on it is not chosen any more
         var done = new Deferred<@Nullable Void>();
         it.stopping = done;
         stopAll(it, error -> {
@@ -316,7 +317,7 @@ final class Lifecycle {
         return closing;
     }
 
-    /** Those that may run, in the order of their starts. */
+    /** Providers that may run, in the order of their starts. */
     List<Registration> begun() {
         return List.copyOf(begun);
     }

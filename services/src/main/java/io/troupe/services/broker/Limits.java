@@ -9,9 +9,9 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Asks providers, and does not wait for ever. On the broker's space. */
+/** Calls providers with a time limit. Runs on the broker's space. */
 final class Limits {
-    /** The broker's timers. */
+    /** The timers of the broker's actor. */
     interface Timers {
         Timer after(Duration delay, Runnable task);
     }
@@ -27,10 +27,11 @@ final class Limits {
     }
 
     /**
-     * Asks.
+     * Calls a provider.
      *
-     * @param late hears of an answer, or an error, that came after the limit
-     * @return settled as the answer is; rejected with an overdue {@link ProviderException} when the limit is over first
+     * @param late receives an answer (null) or an error that came after the limit
+     * @return settled like the provider's answer; rejected with an overdue {@link ProviderException} if the limit is
+     *     over first
      */
     Promise<@Nullable Void> ask(
             Supplier<? extends @Nullable Promise<?>> question,
@@ -54,7 +55,7 @@ final class Limits {
     private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> question) {
         try {
             return Objects.requireNonNull(question.get(), "it answered null, expected a promise");
-        } catch (Throwable thrown) { // a provider's code, whose failure is its answer
+        } catch (Throwable thrown) { // an exception from a provider counts as its answer
             return Promise.failed(thrown);
         }
     }

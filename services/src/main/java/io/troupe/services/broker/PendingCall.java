@@ -5,10 +5,10 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
 import org.jspecify.annotations.Nullable;
 
-/** A call on its way. On the connection's space. */
+/** A call that is queued or waits for its answer. Used on the connection's space. */
 final class PendingCall {
     final Caller.Call call;
-    private final @Nullable Deferred<@Nullable Object> answer; // null: nobody waits for one
+    private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
     ActorProvider.@Nullable Running sentTo;
 
     @Nullable
@@ -31,7 +31,7 @@ final class PendingCall {
         }
     }
 
-    /** False if nobody waits for an answer, so that somebody else has to be told. */
+    /** Rejects the call. Returns false for a one-way call, whose error has to be reported in another way. */
     boolean reject(Throwable error) {
         cancelLimit();
         if (answer == null) {
@@ -41,7 +41,7 @@ final class PendingCall {
         return true;
     }
 
-    /** A provider that has not begun it does not begin it any more. */
+    /** Cancels the call: a provider that has not begun it does not execute it. */
     void giveUp() {
         givenUp = true;
         cancelLimit();

@@ -6,7 +6,7 @@ import io.troupe.services.bus.Address;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** The broker as an actor; see {@link Broker}. */
+/** The broker's actor interface; see {@link Broker}. */
 interface Registry {
     Promise<ServiceRecord> register(Registration it);
 
@@ -20,7 +20,7 @@ interface Registry {
 
     Promise<ServiceRecord> require(Need need);
 
-    /** @param line leads to the user's space, and is cancelled when the user has stopped */
+    /** @param line runs the listener on the client's space; cancelled when the client's actor has stopped */
     Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Users.Told> line);
 
     Promise<@Nullable Void> disconnect(Broker.Connection connection);

@@ -15,7 +15,7 @@ import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Stands for a provider: hands every call to the connection's actor. On the caller's thread. */
+/** The proxy for a provider: sends every call to the connection's actor. Runs on the caller's thread. */
 final class Relay implements InvocationHandler {
     private final Class<?> type;
     private final Need need;
@@ -83,7 +83,7 @@ final class Relay implements InvocationHandler {
         return MethodHandles.privateLookupIn(owner, MethodHandles.lookup()).unreflectSpecial(method, owner);
     }
 
-    @SuppressWarnings("unchecked") // what it is sent is what its method declares
+    @SuppressWarnings("unchecked") // the method declares the type of its callback
     private List<@Nullable Object> adopted(Method method, @Nullable Object[] arguments) {
         List<@Nullable Object> all = new ArrayList<>(arguments.length);
         for (int i = 0; i < arguments.length; i++) {

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
-/** Starts again what has failed, while a connection waits for it, after pauses that grow. On the broker's space. */
+/** Restarts failed providers that a connection waits for, after increasing pauses. Runs on the broker's space. */
 final class Restarts {
     private final BrokerSettings settings;
     private final Limits limits;

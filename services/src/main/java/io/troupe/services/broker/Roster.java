@@ -17,13 +17,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Who is registered, in order. On the broker's space. */
+/** The registry: all providers in the order of registration. Used on the broker's space. */
 final class Roster {
-    private static final int MOST_LISTED = 20; // in a message
+    private static final int MOST_LISTED = 20; // in an error message
 
     private final List<Registration> all = new ArrayList<>();
-    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not yet stopped
-    private final Set<Address> reserved = new HashSet<>(); // by those that are being started in another's place
+    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
+    private final Set<Address> reserved =
+            new HashSet<>(); // addresses of providers that are being started to replace another one
 
     void add(Registration it) {
         checkFree(it.address, null);
@@ -48,7 +49,10 @@ final class Roster {
         reserved.remove(address);
     }
 
-    /** Puts one in another's place, or at the end if that is gone. The other may run until it is {@link #forget}ten. */
+    /**
+     * Puts a provider in the position of the old one, or at the end if that was removed. The old one may run until
+     * {@link #forget} is called.
+     */
     void put(Registration it, Registration old) {
         int place = all.indexOf(old);
         if (place >= 0) {
@@ -59,7 +63,7 @@ final class Roster {
         }
     }
 
-    /** It is withdrawn, and may run until it is {@link #forget}ten. */
+    /** Removes a withdrawn provider. It may run until {@link #forget} is called. */
     void remove(Registration it) {
         all.remove(it);
         leaving.add(it);
@@ -70,7 +74,8 @@ final class Roster {
     }
 
     /**
-     * Those that have lost their place and may still run, with its address or its provider: it is started after them.
+     * Withdrawn or replaced providers that may still run and have the same address or the same provider object. They
+     * must stop before the given one is started.
      */
     List<Registration> predecessors(Registration it) {
         return leaving.stream()
@@ -108,9 +113,9 @@ final class Roster {
     }
 
     /**
-     * What a need is told that nobody meets.
+     * The error for a need that no provider can meet.
      *
-     * @param tried why those that were tried do not run
+     * @param tried the providers that could not be started, with the reason
      */
     MissingServiceException missing(Need need, Map<Registration, Throwable> tried) {
         var text = new StringBuilder("\"" + need.by() + "\" needs " + what(need));
@@ -134,7 +139,7 @@ final class Roster {
         return missing;
     }
 
-    /** The first of them, and how many more there are. */
+    /** The first of them, and the number of others. */
     private static String listed(List<Registration> some, Function<Registration, String> words) {
         String first = some.stream().limit(MOST_LISTED).map(words).collect(Collectors.joining(", "));
         return some.size() <= MOST_LISTED ? first : first + " and " + (some.size() - MOST_LISTED) + " more";
@@ -145,7 +150,7 @@ final class Roster {
         return why == null ? words(it.health) : Reasons.of(why);
     }
 
-    /** What a need is told when nothing is started any more. */
+    /** The error for a need while the broker is shutting down. */
     static MissingServiceException closing(Need need) {
         return new MissingServiceException(
                 need,

@@ -12,14 +12,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * The broker of one process.
  *
- * <p><b>Role.</b> An actor on a space; its time is that space's. Providers may live anywhere; a broker only notices
- * that one hangs if it has a space, and so a thread, of its own.
+ * <p><b>Role.</b> An actor on a space; uses the clock of that space. Providers may run anywhere. The broker detects a
+ * provider that hangs only if it runs on a separate space, and so on another thread.
  *
- * <p><b>Order.</b> What one thread asks of it is done in that order; what takes time, such as a start, is not waited
- * for by the next.
+ * <p><b>Order.</b> Calls from one thread are executed in their order. A call does not wait until an earlier one that
+ * takes time, such as a start, is complete.
  *
- * <p><b>Errors.</b> Everything that goes wrong is told to the observer of the settings, whoever else hears of it. When
- * the space is closed before the broker, its observer hears what may still run.
+ * <p><b>Errors.</b> All failures are reported to the observer of the settings, in addition to rejected promises. If the
+ * space is closed before the broker, the observer gets an event for each provider that may still run.
  */
 public final class ServiceBroker implements Broker {
     private final Registry registry;
@@ -28,7 +28,7 @@ public final class ServiceBroker implements Broker {
         this.registry = registry;
     }
 
-    /** A broker on that space, with nothing registered. */
+    /** Opens a broker on that space, with an empty registry. */
     public static ServiceBroker open(ActorSpace space, BrokerSettings settings) {
         Objects.requireNonNull(settings, "settings");
         return new ServiceBroker(
@@ -73,7 +73,10 @@ public final class ServiceBroker implements Broker {
         return registry.connect(need, connection, lineTo(connection));
     }
 
-    /** Says when the listener has heard: only then may a provider that it used before be stopped. */
+    /**
+     * Calls the listener and confirms this to the broker: only then may the provider that the client used before be
+     * stopped.
+     */
     private static Callback<Users.Told> lineTo(Connection connection) {
         return (told, error) -> {
             if (told == null) {
@@ -107,6 +110,6 @@ public final class ServiceBroker implements Broker {
 
     @Override
     public void close() {
-        shutDown().handle((left, error) -> null); // the observer hears of what did not stop
+        shutDown().handle((left, error) -> null); // the observer is notified of providers that did not stop
     }
 }

@@ -6,7 +6,7 @@ import io.troupe.services.bus.Address;
 import java.util.concurrent.ConcurrentMap;
 import org.jspecify.annotations.Nullable;
 
-/** An actor that somebody else has spawned, and will stop. */
+/** A provider for an existing actor: the code that spawned the actor also stops it. */
 final class SpawnedProvider implements Provider {
     private final ActorSpace space;
     private final ActorProvider.Running life;

@@ -12,12 +12,12 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
-/** Those who stay connected. On the broker's space. */
+/** The connected clients. Used on the broker's space. */
 final class Users {
-    /** What a user is told; {@code heard} is settled on the user's side when it has been. */
+    /** A notification of a client; {@code heard} is settled on the client's side when the listener has returned. */
     record Told(@Nullable ServiceRecord use, @Nullable MissingServiceException lost, Deferred<@Nullable Void> heard) {}
 
-    /** Finds a provider that runs, and answers at once when it knows. */
+    /** Chooses a running provider; calls back at once if it is known. */
     interface Chooser {
         void choose(
                 Need need, boolean evenFailed, Consumer<Registration> found, Consumer<MissingServiceException> none);
@@ -64,7 +64,7 @@ final class Users {
     }
 
     Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Told> line) {
-        if (users.size() >= mostBeforeSweep) { // so that those that nothing happens to do not gather
+        if (users.size() >= mostBeforeSweep) { // removes clients that have stopped and get no other events
             present(user -> true);
             mostBeforeSweep = Math.max(64, 2 * users.size());
         }
@@ -85,24 +85,24 @@ final class Users {
         });
     }
 
-    /** Whether a user waits for what this one could give. */
+    /** Returns whether a client without a provider waits for one that this registration could be. */
     boolean waitFor(Registration it) {
         return users.stream().anyMatch(user -> user.waits() && it.meets(user.need) && !user.line.isCancelled());
     }
 
-    /** Something may be there now for those who have nothing. */
+    /** Looks for a provider again for clients without one, after a provider has become available. */
     void retry(Predicate<Need> met) {
         present(user -> user.waits() && met.test(user.need)).forEach(user -> find(user, false));
     }
 
-    /** Those of some users whose actors still run, in the order of their connecting; the others are forgotten. */
+    /** Clients that match and whose actors still run, in the order of their connection; stopped ones are removed. */
     private List<User> present(Predicate<User> some) {
         List<User> found = new ArrayList<>(users.stream().filter(some).toList());
         found.removeIf(this::isGone);
         return found;
     }
 
-    /** Whether it has disconnected, or its actor has stopped, which ends its connection. */
+    /** Returns whether the client has disconnected, or its actor has stopped, which ends its connection. */
     private boolean isGone(User user) {
         if (users.contains(user) && user.line.isCancelled()) {
             users.remove(user);
@@ -112,9 +112,9 @@ final class Users {
     }
 
     /**
-     * Its users get another provider, or hear that there is none.
+     * Moves the clients of a provider to another one, or notifies them that there is none.
      *
-     * @return fulfilled when they have heard, or do not listen
+     * @return fulfilled when all of them have been notified or have timed out
      */
     Promise<?> leave(Registration it) {
         var told = new ArrayList<Promise<@Nullable Void>>();
@@ -125,7 +125,7 @@ final class Users {
         return Promise.allSettled(told);
     }
 
-    /** Its users get this other one, if they can use it. */
+    /** Moves the clients of one provider to another one if it meets their need. */
     Promise<?> move(Registration from, Registration to) {
         var told = new ArrayList<Promise<@Nullable Void>>();
         for (User user : present(each -> each.current == from)) {
@@ -193,9 +193,9 @@ final class Users {
     }
 
     /**
-     * The broker is being closed.
+     * Notifies all clients that the broker is shutting down.
      *
-     * @return fulfilled when all have heard that there is nothing any more, or do not listen
+     * @return fulfilled when all of them have been notified or have timed out
      */
     Promise<?> endAll() {
         var told = new ArrayList<Promise<@Nullable Void>>();

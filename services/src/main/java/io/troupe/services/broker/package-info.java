@@ -1,4 +1,4 @@
-/** The registry of services: who offers what, who is well, who is started when somebody needs it. */
+/** The service registry: providers of services, their health, their start on demand, and failover. */
 @NullMarked
 package io.troupe.services.broker;
 

@@ -7,9 +7,9 @@ import java.util.Map;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/** One operation that a port answers. */
+/** The request handler that a port registered for one operation, with the queue of its requests. */
 final class Answering<Q extends Record, A extends Record> extends Inlet {
-    /** Which question: enough to tell it from all others. */
+    /** Identifies a request: its sender and its sequence number. */
     private record Asked(Address by, long number) {
         static Asked of(Message question) {
             return new Asked(question.from(), question.sequence());
@@ -18,8 +18,8 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
 
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> answerer;
-    private final Map<Asked, Message> begun =
-            new LinkedHashMap<>(); // guarded by itself: not yet answered, at most capacity
+    // guarded by itself: requests without a reply yet, at most capacity
+    private final Map<Asked, Message> begun = new LinkedHashMap<>();
 
     Answering(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         super(port, port.address() + " answers " + operation.name());
@@ -48,11 +48,14 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
             settle(question, null, thrown);
             return;
         }
-        answer.toCompletableFuture() // which tells at once, on any thread, even if the actor has stopped meanwhile
+        answer.toCompletableFuture() // notifies at once, on any thread, even if the actor has stopped
                 .whenComplete((value, error) -> settle(question, value, error));
     }
 
-    /** False if there are too many already. One whose asker has given up is answered, and not remembered. */
+    /**
+     * Records a request as begun. Returns false if the limit is reached. A request whose requester has cancelled is
+     * handled, but not recorded.
+     */
     private boolean begin(Message question) {
         Message evicted = null;
         synchronized (begun) {
@@ -68,13 +71,16 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
         if (evicted != null) {
             refuseBusy(evicted, "are being answered");
         }
-        if (!node.isAwaited(question)) { // looked at afterwards, so that either this or the asker's end sees the other
+        // checked after recording: either this thread or the cancelling one sees the other's change
+        if (!node.isAwaited(question)) {
             forget(question);
         }
         return true;
     }
 
-    /** Its asker may have given up long ago, which is not known here. */
+    /**
+     * The oldest begun request from another node. Its requester may have cancelled, which is not known on this node.
+     */
     private @Nullable Message oldestOfAnotherNode() {
         return begun.values().stream().filter(node::isFromAnother).findFirst().orElse(null);
     }
@@ -95,7 +101,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
         }
     }
 
-    /** Its asker does not wait for the answer any more. */
+    /** The requester has cancelled: its reply is no longer awaited. */
     void forget(Message question) {
         synchronized (begun) {
             begun.remove(Asked.of(question));
@@ -131,7 +137,7 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
         try {
             String message = error.getMessage();
             return message == null ? "(no message)" : message;
-        } catch (RuntimeException | Error broken) { // an answerer's own exception class
+        } catch (RuntimeException | Error broken) { // an exception class of the request handler
             return "(its message could not be read: " + broken.getClass().getName() + ")";
         }
     }

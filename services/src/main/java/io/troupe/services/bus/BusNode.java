@@ -8,7 +8,10 @@ import java.time.Duration;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** One process on a bus. What a kind of bus has of its own is the {@link Transport} to the other nodes. */
+/**
+ * The bus as one process sees it: routes messages between its ports and, over the {@link Transport}, to other nodes. A
+ * kind of bus differs from others only in its transport.
+ */
 final class BusNode implements Bus {
     final BusSettings settings;
     final Counters counters = new Counters();
@@ -22,7 +25,7 @@ final class BusNode implements Bus {
     private final AtomicBoolean closed = new AtomicBoolean();
 
     BusNode(String name, BusSettings settings, Transport transport) {
-        this.name = new Address(name, "bus").node(); // which checks it
+        this.name = new Address(name, "bus").node(); // validates the name
         this.settings = settings;
         this.telling = new Telling(settings.observer(), counters);
         this.transport = transport;
@@ -57,7 +60,7 @@ final class BusNode implements Bus {
         return counters.now();
     }
 
-    // ---- for the ports
+    // ---- called by ports
 
     void use(Topic<?> topic) {
         directory.use(topic);
@@ -97,12 +100,12 @@ final class BusNode implements Bus {
         return numbers.incrementAndGet();
     }
 
-    /** The value as it would be on the other side: sharing nothing that can be changed. */
+    /** A copy of the value that shares no mutable object with it, as if it had been sent to another process. */
     Record detached(Record value) {
         return detacher.detached(value);
     }
 
-    /** Its asker has given up. An answerer of another node does not learn of that. */
+    /** The requester has cancelled. Only a request handler on this node is notified of that. */
     void forgetQuestion(Message message) {
         if (message.purpose() instanceof Purpose.Question question
                 && question.to().node().equals(name)) {
@@ -114,19 +117,22 @@ final class BusNode implements Bus {
         }
     }
 
-    /** Whether its asker waits for the answer, as far as is known here: of an asker on another node it is not. */
+    /**
+     * Returns whether the requester still waits for the reply. True for every requester on another node, because its
+     * state is not known here.
+     */
     boolean isAwaited(Message question) {
         return isFromAnother(question) || questions.isAwaited(question);
     }
 
-    /** Whether it was sent by another node. */
+    /** Returns whether the message was sent by another node. */
     boolean isFromAnother(Message message) {
         return !message.from().node().equals(name);
     }
 
     // ---- messages
 
-    /** Sends a message from here on its way. */
+    /** Sends a message that originates from this node. */
     void route(Message message) {
         telling.passed(message);
         switch (message.purpose()) {
@@ -156,8 +162,8 @@ final class BusNode implements Bus {
 
     private void cannotSend(Message message, String why) {
         telling.undeliverable(message, why);
-        questions.refuse(message.sequence(), why); // if it is one
-        if (message.purpose() instanceof Purpose.Answer answer) { // a refusal is small, and may get through
+        questions.refuse(message.sequence(), why); // does nothing if the message is no request
+        if (message.purpose() instanceof Purpose.Answer answer) { // a refusal is small and may be sent successfully
             var purpose = new Purpose.Refusal(answer.to(), answer.operation(), answer.question());
             route(Message.of(
                     message.kind(),
@@ -176,7 +182,7 @@ final class BusNode implements Bus {
         }
     }
 
-    /** A message has come from another node. */
+    /** Called by the transport: a message from another node has arrived. */
     void receive(Message message) {
         telling.passed(message);
         deliver(message);
@@ -194,7 +200,7 @@ final class BusNode implements Bus {
     private void deliverToAll(Message message, String topic) {
         for (Hearing<?> hearing : directory.hearings(topic)) {
             if (hearing.topic.type().isInstance(message.payload())) {
-                hearing.offer(message); // one that has just ended does not subscribe now
+                hearing.offer(message); // a subscription that has just ended ignores it
             } else {
                 telling.undeliverable(
                         message,
@@ -233,7 +239,7 @@ final class BusNode implements Bus {
         }
     }
 
-    /** Tells an asker that nobody answers. */
+    /** Rejects a request that is not delivered to a handler. */
     void refuse(Address answerer, Message question, String why) {
         telling.undeliverable(question, why);
         route(refusal(answerer, question, new Failure.NotDelivered(why)));

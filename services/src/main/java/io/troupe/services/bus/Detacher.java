@@ -18,24 +18,28 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes out of a value what its sender could still change: its lists and maps. Refuses what cannot leave a process
- * although its type can: null in a list or a map, and what is nested too deep.
+ * Copies a record so that its sender can no longer change it: lists and maps are replaced by immutable copies. Rejects
+ * values that cannot leave the process although their type can: null in a list or a map, or too many levels of nesting.
  *
- * <p><b>Cost.</b> Nothing for a record that has no lists, maps or records of its own type, at any depth; else
- * reflection on those that have.
+ * <p><b>Cost.</b> None for a record type that contains, at any depth, no list, no map and no nested record of the same
+ * type. Otherwise reflection on the records that contain them.
  */
 final class Detacher {
-    /** How a record is taken apart and put together; null for one that needs neither. */
+    /** Accessors and constructor of a record type that has to be copied. */
     private record Plan(List<Method> accessors, Constructor<?> constructor) {}
 
     private final Map<Class<?>, Optional<Plan>> plans = new ConcurrentHashMap<>();
 
-    /** @throws IllegalArgumentException if it cannot leave the process; the text names its type and says why */
+    /**
+     * Returns the value itself if it needs no copy.
+     *
+     * @throws IllegalArgumentException if it cannot leave the process; the message names its type and the reason
+     */
     <T extends Record> T detached(T value) {
         if (planOf(value.getClass()) == null) {
             return value;
         }
-        @SuppressWarnings("unchecked") // made by the value's own constructor
+        @SuppressWarnings("unchecked") // the constructor of the value's class made it
         T copy = (T) new Walk(value.getClass()).copyOfRecord(value, 1);
         return copy;
     }
@@ -49,7 +53,7 @@ final class Detacher {
         return known.orElse(null);
     }
 
-    /** Through one value. */
+    /** The copying of one value. */
     private final class Walk {
         private final Class<?> root;
 
@@ -57,7 +61,7 @@ final class Detacher {
             this.root = root;
         }
 
-        /** @param level how many values it is inside of, itself included */
+        /** @param level the nesting depth of the value; the root has level 1 */
         Object copyOfRecord(Record value, int level) {
             Plan plan = planOf(value.getClass());
             if (plan == null) {
@@ -101,7 +105,7 @@ final class Detacher {
             return optional.map(value -> copyOf(value, level + 1));
         }
 
-        /** An immutable list of the platform is its own copy, if its elements are. */
+        /** An immutable list of the JDK is returned as it is if its elements need no copy. */
         private List<?> copyOfList(List<?> list, int level) {
             var copy = new ArrayList<Object>(list.size());
             boolean changed = false;
@@ -117,7 +121,7 @@ final class Detacher {
         }
 
         private Map<?, ?> copyOfMap(Map<?, ?> map, int level) {
-            var copy = new LinkedHashMap<Object, Object>(); // keeps the order
+            var copy = new LinkedHashMap<Object, Object>(); // keeps the iteration order
             for (Map.Entry<?, ?> entry : map.entrySet()) {
                 Object key = entry.getKey();
                 Object value = entry.getValue();
@@ -140,7 +144,11 @@ final class Detacher {
         }
     }
 
-    /** @param inside the types that this one is a part of */
+    /**
+     * Returns whether values of the type may need a copy.
+     *
+     * @param inside the types that contain this one
+     */
     private static boolean mustBeWalked(Type type, Set<Type> inside) {
         if (type instanceof ParameterizedType) {
             return true; // List, Map or Optional: see Portable
@@ -149,7 +157,7 @@ final class Detacher {
             return false;
         }
         if (!inside.add(plain)) {
-            return true; // a value may be as deep as it likes
+            return true; // recursive type: a value may have any depth
         }
         boolean must = plain.isRecord()
                 ? Arrays.stream(plain.getRecordComponents())
@@ -176,7 +184,7 @@ final class Detacher {
     }
 
     private static Method opened(Method accessor) {
-        accessor.setAccessible(true); // a record's own class need not be public
+        accessor.setAccessible(true); // the class of the record need not be public
         return accessor;
     }
 }

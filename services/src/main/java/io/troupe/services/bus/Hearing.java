@@ -2,7 +2,7 @@ package io.troupe.services.bus;
 
 import java.util.List;
 
-/** One subscription. */
+/** A port's subscription to one topic, with the queue of its values. */
 final class Hearing<T extends Record> extends Inlet implements BusPort.Subscription {
     final Topic<T> topic;
     private final BusPort.Subscriber<? super T> subscriber;

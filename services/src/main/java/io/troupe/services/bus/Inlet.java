@@ -9,22 +9,23 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages that wait before one subscriber or one answerer, and their way to its space.
+ * The queue of messages to one subscriber or one request handler, and their delivery on its space.
  *
- * <p><b>Threads.</b> Any thread offers and ends; {@link #handle} runs on the space, on behalf of the actor, that made
- * the inlet. <b>Order.</b> First in, first out.
+ * <p><b>Threads.</b> Any thread calls {@link #offer} and {@link #end}; {@link #handle} runs on the space, and on behalf
+ * of the actor, that created the queue. <b>Order.</b> First in, first out.
  */
 abstract class Inlet {
-    private static final int BATCH = 8; // so few that a space's other callbacks, and its mails, have their turns
+    private static final int BATCH =
+            8; // small, so that other callbacks and messages of the space are not delayed for long
 
     final BusNode node;
     final Port port;
     private final int capacity;
     private final ActorSpace space;
-    private final io.troupe.actor.Topic<Inlet> door; // brings a signal to the space; tells when the actor is gone
+    private final io.troupe.actor.Topic<Inlet> door; // wakes the space; shows whether the actor still exists
     private final ArrayDeque<Message> waiting = new ArrayDeque<>(); // guarded by this
-    private boolean signalled; // guarded by this: the space is going to look
-    private volatile @Nullable String ended; // written under this: why
+    private boolean signalled; // guarded by this: a drain is scheduled on the space
+    private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
 
     Inlet(Port port, String name) {
@@ -36,7 +37,7 @@ abstract class Inlet {
         this.door = io.troupe.actor.Topic.of(space, name);
     }
 
-    /** Begins to hear; not in the constructor, because other threads learn of this inlet here. */
+    /** Starts delivery. Not in the constructor, because this publishes the queue to other threads. */
     final void open() {
         door.subscribe(new Signal());
         Promise<@Nullable Void> closed = space.whenClosed();
@@ -44,21 +45,24 @@ abstract class Inlet {
         closed.toCompletableFuture().thenRun(() -> end("space " + space + " was closed"));
     }
 
-    /** Deals with one message, on the space. */
+    /** Handles one message, on the space. */
     abstract void handle(Message message);
 
-    /** There are as many as may wait: says which of both goes, and deals with that one outside the lock. */
+    /**
+     * Overflow policy: true to drop the oldest message, false to reject the newest. {@link #overflow} handles that
+     * message, outside the lock.
+     */
     abstract boolean dropsOldest();
 
     abstract void overflow(Message message);
 
-    /** It has ended with these waiting; called once. */
+    /** Called once, with the messages still queued at the end. */
     abstract void leftOver(List<Message> rest, String why);
 
     /**
      * Queues a message.
      *
-     * @return null, or why it will not be heard here
+     * @return null, or the reason why this queue has ended
      */
     final @Nullable String offer(Message message) {
         Message tooMany = null;
@@ -77,10 +81,10 @@ abstract class Inlet {
             signal = !signalled;
             signalled = true;
         }
-        if (signal) { // first: what follows may throw
+        if (signal) { // before overflow(), which may throw
             signal();
         } else {
-            isOver(); // the actor may have stopped with the signal on its way, and would never look
+            isOver(); // the actor may have stopped before the scheduled drain, which then never runs
         }
         if (tooMany != null) {
             overflow(tooMany);
@@ -88,7 +92,7 @@ abstract class Inlet {
         return null;
     }
 
-    /** A message is in the queue; under the lock. */
+    /** Called under the lock when a message has been queued. */
     void accepted() {}
 
     private void signal() {
@@ -112,7 +116,7 @@ abstract class Inlet {
         signal();
     }
 
-    /** What it throws is reported by the space, and the others have their turn. */
+    /** If it throws, the space reports the exception, and the remaining messages are still delivered. */
     private void handleOne(Message next) {
         boolean returned = false;
         try {
@@ -125,7 +129,7 @@ abstract class Inlet {
         }
     }
 
-    /** Whether nothing will be heard here any more. */
+    /** Returns whether delivery has ended, also because the actor has stopped. */
     final boolean isOver() {
         if (ended == null && door.subscribers() == 0) {
             end("the actor that listened has stopped");
@@ -137,7 +141,7 @@ abstract class Inlet {
         return ended;
     }
 
-    /** Ends it; what waits is lost. */
+    /** Ends delivery; the messages still queued are passed to {@link #leftOver}. */
     final void end(String why) {
         List<Message> rest;
         synchronized (this) {

@@ -1,10 +1,10 @@
 package io.troupe.services.bus;
 
 /**
- * What crosses the bus: this, and nothing else.
+ * A message on the bus. Nothing else crosses it.
  *
- * <p><b>Role.</b> A bus between processes writes exactly these records; all in them are names, numbers and records of
- * values.
+ * <p><b>Role.</b> A bus between processes encodes exactly these records. They contain only names, numbers and records
+ * of values.
  *
  * <p><b>Source.</b> Paper, section 2.2.3: control messages manage services, data messages are their input and output.
  */
@@ -13,13 +13,13 @@ public sealed interface Message permits DataMessage, ControlMessage {
 
     Purpose purpose();
 
-    /** Counts the messages of one node, all ports together, upward from 1. */
+    /** The sequence number of the message: one counter per node for all its ports, starting at 1. */
     long sequence();
 
-    /** A value of the topic or the operation; a {@link Failure} in a refusal. */
+    /** A value of the topic's or operation's type; a {@link Failure} in a refusal. */
     Record payload();
 
-    /** A message of that kind. */
+    /** Creates a message of that kind. */
     static Message of(Operation.Kind kind, Address from, Purpose purpose, long sequence, Record payload) {
         return switch (kind) {
             case DATA -> new DataMessage(from, purpose, sequence, payload);
@@ -27,7 +27,7 @@ public sealed interface Message permits DataMessage, ControlMessage {
         };
     }
 
-    /** The kind of operation that it belongs to; publications are data. */
+    /** The kind of the operation; publications are data. */
     default Operation.Kind kind() {
         return switch (this) {
             case DataMessage data -> Operation.Kind.DATA;
@@ -35,9 +35,9 @@ public sealed interface Message permits DataMessage, ControlMessage {
         };
     }
 
-    /** What a message is for, and with that to whom it goes. */
+    /** The purpose of a message, which also determines its receivers. */
     sealed interface Purpose {
-        /** For all who subscribe to the topic. */
+        /** For all subscribers of the topic. */
         record Publication(String topic) implements Purpose {
             @Override
             public String toString() {
@@ -45,7 +45,7 @@ public sealed interface Message permits DataMessage, ControlMessage {
             }
         }
 
-        /** For one, who is to answer. */
+        /** A request to one address. */
         record Question(Address to, String operation) implements Purpose {
             @Override
             public String toString() {
@@ -54,9 +54,9 @@ public sealed interface Message permits DataMessage, ControlMessage {
         }
 
         /**
-         * For the one who asked.
+         * The reply to a request.
          *
-         * @param question the sequence number of the question
+         * @param question the sequence number of the request
          */
         record Answer(Address to, String operation, long question) implements Purpose {
             @Override
@@ -65,7 +65,7 @@ public sealed interface Message permits DataMessage, ControlMessage {
             }
         }
 
-        /** For the one who asked, in place of an answer. */
+        /** Rejects a request; sent in place of a reply. */
         record Refusal(Address to, String operation, long question) implements Purpose {
             @Override
             public String toString() {
@@ -74,12 +74,12 @@ public sealed interface Message permits DataMessage, ControlMessage {
         }
     }
 
-    /** Why there is no answer. */
+    /** The reason why a request has no reply. */
     sealed interface Failure {
-        /** The bus could not bring the question to somebody who answers. */
+        /** The bus could not deliver the request to a request handler. */
         record NotDelivered(String why) implements Failure {}
 
-        /** The answerer failed: the class name and the message of its error. */
+        /** The request handler failed with an error of this class name and message. */
         record Failed(String type, String message) implements Failure {}
     }
 }

@@ -9,7 +9,7 @@ import java.util.concurrent.atomic.LongAdder;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/** A question that waits for its answer. */
+/** A request that waits for its reply. */
 final class Pending<A extends Record> {
     final Port asker;
     private final Address to;
@@ -35,7 +35,10 @@ final class Pending<A extends Record> {
         return question;
     }
 
-    /** Whether a reply can belong to this question: it comes from whoever was asked, and names the operation. */
+    /**
+     * Returns whether a reply belongs to this request: it comes from the address that was asked, and names the same
+     * operation.
+     */
     boolean isOf(Message reply) {
         String replied = switch (reply.purpose()) {
             case Message.Purpose.Answer is -> is.operation();
@@ -46,7 +49,10 @@ final class Pending<A extends Record> {
         return reply.from().equals(to) && replied.equals(operation.name());
     }
 
-    /** Tells when the time is over, or the space of the asker is; nothing once this is settled. */
+    /**
+     * Calls the consumer when the limit is over (with true) or the requester's space is closed (with false). Never
+     * called once this request is settled.
+     */
     void limit(Duration limit, Consumer<Boolean> tellInTime) {
         over.orTimeout(limit).toCompletableFuture().whenComplete((nothing, error) -> {
             if (error != null) {
@@ -55,7 +61,7 @@ final class Pending<A extends Record> {
         });
     }
 
-    /** Settles it as a message says, and counts that; false if nobody waits for it any more. */
+    /** Settles the request by a reply and counts the outcome; false if it was settled before. */
     boolean settle(Message reply, Counters counters) {
         if (reply.payload() instanceof Message.Failure failure) {
             return counted(counters.refused, reject(errorOf(failure)));
@@ -96,21 +102,21 @@ final class Pending<A extends Record> {
         return done;
     }
 
-    /** False if nobody waits for it any more. */
+    /** Returns false if it was settled before. */
     boolean resolve(A value) {
         boolean first = answer.resolve(value);
         over.resolve(null);
         return first;
     }
 
-    /** False if nobody waits for it any more. */
+    /** Returns false if it was settled before. */
     boolean reject(RuntimeException error) {
         boolean first = answer.reject(error);
         over.resolve(null);
         return first;
     }
 
-    /** Calls that when the asker cancels. */
+    /** Registers an action to run when the requester cancels. */
     void whenCancelled(Runnable action) {
         answer.whenCancelled = () -> {
             action.run();
@@ -118,7 +124,7 @@ final class Pending<A extends Record> {
         };
     }
 
-    /** What the asker holds. */
+    /** The promise that the requester gets. */
     private final class Answer extends Promise<A> {
         private final Home home;
         private final boolean madeOutside;

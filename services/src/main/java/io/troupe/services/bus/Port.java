@@ -13,14 +13,14 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/** One name on a node, and what belongs to it. */
+/** A port of a node: its subscriptions, request handlers and topics. */
 final class Port implements BusPort {
     final BusNode node;
     private final Address address;
-    private final Object lock = new Object(); // guards all below
+    private final Object lock = new Object(); // guards all fields below
     private final Set<Hearing<?>> hearings = new LinkedHashSet<>();
     private final Map<String, Answering<?, ?>> answerings = new LinkedHashMap<>();
-    private final Set<Topic<?>> topics = new HashSet<>(); // those it has published on or subscribed to
+    private final Set<Topic<?>> topics = new HashSet<>(); // those it has published or subscribed to
     private @Nullable String closed;
 
     Port(BusNode node, Address address) {
@@ -40,7 +40,7 @@ final class Port implements BusPort {
             if (closed != null) {
                 throw refusal("publish on " + topic.name(), closed);
             }
-            use(topic); // after the value was checked: one that is refused does not set the topic's type
+            use(topic); // after the check of the value: a rejected value does not fix the topic's type
         }
         node.publish(this, topic, payload);
     }
@@ -87,7 +87,7 @@ final class Port implements BusPort {
         return new IllegalArgumentException(address + " answers " + operation.name() + " already");
     }
 
-    /** It may have ended, with its space or this port, before others could find it to end it. */
+    /** Throws if the queue has ended before it was registered, because its space or this port was closed. */
     private void checkBegun(String what, Inlet inlet) {
         String why = inlet.whyEnded();
         if (why != null) {
@@ -144,7 +144,7 @@ final class Port implements BusPort {
         }
     }
 
-    /** That one has ended. */
+    /** Removes a queue that has ended. */
     void forget(Inlet inlet) {
         synchronized (lock) {
             switch (inlet) {
@@ -158,7 +158,7 @@ final class Port implements BusPort {
         }
     }
 
-    /** Under the lock. */
+    /** Called under the lock. */
     private void use(Topic<?> topic) {
         if (!topics.contains(topic)) {
             node.use(topic);

@@ -12,14 +12,14 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Which records can leave a process: those of values all the way down.
+ * Checks whether records of a type can leave a process: only if they consist of values at every depth.
  *
- * <p><b>Cost.</b> Walks the type, at the making of a topic or an operation.
+ * <p><b>Cost.</b> Walks the type once, when a topic or an operation is created.
  */
 final class Portable {
     /**
-     * How many values a value may be inside of, itself included; so few that whoever copies, writes or reads it may
-     * recurse.
+     * The deepest nesting of values, the value itself included. Low enough for recursive copying, encoding and
+     * decoding.
      */
     static final int MOST_LEVELS = 500;
 
@@ -40,7 +40,7 @@ final class Portable {
 
     private final String use;
     private final Class<?> root;
-    private final Set<Class<?>> seen = new HashSet<>(); // a record may contain itself, as a tree does
+    private final Set<Class<?>> seen = new HashSet<>(); // a record may contain its own type, as a tree does
 
     private Portable(String use, Class<?> root) {
         this.use = use;
@@ -48,8 +48,8 @@ final class Portable {
     }
 
     /**
-     * @throws IllegalArgumentException if a value of that type could not leave the process; the text names the
-     *     component and says why
+     * @throws IllegalArgumentException if values of that type cannot leave the process; the message names the component
+     *     and the reason
      */
     static void check(String use, Class<? extends Record> type) {
         var check = new Portable(use, type);

@@ -9,10 +9,10 @@ import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
-/** The questions of one node that wait for their answers. */
+/** The pending requests of one node. */
 final class Questions {
     private final BusNode node;
-    private final Map<Long, Pending<?>> pending = new ConcurrentHashMap<>(); // by the number of the question
+    private final Map<Long, Pending<?>> pending = new ConcurrentHashMap<>(); // by the sequence number of the request
 
     Questions(BusNode node) {
         this.node = node;
@@ -36,7 +36,7 @@ final class Questions {
         node.counters.asked.increment();
         pending.put(number, waiting);
         waiting.whenCancelled(() -> take(number));
-        String closed = asker.whyClosed(); // after the question is in the table: either this or close() sees the other
+        String closed = asker.whyClosed(); // read after put(): either this thread or close() sees the other's change
         if (closed != null) {
             refuse(number, "the asker has left: " + closed);
         } else {
@@ -48,7 +48,7 @@ final class Questions {
         return waiting.answer();
     }
 
-    /** Nobody waits for that answer any more; null if that was so before. */
+    /** Removes a pending request; null if it was no longer pending. */
     private @Nullable Pending<?> take(long number) {
         Pending<?> asked = pending.remove(number);
         if (asked != null) {
@@ -57,7 +57,7 @@ final class Questions {
         return asked;
     }
 
-    /** Whether its asker, on this node, waits for the answer. */
+    /** Returns whether its requester, on this node, still waits for the reply. */
     boolean isAwaited(Message question) {
         return pending.containsKey(question.sequence());
     }
@@ -71,7 +71,7 @@ final class Questions {
         }
     }
 
-    /** An answer or a refusal has come. */
+    /** A reply or a refusal has arrived. */
     void settle(Message reply, long question) {
         Pending<?> asked = pending.get(question);
         if (asked != null && !asked.isOf(reply)) {
@@ -83,7 +83,7 @@ final class Questions {
         }
     }
 
-    /** The bus itself says that there will be no answer. */
+    /** Rejects a request because the bus cannot get a reply. */
     void refuse(long number, String why) {
         Pending<?> asked = take(number);
         if (asked != null) {
@@ -103,7 +103,7 @@ final class Questions {
         Pending.counted(node.counters.refused, asked.reject(asked.error(why)));
     }
 
-    /** How many wait. */
+    /** The number of pending requests. */
     int waiting() {
         return pending.size();
     }

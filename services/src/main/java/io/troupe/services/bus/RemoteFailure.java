@@ -1,7 +1,8 @@
 package io.troupe.services.bus;
 
 /**
- * What an answerer failed with, as it can leave a process: the error's class name and message, not the error itself.
+ * The failure of a request handler in a form that can leave its process: the class name and message of the error, not
+ * the error itself.
  */
 public final class RemoteFailure extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -13,7 +14,7 @@ public final class RemoteFailure extends RuntimeException {
         this.type = type;
     }
 
-    /** The class name of the answerer's error. */
+    /** The class name of the handler's error. */
     public String type() {
         return type;
     }

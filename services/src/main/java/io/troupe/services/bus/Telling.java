@@ -2,7 +2,7 @@ package io.troupe.services.bus;
 
 import java.util.function.Consumer;
 
-/** Tells a node's observer, and counts what it tells of losses. */
+/** Notifies the observer of a node, and counts losses. */
 final class Telling {
     private final BusObserver observer;
     private final Counters counters;
@@ -26,7 +26,7 @@ final class Telling {
         lost(new Loss.Late(reply, why));
     }
 
-    /** One that is counted where it happens. */
+    /** Reports a loss that its caller counts. */
     void lost(Loss loss) {
         tell(it -> it.lost(loss));
     }
@@ -38,7 +38,7 @@ final class Telling {
     private void tell(Consumer<BusObserver> what) {
         try {
             what.accept(observer);
-        } catch (RuntimeException | Error failure) { // of the observer, which must not end a delivery
+        } catch (RuntimeException | Error failure) { // an observer's exception must not end a delivery
             LoggingObserver.observerFailed(failure);
         }
     }

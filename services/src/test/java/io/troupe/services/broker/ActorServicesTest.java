@@ -125,9 +125,9 @@ class ActorServicesTest {
             callers.crank(); // asks the broker
             brokers.crank(); // spawns a
             providers.crank(); // starts it
-            brokers.crank(); // names it to the connection, which has not heard yet
+            brokers.crank(); // notifies the connection, which has not processed this yet
             providers.space().stop(services.running(BrokerBench.at("parrot")).proxy());
-            providers.crank(); // of which the broker has not heard yet
+            providers.crank(); // the broker has not been notified of this yet
             callers.crank();
             assertThat(answer.isDone()).isFalse();
             for (int round = 0; round < 4; round++) {
@@ -190,7 +190,7 @@ class ActorServicesTest {
                     .hasMessage("node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
             assertThat(((ServiceCallException) stage.bench.test.error(answer)).wasSent())
                     .isTrue();
-            assertThat(stage.diary).containsExactly("a begins hello"); // and nobody else does it again
+            assertThat(stage.diary).containsExactly("a begins hello"); // no other provider executes it again
         }
     }
 

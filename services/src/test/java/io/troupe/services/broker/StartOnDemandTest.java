@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A service is started when somebody needs it, and not before. */
+/** A service is started when it is needed, and not before. */
 class StartOnDemandTest {
     @Test
     void register_startsNothing() {

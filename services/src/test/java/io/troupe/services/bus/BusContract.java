@@ -13,15 +13,15 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 
 /**
- * What every bus promises is tested twice: the near and the far side are one node, or two that see nothing of each
- * other but bytes.
+ * Base class of the tests that every kind of bus must pass. Each test runs twice: with both sides on one node, and with
+ * two nodes that exchange only bytes.
  */
 abstract class BusContract {
-    /** Where the two sides of a test are. */
+    /** The placement of the two sides of a test. */
     enum Wiring {
-        /** On one {@link InProcessBus}. */
+        /** Both sides on one {@link InProcessBus}. */
         ONE_NODE,
-        /** On two nodes that exchange bytes and nothing else. */
+        /** Each side on a node; the nodes exchange only bytes. */
         TWO_NODES
     }
 
@@ -100,7 +100,7 @@ abstract class BusContract {
         return pipe.bytesCarried();
     }
 
-    /** Brings to the far side what is under way, without a turn of the space in between. */
+    /** Delivers pending messages to the far side without running the space in between. */
     final void arrive() {
         pipe.carryAll();
     }
@@ -150,7 +150,7 @@ abstract class BusContract {
         return String.valueOf(error.getMessage());
     }
 
-    /** Somebody listens, so that a rejection is not reported. */
+    /** Registers a listener, so that a rejection is not reported as unhandled. */
     static <T> Promise<T> heard(Promise<T> promise) {
         promise.handle((value, error) -> value);
         return promise;

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** What a bus does, said simply: lists, no threads, no promises. */
+/** A simple model of a bus: lists, without threads or promises. */
 final class BusModel {
-    /** What an answerer does with a question. */
+    /** The behaviour of a request handler. */
     enum Manner {
         ANSWERS,
         THROWS,
@@ -22,7 +22,7 @@ final class BusModel {
         final ArrayDeque<String> waiting = new ArrayDeque<>();
     }
 
-    /** A question; the outcome is null as long as it waits. */
+    /** A request; the outcome is null while it is pending. */
     static final class Question {
         final int id;
         final String asker;
@@ -38,7 +38,7 @@ final class BusModel {
         }
     }
 
-    /** A name that answers. */
+    /** A port with a request handler. */
     private static final class Answerer {
         final Manner manner;
         final ArrayDeque<Question> waiting = new ArrayDeque<>();
@@ -63,7 +63,7 @@ final class BusModel {
     long late;
     private long seconds;
 
-    /** @param nodes over how many nodes the ports are spread by their numbers */
+    /** @param nodes the ports are distributed over this many nodes by their numbers */
     BusModel(int capacity, int nodes) {
         this.nodes = nodes;
         this.capacity = capacity;
@@ -137,8 +137,8 @@ final class BusModel {
     }
 
     /**
-     * What an answerer has begun, as far as it knows: it learns that an asker has given up only of those on its own
-     * node.
+     * The begun requests of a request handler, as far as the handler's node knows: a cancelled request is removed only
+     * if its requester is on the same node.
      */
     private List<Question> begun(String name, Answerer answerer) {
         return answerer.kept.stream()
@@ -169,7 +169,7 @@ final class BusModel {
         }
     }
 
-    /** Whatever was kept is answered now. */
+    /** Replies to all requests that were kept open. */
     void answerKept() {
         for (var answerer : answerers.values()) {
             answerer.kept.forEach(question -> settle(question, "answered " + question.id));

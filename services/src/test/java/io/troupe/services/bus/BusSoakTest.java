@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 
-/** Threads that use one bus while ports, subscriptions and answerers come and go; see {@link Soak}. */
+/** Several threads use one bus while ports, subscriptions and request handlers come and go; see {@link Soak}. */
 class BusSoakTest {
     private static final Duration LONG = Duration.ofMinutes(10);
     private static final int VALUES = 3_000;
@@ -51,7 +51,7 @@ class BusSoakTest {
         });
     }
 
-    /** Checks the order of each publisher's values. On its space. */
+    /** Checks the order of each publisher's values. Runs on the subscriber's space. */
     private static final class Listener {
         private final ConcurrentLinkedQueue<String> wrong;
         private final LongAdder heard;

@@ -55,7 +55,7 @@ class BusThreadsTest {
         spaces.forEach(ActorSpace::close);
     }
 
-    /** Hears on its own space, and checks order and repetition as it hears. */
+    /** A subscriber on a separate space that checks order and repetition of the values it receives. */
     private static final class Listener {
         private final Map<Address, Integer> last = new HashMap<>();
         private final List<String> wrong = new ArrayList<>();
@@ -137,8 +137,8 @@ class BusThreadsTest {
     }
 
     /**
-     * Questions of several threads to one address, where answerers come and go, each of which stays until it was of
-     * use.
+     * Requests from several threads to one address, while request handlers come and go. Each handler stays until it has
+     * been used.
      */
     static final class Askers {
         private final int lives;
@@ -180,7 +180,7 @@ class BusThreadsTest {
             }
         }
 
-        /** So that the askers meet an answerer, and none, as long as they ask, however the threads are scheduled. */
+        /** Makes sure that the requesters meet phases with and without a handler, independent of thread scheduling. */
         void comeAndGo(InProcessBus bus, ActorSpace home) {
             for (int i = 0; i < lives; i++) {
                 long answeredBefore = answered.get();
@@ -227,7 +227,7 @@ class BusThreadsTest {
                     askers.ask(bus.attach("asker" + number), to, questions);
                 }
             });
-            home.sequential(() -> true).get(LONG); // it counts an answer after its asker has it
+            home.sequential(() -> true).get(LONG); // the reply is counted after the requester has received it
             assertThat(askers.wrong).isEmpty();
             assertThat(askers.answered).as("found an answerer").hasPositiveValue();
             assertThat(askers.refused).as("found none").hasPositiveValue();

@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** A bus between nodes that see nothing of each other but bytes. What is under way arrives by turns of a space. */
+/** A bus between nodes that exchange only bytes. Pending messages arrive by callbacks of a space. */
 final class BytePipe {
     private record Parcel(String to, byte[] bytes) {}
 
@@ -26,12 +26,12 @@ final class BytePipe {
         return node;
     }
 
-    /** How many bytes have gone from node to node. */
+    /** The number of bytes sent between nodes. */
     long bytesCarried() {
         return carried.get();
     }
 
-    /** Carries what is under way, now. */
+    /** Delivers all pending messages now. */
     void carryAll() {
         for (Parcel next = underWay.poll(); next != null; next = underWay.poll()) {
             carried.addAndGet(next.bytes().length);
@@ -42,7 +42,7 @@ final class BytePipe {
         }
     }
 
-    /** One node's end. */
+    /** The transport of one node. */
     private final class End implements Transport {
         private final String mine;
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Answerers that hang, leave, are replaced, or have too much to do; askers that give up. */
+/** Request handlers that hang, leave, are replaced or are overloaded; requesters that cancel. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class FaultContractTest extends BusContract {
@@ -134,7 +134,7 @@ class FaultContractTest extends BusContract {
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
     }
 
-    /** The asker of one from another node may have given up long ago. */
+    /** A request from another node is evicted, because its requester may have cancelled unnoticed. */
     @Test
     void answererThatNeverAnswers_refusesTheOldestOfAnotherNode_elseTheNewest_whenItHasBegunTooMany() {
         boolean apart = !near().node().equals(far().node());

@@ -34,7 +34,7 @@ class InProcessBusTest {
         assertThat(losses).isEmpty();
     }
 
-    /** Values as they come from code that knows no types. */
+    /** Values from code without type checks (unchecked casts). */
     @Test
     @SuppressWarnings({"unchecked", "rawtypes", "NullAway"})
     void valueThatIsRefused_leavesTheTypeOfItsTopicOpen() {
@@ -195,7 +195,7 @@ class InProcessBusTest {
         var answers = new ArrayList<Promise<Text>>();
         logged(() -> {
             for (int round = 0; round < 3; round++) {
-                for (int i = 0; i < 2; i++) { // the second is one too many
+                for (int i = 0; i < 2; i++) { // the second exceeds the capacity
                     port.publish(BusContract.COUNTS, new Count(10 * round + i));
                     var answer = port.ask(port.address(), BusContract.SPELL, new Count(i), BusContract.SECOND);
                     answers.add(BusContract.heard(answer));

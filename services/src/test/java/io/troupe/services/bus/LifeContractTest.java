@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Ports, actors and spaces that come and go. */
+/** Ports, actors and spaces that are opened and closed. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class LifeContractTest extends BusContract {

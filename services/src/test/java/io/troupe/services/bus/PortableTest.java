@@ -117,7 +117,7 @@ class PortableTest {
         assertThat(new Topic<>("f", Message.Failure.Failed.class).type()).isEqualTo(Message.Failure.Failed.class);
     }
 
-    // ---- taking out what can change
+    // ---- defensive copies
 
     @Test
     void valueWithoutContainers_isNotCopied() {

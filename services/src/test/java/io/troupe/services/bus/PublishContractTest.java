@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Publish and subscribe, on every bus. */
+/** Publish and subscribe, on every kind of bus. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class PublishContractTest extends BusContract {

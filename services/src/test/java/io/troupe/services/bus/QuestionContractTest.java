@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Request and reply, on every bus. */
+/** Request and reply, on every kind of bus. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class QuestionContractTest extends BusContract {
@@ -161,12 +161,12 @@ class QuestionContractTest extends BusContract {
         }
     }
 
-    @SuppressWarnings("NullAway") // what a careless answerer does
+    @SuppressWarnings("NullAway") // an incorrect request handler
     private static Promise<Text> promiseOfNothing() {
         return Promise.of(null);
     }
 
-    @SuppressWarnings("NullAway") // what a careless answerer does
+    @SuppressWarnings("NullAway") // an incorrect request handler
     private static Promise<Text> nothing() {
         return null;
     }

@@ -7,7 +7,7 @@ import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 
-/** What there is to say only of nodes that exchange bytes. */
+/** Behaviour that is specific to two nodes that exchange bytes. */
 class TwoNodesTest extends BusContract {
     TwoNodesTest() {
         super(Wiring.TWO_NODES);
@@ -147,7 +147,7 @@ class TwoNodesTest extends BusContract {
             }
         }
         assertThat(kept).hasSize(1 + 3 * (CAPACITY - 1));
-        take(losses); // six that were refused to make room, and the refusals, which are late
+        take(losses); // six requests rejected to make room, and the refusals, which are late
         var answer = heard(asker.ask(answerer.address(), SPELL, new Count(7), SECOND));
         test.crank();
         take(losses);
