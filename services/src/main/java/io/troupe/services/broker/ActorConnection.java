@@ -29,13 +29,13 @@ import io.troupe.actor.promise.Promise;
  */
 public final class ActorConnection<A> implements AutoCloseable {
     private final ActorSpace space;
-    private final Caller caller;
+    private final CallDispatcher dispatcher;
     private final A actor;
     private final Promise<ServiceRecord> first;
 
-    private ActorConnection(ActorSpace space, Caller caller, A actor, Promise<ServiceRecord> first) {
+    private ActorConnection(ActorSpace space, CallDispatcher dispatcher, A actor, Promise<ServiceRecord> first) {
         this.space = space;
-        this.caller = caller;
+        this.dispatcher = dispatcher;
         this.actor = actor;
         this.first = first;
     }
@@ -43,11 +43,11 @@ public final class ActorConnection<A> implements AutoCloseable {
     static <A> ActorConnection<A> open(
             ActorSpace space, ActorServices services, Class<A> type, Need need, ConnectionSettings settings) {
         var first = new Deferred<ServiceRecord>(null);
-        Caller caller = space.spawn(
-                Caller.class,
-                () -> new CallerActor(services, type, need, settings, first),
-                ActorSettings.named("\"" + need.by() + "\"'s connection to " + Roster.what(need)));
-        return new ActorConnection<>(space, caller, Relay.of(type, need, space, caller), first);
+        CallDispatcher dispatcher = space.spawn(
+                CallDispatcher.class,
+                () -> new CallDispatcherActor(services, type, need, settings, first),
+                ActorSettings.named("\"" + need.by() + "\"'s connection to " + ProviderRegistry.what(need)));
+        return new ActorConnection<>(space, dispatcher, ServiceProxy.of(type, need, space, dispatcher), first);
     }
 
     /** The proxy for the provider. Can be used like any actor proxy, even before a provider has been found. */
@@ -74,6 +74,6 @@ public final class ActorConnection<A> implements AutoCloseable {
     /** Closes the connection; calls without an answer are rejected. */
     @Override
     public void close() {
-        space.stop(caller);
+        space.stop(dispatcher);
     }
 }

@@ -104,7 +104,7 @@ public final class ActorServices {
      * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise}
      */
     public <A> ActorConnection<A> connect(Class<A> type, Need need, ConnectionSettings settings) {
-        Relay.check(type);
+        ServiceProxy.check(type);
         ActorSpace current = ActorSpace.current();
         return ActorConnection.open(current == null ? home : current, this, type, need, settings);
     }

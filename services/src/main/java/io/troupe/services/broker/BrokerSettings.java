@@ -11,7 +11,7 @@ import java.util.Objects;
  * @param missedChecks after this many consecutive checks without an answer, a suspect provider has failed
  * @param startLimit the time limit of a start
  * @param stopLimit the time limit of a stop
- * @param hearLimit the longest time that the broker waits for clients to be notified before it stops a provider that
+ * @param notifyLimit the longest time that the broker waits for clients to be notified before it stops a provider that
  *     was replaced or withdrawn
  * @param restartPause a failed provider is started again after this pause if a connection waits for it; the pause
  *     doubles with every failure until the provider has run for {@code longestRestartPause}; zero = it is only started
@@ -26,7 +26,7 @@ public record BrokerSettings(
         int missedChecks,
         Duration startLimit,
         Duration stopLimit,
-        Duration hearLimit,
+        Duration notifyLimit,
         Duration restartPause,
         Duration longestRestartPause,
         BrokerObserver observer) {
@@ -50,7 +50,7 @@ public record BrokerSettings(
         positive("checkLimit", checkLimit);
         positive("startLimit", startLimit);
         positive("stopLimit", stopLimit);
-        positive("hearLimit", hearLimit);
+        positive("notifyLimit", notifyLimit);
         if (missedChecks < 1) {
             throw new IllegalArgumentException("missedChecks is " + missedChecks + ", expected 1 or more");
         }
@@ -72,17 +72,17 @@ public record BrokerSettings(
 
     public BrokerSettings withChecks(Duration every, Duration limit, int missed) {
         return new BrokerSettings(
-                every, limit, missed, startLimit, stopLimit, hearLimit, restartPause, longestRestartPause, observer);
+                every, limit, missed, startLimit, stopLimit, notifyLimit, restartPause, longestRestartPause, observer);
     }
 
-    public BrokerSettings withLimits(Duration start, Duration stop, Duration hear) {
+    public BrokerSettings withLimits(Duration start, Duration stop, Duration notify) {
         return new BrokerSettings(
-                checkEvery, checkLimit, missedChecks, start, stop, hear, restartPause, longestRestartPause, observer);
+                checkEvery, checkLimit, missedChecks, start, stop, notify, restartPause, longestRestartPause, observer);
     }
 
     public BrokerSettings withRestart(Duration pause, Duration longest) {
         return new BrokerSettings(
-                checkEvery, checkLimit, missedChecks, startLimit, stopLimit, hearLimit, pause, longest, observer);
+                checkEvery, checkLimit, missedChecks, startLimit, stopLimit, notifyLimit, pause, longest, observer);
     }
 
     /** A failed provider is only started again when it is required. */
@@ -97,7 +97,7 @@ public record BrokerSettings(
                 missedChecks,
                 startLimit,
                 stopLimit,
-                hearLimit,
+                notifyLimit,
                 restartPause,
                 longestRestartPause,
                 newObserver);

@@ -7,19 +7,19 @@ import org.jspecify.annotations.Nullable;
 
 /** A call that is queued or waits for its answer. Used on the connection's space. */
 final class PendingCall {
-    final Caller.Call call;
+    final CallDispatcher.Call call;
     private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
     ActorProvider.@Nullable Running sentTo;
 
     @Nullable
     Promise<?> sent; // the provider's promise
 
-    private boolean givenUp;
+    private boolean cancelled;
 
     @Nullable
     Timer limit;
 
-    PendingCall(Caller.Call call, @Nullable Deferred<@Nullable Object> answer) {
+    PendingCall(CallDispatcher.Call call, @Nullable Deferred<@Nullable Object> answer) {
         this.call = call;
         this.answer = answer;
     }
@@ -42,16 +42,16 @@ final class PendingCall {
     }
 
     /** Cancels the call: a provider that has not begun it does not execute it. */
-    void giveUp() {
-        givenUp = true;
+    void cancel() {
+        cancelled = true;
         cancelLimit();
         if (sent != null) {
             sent.cancel();
         }
     }
 
-    boolean wasGivenUp() {
-        return givenUp;
+    boolean isCancelled() {
+        return cancelled;
     }
 
     void cancelLimit() {

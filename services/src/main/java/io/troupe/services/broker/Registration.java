@@ -99,7 +99,7 @@ final class Registration {
     }
 
     /** Ends the wait for notified clients, so that the provider is stopped now: a successor has to be started. */
-    void hurry() {
+    void stopNow() {
         if (leaving != null) {
             leaving.resolve(null);
         }

@@ -8,14 +8,14 @@ import org.jspecify.annotations.Nullable;
 /** Restarts failed providers that a connection waits for, after increasing pauses. Runs on the broker's space. */
 final class Restarts {
     private final BrokerSettings settings;
-    private final Limits limits;
-    private final Lifecycle lifecycle;
+    private final Timeouts timeouts;
+    private final Supervisor supervisor;
     private final Predicate<Registration> wanted;
 
-    Restarts(BrokerSettings settings, Limits limits, Lifecycle lifecycle, Predicate<Registration> wanted) {
+    Restarts(BrokerSettings settings, Timeouts timeouts, Supervisor supervisor, Predicate<Registration> wanted) {
         this.settings = settings;
-        this.limits = limits;
-        this.lifecycle = lifecycle;
+        this.timeouts = timeouts;
+        this.supervisor = supervisor;
         this.wanted = wanted;
     }
 
@@ -23,21 +23,21 @@ final class Restarts {
         some.forEach(this::consider);
     }
 
-    private void consider(Registration it) {
+    private void consider(Registration registration) {
         if (settings.restartPause().isZero()
-                || it.health != Health.FAILED
-                || it.nextRestart != null
-                || lifecycle.isClosing()
-                || !wanted.test(it)) {
+                || registration.health != Health.FAILED
+                || registration.nextRestart != null
+                || supervisor.isClosing()
+                || !wanted.test(registration)) {
             return;
         }
-        Duration pause = next(it.restartPause);
-        it.restartPause = pause;
-        it.nextRestart = limits.after(pause, () -> {
-            it.nextRestart = null;
-            if (it.health == Health.FAILED && !lifecycle.isClosing() && wanted.test(it)) {
-                lifecycle.start(it).handle((started, error) -> {
-                    consider(it);
+        Duration pause = next(registration.restartPause);
+        registration.restartPause = pause;
+        registration.nextRestart = timeouts.after(pause, () -> {
+            registration.nextRestart = null;
+            if (registration.health == Health.FAILED && !supervisor.isClosing() && wanted.test(registration)) {
+                supervisor.start(registration).handle((started, error) -> {
+                    consider(registration);
                     return null;
                 });
             }

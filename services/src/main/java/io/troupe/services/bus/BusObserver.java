@@ -12,13 +12,13 @@ public interface BusObserver {
     void lost(Loss loss);
 
     /** A message was sent from this node, or has arrived from another node. Called before delivery. */
-    default void passed(Message message) {}
+    default void passed(BusMessage message) {}
 
     /**
      * A request handler failed. The requester gets only the class name and message of the error; the error itself stays
      * on this node.
      */
-    default void failed(Message question, Throwable error) {}
+    default void failed(BusMessage request, Throwable error) {}
 
     /** Logs losses as warnings. Of the values that a subscription drops, it logs number 1, 2, 4, 8 and so on. */
     static BusObserver logging() {

@@ -20,20 +20,20 @@ public interface BusPort extends AutoCloseable {
     Address address();
 
     /** Publishes a value to all current subscribers of the topic. */
-    <T extends Record> void publish(Topic<T> topic, T value);
+    <T extends Record> void publish(BusTopic<T> topic, T value);
 
     /**
      * Subscribes to the values published from now on. The subscription ends when it is closed or when this port is
      * closed.
      */
-    <T extends Record> Subscription subscribe(Topic<T> topic, Subscriber<? super T> subscriber);
+    <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber);
 
     /**
      * Registers the request handler of an operation. An exception from the handler, or a rejected promise, rejects the
      * request.
      */
     <Q extends Record, A extends Record> void answer(
-            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer);
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler);
 
     /**
      * Sends a request. At most once: a request is never sent again. The request handler does not learn the limit, and
@@ -46,7 +46,7 @@ public interface BusPort extends AutoCloseable {
      *     reported to the bus's observer); with a {@link RemoteFailure} if the handler fails
      */
     <Q extends Record, A extends Record> Promise<A> ask(
-            Address to, Operation<Q, A> operation, Q question, Duration limit);
+            Address to, Operation<Q, A> operation, Q request, Duration limit);
 
     /** Leaves the bus: the name becomes free, subscriptions end, and queued and pending requests are rejected. */
     @Override
@@ -55,7 +55,7 @@ public interface BusPort extends AutoCloseable {
     /** Receives the values of a subscription. */
     @FunctionalInterface
     interface Subscriber<T> {
-        void hear(T value, Address publisher);
+        void receive(T value, Address publisher);
     }
 
     /** A subscription to a topic; closing it ends it. */

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 final class Directory {
     private final String node;
     private final Map<String, Port> ports = new ConcurrentHashMap<>();
-    private final Map<String, List<Hearing<?>>> hearings = new ConcurrentHashMap<>();
+    private final Map<String, List<TopicSubscription<?>>> subscriptions = new ConcurrentHashMap<>();
     private final Map<String, TypeInUse> topics = new ConcurrentHashMap<>();
 
     /** The value type of a topic, and the number of ports that have published or subscribed to it. */
@@ -24,7 +24,7 @@ final class Directory {
 
     void add(Port port) {
         if (ports.putIfAbsent(port.address().name(), port) != null) {
-            throw new IllegalArgumentException("the name " + port.address() + " is taken; " + whoIsThere());
+            throw new IllegalArgumentException("the name " + port.address() + " is taken; " + attachedPorts());
         }
     }
 
@@ -46,7 +46,7 @@ final class Directory {
         return Suggestions.hint(name, ports.keySet());
     }
 
-    private String whoIsThere() {
+    private String attachedPorts() {
         return "there are " + String.join(", ", ports.keySet().stream().sorted().toList()) + " on node " + node;
     }
 
@@ -55,7 +55,7 @@ final class Directory {
      *
      * @throws IllegalArgumentException if the topic has another type on this node
      */
-    void use(Topic<?> topic) {
+    void use(BusTopic<?> topic) {
         topics.compute(topic.name(), (name, before) -> {
             if (before != null && before.type() != topic.type()) {
                 throw new IllegalArgumentException(
@@ -67,27 +67,27 @@ final class Directory {
     }
 
     /** A port that used the topic was closed. */
-    void release(Topic<?> topic) {
+    void release(BusTopic<?> topic) {
         topics.computeIfPresent(
                 topic.name(), (name, used) -> used.ports() == 1 ? null : new TypeInUse(used.type(), used.ports() - 1));
     }
 
-    void add(Hearing<?> hearing) {
-        hearings.compute(hearing.topic.name(), (topic, before) -> {
-            List<Hearing<?>> all = before == null ? new CopyOnWriteArrayList<>() : before;
-            all.add(hearing); // inside compute, because an empty list is removed concurrently
+    void add(TopicSubscription<?> subscription) {
+        subscriptions.compute(subscription.topic.name(), (topic, before) -> {
+            List<TopicSubscription<?>> all = before == null ? new CopyOnWriteArrayList<>() : before;
+            all.add(subscription); // inside compute, because an empty list is removed concurrently
             return all;
         });
     }
 
-    void remove(Hearing<?> hearing) {
-        hearings.computeIfPresent(hearing.topic.name(), (topic, all) -> {
-            all.remove(hearing);
+    void remove(TopicSubscription<?> subscription) {
+        subscriptions.computeIfPresent(subscription.topic.name(), (topic, all) -> {
+            all.remove(subscription);
             return all.isEmpty() ? null : all; // topics are created and removed as components come and go
         });
     }
 
-    List<Hearing<?>> hearings(String topic) {
-        return hearings.getOrDefault(topic, List.of());
+    List<TopicSubscription<?>> subscriptions(String topic) {
+        return subscriptions.getOrDefault(topic, List.of());
     }
 }

@@ -5,8 +5,8 @@ import io.troupe.actor.ActorSpace;
 /**
  * A bus inside one process.
  *
- * <p><b>Role.</b> Created by {@link #open}, ended by {@link #close}. It carries the same {@link Message} records as a
- * bus between processes, so its users cannot depend on object identity: lists and maps in a value are copied unless
+ * <p><b>Role.</b> Created by {@link #open}, ended by {@link #close}. It carries the same {@link BusMessage} records as
+ * a bus between processes, so its users cannot depend on object identity: lists and maps in a value are copied unless
  * they are immutable.
  *
  * <p><b>Threads.</b> A subscriber or a request handler runs on the actor space, and on behalf of the actor, that
@@ -35,12 +35,12 @@ public final class InProcessBus implements Bus {
         }
 
         @Override
-        public void send(String node, Message message) {
+        public void send(String node, BusMessage message) {
             throw new IllegalStateException("there is no way to node " + node);
         }
 
         @Override
-        public void broadcast(Message publication) {}
+        public void broadcast(BusMessage publication) {}
 
         @Override
         public void close() {}

@@ -21,8 +21,8 @@ final class LoggingObserver implements BusObserver {
     }
 
     @Override
-    public void failed(Message question, Throwable error) {
-        LOG.log(Level.DEBUG, () -> question.purpose() + " failed", error);
+    public void failed(BusMessage request, Throwable error) {
+        LOG.log(Level.DEBUG, () -> request.purpose() + " failed", error);
     }
 
     /** Logs an exception that a user's observer threw. */

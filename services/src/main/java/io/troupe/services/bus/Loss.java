@@ -9,7 +9,7 @@ public sealed interface Loss {
      *
      * @param soFar the number of values that this subscription has dropped, including this one
      */
-    record Dropped(Address subscriber, Message oldest, long soFar) implements Loss {
+    record Dropped(Address subscriber, BusMessage oldest, long soFar) implements Loss {
         @Override
         public String toString() {
             return subscriber + " is too slow: its oldest " + describe(oldest) + " was dropped, " + soFar + " so far";
@@ -25,15 +25,15 @@ public sealed interface Loss {
     }
 
     /** A reply or refusal arrived when its request was no longer pending. */
-    record Late(Message answer, String why) implements Loss {
+    record Late(BusMessage reply, String why) implements Loss {
         @Override
         public String toString() {
-            return describe(answer) + " is late: " + why;
+            return describe(reply) + " is late: " + why;
         }
     }
 
     /** The receiver of the message cannot be reached. If it is a request, the request is rejected as well. */
-    record Undeliverable(Message message, String why) implements Loss {
+    record Undeliverable(BusMessage message, String why) implements Loss {
         @Override
         public String toString() {
             return describe(message) + " cannot be delivered: " + why;
@@ -41,14 +41,14 @@ public sealed interface Loss {
     }
 
     /** A subscriber threw an exception. Other subscribers received the value. */
-    record SubscriberFailed(Address subscriber, Message message, Throwable error) implements Loss {
+    record SubscriberFailed(Address subscriber, BusMessage message, Throwable error) implements Loss {
         @Override
         public String toString() {
             return subscriber + " failed to hear " + describe(message) + ": " + error;
         }
     }
 
-    private static String describe(Message message) {
+    private static String describe(BusMessage message) {
         return message.purpose() + " from " + message.from() + " (number " + message.sequence() + ")";
     }
 }

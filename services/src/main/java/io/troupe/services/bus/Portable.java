@@ -21,7 +21,7 @@ final class Portable {
      * The deepest nesting of values, the value itself included. Low enough for recursive copying, encoding and
      * decoding.
      */
-    static final int MOST_LEVELS = 500;
+    static final int MAX_LEVELS = 500;
 
     private static final Set<Class<?>> VALUES = Set.of(
             Boolean.class,
@@ -54,7 +54,7 @@ final class Portable {
     static void check(String use, Class<? extends Record> type) {
         var check = new Portable(use, type);
         if (!type.isRecord()) {
-            throw check.refusal("", type, "it is no record");
+            throw check.rejection("", type, "it is no record");
         }
         check.checkType("", type);
     }
@@ -63,7 +63,7 @@ final class Portable {
         switch (type) {
             case Class<?> plain -> checkClass(path, plain);
             case ParameterizedType generic -> checkGeneric(path, generic);
-            default -> throw refusal(path, type, "it is not known which type that is");
+            default -> throw rejection(path, type, "it is not known which type that is");
         }
     }
 
@@ -72,7 +72,7 @@ final class Portable {
             return;
         }
         if (type.isArray()) {
-            throw refusal(path, type, "an array can be changed: use a List");
+            throw rejection(path, type, "an array can be changed: use a List");
         }
         if (type.isRecord()) {
             checkRecord(path, type);
@@ -83,9 +83,9 @@ final class Portable {
                 }
             }
         } else if (type == List.class || type == Map.class || type == Optional.class) {
-            throw refusal(path, type, "it does not say of what");
+            throw rejection(path, type, "it does not say of what");
         } else {
-            throw refusal(path, type, EXPECTED);
+            throw rejection(path, type, EXPECTED);
         }
     }
 
@@ -105,13 +105,13 @@ final class Portable {
         } else if (raw == Map.class && arguments[0] == String.class) {
             checkType(path + "{}", arguments[1]);
         } else if (raw == Map.class) {
-            throw refusal(path, type, "the keys of a Map have to be String");
+            throw rejection(path, type, "the keys of a Map have to be String");
         } else {
-            throw refusal(path, type, EXPECTED);
+            throw rejection(path, type, EXPECTED);
         }
     }
 
-    private IllegalArgumentException refusal(String path, Type type, String why) {
+    private IllegalArgumentException rejection(String path, Type type, String why) {
         return new IllegalArgumentException(
                 use + ": values of " + root.getName() + " cannot leave a process because of " + root.getSimpleName()
                         + path + " of type " + type.getTypeName() + ": " + why);

@@ -9,8 +9,8 @@ public final class RemoteFailure extends RuntimeException {
 
     private final String type;
 
-    public RemoteFailure(Address answerer, String operation, String type, String message) {
-        super(answerer + " failed to answer " + operation + ": " + type + ": " + message);
+    public RemoteFailure(Address receiver, String operation, String type, String message) {
+        super(receiver + " failed to answer " + operation + ": " + type + ": " + message);
         this.type = type;
     }
 

@@ -16,10 +16,10 @@ interface Transport {
     boolean reaches(String node);
 
     /** Sends a message to one node. */
-    void send(String node, Message message);
+    void send(String node, BusMessage message);
 
     /** Sends a publication to all other nodes. */
-    void broadcast(Message publication);
+    void broadcast(BusMessage publication);
 
     /** Called when the node is closed: no message follows. */
     void close();

@@ -41,11 +41,11 @@ abstract class BusContract {
         }
     }
 
-    static final Topic<Chain> CHAINS = new Topic<>("chains", Chain.class);
+    static final BusTopic<Chain> CHAINS = new BusTopic<>("chains", Chain.class);
     static final Operation<Count, Chain> FORGE =
             new Operation<>("forge", Count.class, Chain.class, Operation.Kind.DATA);
-    static final Topic<Count> COUNTS = new Topic<>("counts", Count.class);
-    static final Topic<Ranges> RANGES = new Topic<>("ranges", Ranges.class);
+    static final BusTopic<Count> COUNTS = new BusTopic<>("counts", Count.class);
+    static final BusTopic<Ranges> RANGES = new BusTopic<>("ranges", Ranges.class);
     static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
     static final Operation<Count, Text> START =
             new Operation<>("start", Count.class, Text.class, Operation.Kind.CONTROL);
@@ -54,7 +54,7 @@ abstract class BusContract {
 
     final TestSpace test = new TestSpace();
     final List<Loss> losses = new ArrayList<>();
-    final List<Message> passed = new ArrayList<>();
+    final List<BusMessage> passed = new ArrayList<>();
     final List<Throwable> failures = new ArrayList<>();
 
     private final BytePipe pipe = new BytePipe(test.space());
@@ -113,12 +113,12 @@ abstract class BusContract {
             }
 
             @Override
-            public void passed(Message message) {
+            public void passed(BusMessage message) {
                 passed.add(message);
             }
 
             @Override
-            public void failed(Message question, Throwable error) {
+            public void failed(BusMessage request, Throwable error) {
                 failures.add(error);
             }
         });

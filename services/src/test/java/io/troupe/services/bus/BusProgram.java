@@ -139,14 +139,14 @@ final class BusProgram implements AutoCloseable {
         };
     }
 
-    private void ask(String asker, String to) {
+    private void ask(String requester, String to) {
         int id = next++;
-        steps.add(asker + " asks " + to + ": " + id);
+        steps.add(requester + " asks " + to + ": " + id);
         var node = nodes.get((to.charAt(to.length() - 1) - '0') % nodes.size()).node();
-        var answer = port(asker).ask(new Address(node, to), BusContract.SPELL, new Count(id), LIMIT);
+        var answer = port(requester).ask(new Address(node, to), BusContract.SPELL, new Count(id), LIMIT);
         answer.handle((value, error) -> value); // a listener, so that a rejection is not reported
         answers.put(id, answer);
-        model.ask(id, asker, to, LIMIT_SECONDS);
+        model.ask(id, requester, to, LIMIT_SECONDS);
     }
 
     private void crank() {

@@ -37,7 +37,7 @@ final class BytePipe {
             carried.addAndGet(next.bytes().length);
             var node = nodes.get(next.to());
             if (node != null) {
-                node.receive((Message) RecordCodec.decode(next.bytes()));
+                node.receive((BusMessage) RecordCodec.decode(next.bytes()));
             }
         }
     }
@@ -56,13 +56,13 @@ final class BytePipe {
         }
 
         @Override
-        public void send(String node, Message message) {
+        public void send(String node, BusMessage message) {
             underWay.add(new Parcel(node, RecordCodec.encode((Record) message)));
             carrier.execute(BytePipe.this::carryAll);
         }
 
         @Override
-        public void broadcast(Message publication) {
+        public void broadcast(BusMessage publication) {
             nodes.keySet().stream().filter(node -> !node.equals(mine)).forEach(node -> send(node, publication));
         }
 

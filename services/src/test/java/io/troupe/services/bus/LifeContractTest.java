@@ -113,9 +113,9 @@ class LifeContractTest extends BusContract {
         assertThat(heard).containsExactly(1);
         var hanging = far().attach("hanging");
         hanging.answer(SPELL, count -> new Deferred<>());
-        var asker = near().attach("asker");
+        var requester = near().attach("asker");
         var answers = new ArrayList<Promise<Text>>();
-        other.run(() -> answers.add(heard(asker.ask(hanging.address(), SPELL, new Count(1), SECOND))));
+        other.run(() -> answers.add(heard(requester.ask(hanging.address(), SPELL, new Count(1), SECOND))));
         test.advance(SECOND.multipliedBy(2));
         assertThat(answers.getFirst().isDone()).isFalse();
         other.advance(SECOND.multipliedBy(2));
@@ -152,10 +152,10 @@ class LifeContractTest extends BusContract {
 
     @Test
     void busThatIsClosed_rejectsWhatWaits_andTakesNobody() {
-        var answerer = far().attach("speller");
-        answerer.answer(SPELL, count -> new Deferred<>());
-        var asker = near().attach("asker");
-        var answer = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        var handler = far().attach("speller");
+        handler.answer(SPELL, count -> new Deferred<>());
+        var requester = near().attach("asker");
+        var answer = requester.ask(handler.address(), SPELL, new Count(1), SECOND);
         test.crank();
         near().close();
         assertThat(refusalOf(answer)).contains("the bus " + near().node() + " is closed");

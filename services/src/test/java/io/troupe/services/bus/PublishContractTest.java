@@ -146,7 +146,7 @@ class PublishContractTest extends BusContract {
     void topic_withTwoTypes_isRefused_andNamesBoth() {
         var port = near().attach("a");
         port.subscribe(COUNTS, (count, from) -> {});
-        assertThatThrownBy(() -> port.publish(new Topic<>("counts", Text.class), new Text("1")))
+        assertThatThrownBy(() -> port.publish(new BusTopic<>("counts", Text.class), new Text("1")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(
                         "topic counts is of " + Count.class.getName() + " and of " + Text.class.getName());
@@ -159,7 +159,7 @@ class PublishContractTest extends BusContract {
         assertThat(take(passed).stream()
                         .filter(each -> each.from().equals(publisher.address()))
                         .distinct())
-                .extracting(Message::sequence)
+                .extracting(BusMessage::sequence)
                 .containsExactly(1L, 2L, 3L);
         test.crank();
     }

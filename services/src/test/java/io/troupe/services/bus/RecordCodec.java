@@ -91,9 +91,9 @@ final class RecordCodec {
     }
 
     private static void checkLevel(int level) {
-        if (level > Portable.MOST_LEVELS + 1) { // scalars are one level deeper than the last record
+        if (level > Portable.MAX_LEVELS + 1) { // scalars are one level deeper than the last record
             throw new IllegalArgumentException(
-                    "a message is nested deeper than " + Portable.MOST_LEVELS + " levels and its value");
+                    "a message is nested deeper than " + Portable.MAX_LEVELS + " levels and its value");
         }
     }
 

@@ -1,7 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.application.Words.Word;
 import io.troupe.services.component.kinds.Kinds;
@@ -173,10 +173,10 @@ public final class ApplicationReader {
     }
 
     private void connect(Words words) {
-        Topic<?> from = topic(words);
+        BusTopic<?> from = topic(words);
         words.expect("to");
         Word target = words.next("a topic");
-        Topic<?> to = topic(words, target);
+        BusTopic<?> to = topic(words, target);
         Wire<?> wire = Wiring.wire(from, to)
                 .orElseThrow(() -> words.problem(
                         target,
@@ -193,12 +193,12 @@ public final class ApplicationReader {
         return plan.connecting(wire.from(), wire.to());
     }
 
-    private Topic<?> topic(Words words) {
+    private BusTopic<?> topic(Words words) {
         return topic(words, words.next("a topic"));
     }
 
-    private Topic<?> topic(Words words, Word name) {
-        List<Topic<?>> topics = plan.topics();
+    private BusTopic<?> topic(Words words, Word name) {
+        List<BusTopic<?>> topics = plan.topics();
         for (var topic : topics) {
             if (topic.name().equals(name.text())) {
                 return topic;
@@ -207,7 +207,8 @@ public final class ApplicationReader {
         throw words.problem(
                 name,
                 "no component above has a topic \"" + name.text() + "\"; "
-                        + Hints.of(name.text(), topics.stream().map(Topic::name).toList()));
+                        + Hints.of(
+                                name.text(), topics.stream().map(BusTopic::name).toList()));
     }
 
     private void replace(Words words) {

@@ -5,7 +5,7 @@ import io.troupe.services.behaviour.LaserScan;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
@@ -59,7 +59,7 @@ public final class BehaviourComponent {
             List<String> capabilities,
             Set<Sense> senses,
             Supplier<? extends Behaviour> law) {
-        List<Topic<?>> hears = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
+        List<BusTopic<?>> hears = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
         if (senses.contains(Sense.BLOBS)) {
             hears.add(RobotTopics.blobs(name));
         }

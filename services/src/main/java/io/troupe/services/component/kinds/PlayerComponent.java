@@ -1,6 +1,6 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
 import java.util.ArrayList;
@@ -51,8 +51,8 @@ public final class PlayerComponent {
 
     public static Component<?, ?> of(Settings settings) {
         Map<Integer, String> names = new LinkedHashMap<>();
-        List<Topic<?>> hears = new ArrayList<>();
-        List<Topic<?>> publishes = new ArrayList<>();
+        List<BusTopic<?>> hears = new ArrayList<>();
+        List<BusTopic<?>> publishes = new ArrayList<>();
         for (int number : settings.robots()) {
             String robot = "robot" + number;
             names.put(number - 1, robot);

@@ -10,20 +10,20 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** A request that waits for its reply. */
-final class Pending<A extends Record> {
-    final Port asker;
+final class PendingRequest<A extends Record> {
+    final Port requester;
     private final Address to;
     private final Operation<?, A> operation;
-    private final Message question;
-    private final Answer answer;
+    private final BusMessage request;
+    private final Reply answer;
     private final Deferred<@Nullable Void> over;
 
-    Pending(Port asker, Address to, Operation<?, A> operation, Message question, Home home) {
-        this.asker = asker;
+    PendingRequest(Port requester, Address to, Operation<?, A> operation, BusMessage request, Home home) {
+        this.requester = requester;
         this.to = to;
         this.operation = operation;
-        this.question = question;
-        this.answer = new Answer(home);
+        this.request = request;
+        this.answer = new Reply(home);
         this.over = new Deferred<>(home);
     }
 
@@ -31,20 +31,20 @@ final class Pending<A extends Record> {
         return answer;
     }
 
-    Message question() {
-        return question;
+    BusMessage request() {
+        return request;
     }
 
     /**
      * Returns whether a reply belongs to this request: it comes from the address that was asked, and names the same
      * operation.
      */
-    boolean isOf(Message reply) {
+    boolean isAnsweredBy(BusMessage reply) {
         String replied = switch (reply.purpose()) {
-            case Message.Purpose.Answer is -> is.operation();
-            case Message.Purpose.Refusal is -> is.operation();
-            case Message.Purpose.Publication none -> "";
-            case Message.Purpose.Question none -> "";
+            case BusMessage.Purpose.Reply is -> is.operation();
+            case BusMessage.Purpose.Rejection is -> is.operation();
+            case BusMessage.Purpose.Publication none -> "";
+            case BusMessage.Purpose.Request none -> "";
         };
         return reply.from().equals(to) && replied.equals(operation.name());
     }
@@ -53,32 +53,32 @@ final class Pending<A extends Record> {
      * Calls the consumer when the limit is over (with true) or the requester's space is closed (with false). Never
      * called once this request is settled.
      */
-    void limit(Duration limit, Consumer<Boolean> tellInTime) {
+    void limit(Duration limit, Consumer<Boolean> onEnd) {
         over.orTimeout(limit).toCompletableFuture().whenComplete((nothing, error) -> {
             if (error != null) {
-                tellInTime.accept(error instanceof TimeoutException);
+                onEnd.accept(error instanceof TimeoutException);
             }
         });
     }
 
     /** Settles the request by a reply and counts the outcome; false if it was settled before. */
-    boolean settle(Message reply, Counters counters) {
-        if (reply.payload() instanceof Message.Failure failure) {
+    boolean settle(BusMessage reply, Counters counters) {
+        if (reply.payload() instanceof BusMessage.Failure failure) {
             return counted(counters.refused, reject(errorOf(failure)));
         }
-        if (operation.answer().isInstance(reply.payload())) {
-            return counted(counters.answered, resolve(operation.answer().cast(reply.payload())));
+        if (operation.reply().isInstance(reply.payload())) {
+            return counted(counters.answered, resolve(operation.reply().cast(reply.payload())));
         }
         return counted(
                 counters.refused,
                 reject(error("the answer is a " + reply.payload().getClass().getName() + ", expected a "
-                        + operation.answer().getName())));
+                        + operation.reply().getName())));
     }
 
-    private RuntimeException errorOf(Message.Failure failure) {
+    private RuntimeException errorOf(BusMessage.Failure failure) {
         return switch (failure) {
-            case Message.Failure.NotDelivered(String why) -> error(why);
-            case Message.Failure.Failed(String type, String message) ->
+            case BusMessage.Failure.NotDelivered(String why) -> error(why);
+            case BusMessage.Failure.Failed(String type, String message) ->
                 new RemoteFailure(to, operation.name(), type, message);
         };
     }
@@ -88,7 +88,7 @@ final class Pending<A extends Record> {
     }
 
     private String about(String why) {
-        return asker.address() + " asked " + to + " for " + operation.name() + ": " + why;
+        return requester.address() + " asked " + to + " for " + operation.name() + ": " + why;
     }
 
     BusTimeoutException timeout(Duration limit) {
@@ -125,12 +125,12 @@ final class Pending<A extends Record> {
     }
 
     /** The promise that the requester gets. */
-    private final class Answer extends Promise<A> {
+    private final class Reply extends Promise<A> {
         private final Home home;
         private final boolean madeOutside;
         private volatile Runnable whenCancelled = () -> {};
 
-        Answer(Home home) {
+        Reply(Home home) {
             this.home = home;
             this.madeOutside = Home.current() != home;
         }
@@ -170,7 +170,7 @@ final class Pending<A extends Record> {
 
         @Override
         public String toString() {
-            return asker.address() + "'s question to " + to + " for " + operation.name();
+            return requester.address() + "'s question to " + to + " for " + operation.name();
         }
     }
 }

@@ -8,72 +8,72 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /** The request handler that a port registered for one operation, with the queue of its requests. */
-final class Answering<Q extends Record, A extends Record> extends Inlet {
+final class OperationHandler<Q extends Record, A extends Record> extends InboundQueue {
     /** Identifies a request: its sender and its sequence number. */
-    private record Asked(Address by, long number) {
-        static Asked of(Message question) {
-            return new Asked(question.from(), question.sequence());
+    private record RequestId(Address by, long number) {
+        static RequestId of(BusMessage request) {
+            return new RequestId(request.from(), request.sequence());
         }
     }
 
     final Operation<Q, A> operation;
-    private final Function<? super Q, ? extends Promise<A>> answerer;
+    private final Function<? super Q, ? extends Promise<A>> handler;
     // guarded by itself: requests without a reply yet, at most capacity
-    private final Map<Asked, Message> begun = new LinkedHashMap<>();
+    private final Map<RequestId, BusMessage> begun = new LinkedHashMap<>();
 
-    Answering(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
+    OperationHandler(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
         super(port, port.address() + " answers " + operation.name());
         this.operation = operation;
-        this.answerer = answerer;
+        this.handler = handler;
     }
 
     @Override
-    void handle(Message question) {
-        if (!begin(question)) {
-            refuseBusy(question, "are being answered");
+    void handle(BusMessage request) {
+        if (!begin(request)) {
+            rejectBusy(request, "are being answered");
             return;
         }
         String over = whyEnded();
         if (over != null) {
-            refuseBegun(over);
+            rejectBegun(over);
             return;
         }
         Promise<A> answer;
         try {
-            answer = answerer.apply(operation.question().cast(question.payload()));
+            answer = handler.apply(operation.request().cast(request.payload()));
             if (answer == null) {
                 throw new NullPointerException("the answerer returned null, expected a promise");
             }
         } catch (Throwable thrown) {
-            settle(question, null, thrown);
+            settle(request, null, thrown);
             return;
         }
         answer.toCompletableFuture() // notifies at once, on any thread, even if the actor has stopped
-                .whenComplete((value, error) -> settle(question, value, error));
+                .whenComplete((value, error) -> settle(request, value, error));
     }
 
     /**
      * Records a request as begun. Returns false if the limit is reached. A request whose requester has cancelled is
      * handled, but not recorded.
      */
-    private boolean begin(Message question) {
-        Message evicted = null;
+    private boolean begin(BusMessage request) {
+        BusMessage evicted = null;
         synchronized (begun) {
-            if (begun.size() >= node.settings.capacity() && node.isAwaited(question)) {
-                evicted = oldestOfAnotherNode();
+            if (begun.size() >= node.settings.capacity() && node.isAwaited(request)) {
+                evicted = oldestFromAnotherNode();
                 if (evicted == null) {
                     return false;
                 }
-                begun.remove(Asked.of(evicted));
+                begun.remove(RequestId.of(evicted));
             }
-            begun.put(Asked.of(question), question);
+            begun.put(RequestId.of(request), request);
         }
         if (evicted != null) {
-            refuseBusy(evicted, "are being answered");
+            rejectBusy(evicted, "are being answered");
         }
         // checked after recording: either this thread or the cancelling one sees the other's change
-        if (!node.isAwaited(question)) {
-            forget(question);
+        if (!node.isAwaited(request)) {
+            forget(request);
         }
         return true;
     }
@@ -81,56 +81,56 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     /**
      * The oldest begun request from another node. Its requester may have cancelled, which is not known on this node.
      */
-    private @Nullable Message oldestOfAnotherNode() {
+    private @Nullable BusMessage oldestFromAnotherNode() {
         return begun.values().stream().filter(node::isFromAnother).findFirst().orElse(null);
     }
 
-    private void settle(Message question, @Nullable A value, @Nullable Throwable error) {
+    private void settle(BusMessage request, @Nullable A value, @Nullable Throwable error) {
         boolean first;
         synchronized (begun) {
-            first = begun.remove(Asked.of(question)) != null;
+            first = begun.remove(RequestId.of(request)) != null;
         }
-        Message reply = replyTo(question, value, error);
+        BusMessage reply = replyTo(request, value, error);
         if (first) {
             node.route(reply);
         } else {
             String ended = whyEnded();
-            node.telling.late(
+            node.notifier.late(
                     reply,
                     ended == null ? "nobody waits for it any more" : port.address() + " had left before: " + ended);
         }
     }
 
     /** The requester has cancelled: its reply is no longer awaited. */
-    void forget(Message question) {
+    void forget(BusMessage request) {
         synchronized (begun) {
-            begun.remove(Asked.of(question));
+            begun.remove(RequestId.of(request));
         }
     }
 
-    private Message replyTo(Message question, @Nullable A value, @Nullable Throwable error) {
+    private BusMessage replyTo(BusMessage request, @Nullable A value, @Nullable Throwable error) {
         if (error == null && value == null) {
             return failed(
-                    question,
+                    request,
                     new NullPointerException("the answer is null, expected a "
-                            + operation.answer().getName()));
+                            + operation.reply().getName()));
         }
         if (error == null) {
             try {
-                return node.answer(port.address(), question, operation.answer().cast(node.detached(value)));
+                return node.reply(port.address(), request, operation.reply().cast(node.copy(value)));
             } catch (RuntimeException | Error unfit) {
-                return failed(question, unfit);
+                return failed(request, unfit);
             }
         }
-        return failed(question, error);
+        return failed(request, error);
     }
 
-    private Message failed(Message question, Throwable error) {
-        node.telling.answererFailed(question, error);
-        return node.refusal(
+    private BusMessage failed(BusMessage request, Throwable error) {
+        node.notifier.handlerFailed(request, error);
+        return node.rejection(
                 port.address(),
-                question,
-                new Message.Failure.Failed(error.getClass().getName(), messageOf(error)));
+                request,
+                new BusMessage.Failure.Failed(error.getClass().getName(), messageOf(error)));
     }
 
     private static String messageOf(Throwable error) {
@@ -148,29 +148,29 @@ final class Answering<Q extends Record, A extends Record> extends Inlet {
     }
 
     @Override
-    void overflow(Message question) {
-        refuseBusy(question, "wait there");
+    void overflow(BusMessage request) {
+        rejectBusy(request, "wait there");
     }
 
-    private void refuseBusy(Message question, String how) {
-        node.refuse(
+    private void rejectBusy(BusMessage request, String how) {
+        node.reject(
                 port.address(),
-                question,
+                request,
                 "is too busy: " + node.settings.capacity() + " questions for " + operation.name() + " " + how);
     }
 
     @Override
-    void leftOver(List<Message> rest, String why) {
-        rest.forEach(question -> node.refuse(port.address(), question, "left before it answered: " + why));
-        refuseBegun(why);
+    void discard(List<BusMessage> rest, String why) {
+        rest.forEach(request -> node.reject(port.address(), request, "left before it answered: " + why));
+        rejectBegun(why);
     }
 
-    private void refuseBegun(String why) {
-        List<Message> open;
+    private void rejectBegun(String why) {
+        List<BusMessage> open;
         synchronized (begun) {
             open = List.copyOf(begun.values());
             begun.clear();
         }
-        open.forEach(question -> node.refuse(port.address(), question, "left before it answered: " + why));
+        open.forEach(request -> node.reject(port.address(), request, "left before it answered: " + why));
     }
 }

@@ -8,7 +8,7 @@ package io.troupe.services.bus;
  *
  * <p><b>Source.</b> Paper, section 2.2.3: control messages manage services, data messages are their input and output.
  */
-public sealed interface Message permits DataMessage, ControlMessage {
+public sealed interface BusMessage {
     Address from();
 
     Purpose purpose();
@@ -20,20 +20,26 @@ public sealed interface Message permits DataMessage, ControlMessage {
     Record payload();
 
     /** Creates a message of that kind. */
-    static Message of(Operation.Kind kind, Address from, Purpose purpose, long sequence, Record payload) {
+    static BusMessage of(Operation.Kind kind, Address from, Purpose purpose, long sequence, Record payload) {
         return switch (kind) {
-            case DATA -> new DataMessage(from, purpose, sequence, payload);
-            case CONTROL -> new ControlMessage(from, purpose, sequence, payload);
+            case DATA -> new Data(from, purpose, sequence, payload);
+            case CONTROL -> new Control(from, purpose, sequence, payload);
         };
     }
 
     /** The kind of the operation; publications are data. */
     default Operation.Kind kind() {
         return switch (this) {
-            case DataMessage data -> Operation.Kind.DATA;
-            case ControlMessage control -> Operation.Kind.CONTROL;
+            case Data data -> Operation.Kind.DATA;
+            case Control control -> Operation.Kind.CONTROL;
         };
     }
+
+    /** Input or output of a service. */
+    record Data(Address from, Purpose purpose, long sequence, Record payload) implements BusMessage {}
+
+    /** Manages a service: invokes it, terminates it, checks its health. */
+    record Control(Address from, Purpose purpose, long sequence, Record payload) implements BusMessage {}
 
     /** The purpose of a message, which also determines its receivers. */
     sealed interface Purpose {
@@ -46,7 +52,7 @@ public sealed interface Message permits DataMessage, ControlMessage {
         }
 
         /** A request to one address. */
-        record Question(Address to, String operation) implements Purpose {
+        record Request(Address to, String operation) implements Purpose {
             @Override
             public String toString() {
                 return "question to " + to + " for " + operation;
@@ -56,9 +62,9 @@ public sealed interface Message permits DataMessage, ControlMessage {
         /**
          * The reply to a request.
          *
-         * @param question the sequence number of the request
+         * @param request the sequence number of the request
          */
-        record Answer(Address to, String operation, long question) implements Purpose {
+        record Reply(Address to, String operation, long request) implements Purpose {
             @Override
             public String toString() {
                 return "answer to " + to + " for " + operation;
@@ -66,7 +72,7 @@ public sealed interface Message permits DataMessage, ControlMessage {
         }
 
         /** Rejects a request; sent in place of a reply. */
-        record Refusal(Address to, String operation, long question) implements Purpose {
+        record Rejection(Address to, String operation, long request) implements Purpose {
             @Override
             public String toString() {
                 return "refusal to " + to + " for " + operation;

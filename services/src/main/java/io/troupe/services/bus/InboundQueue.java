@@ -2,6 +2,7 @@ package io.troupe.services.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Topic;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayDeque;
 import java.util.List;
@@ -14,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Any thread calls {@link #offer} and {@link #end}; {@link #handle} runs on the space, and on behalf
  * of the actor, that created the queue. <b>Order.</b> First in, first out.
  */
-abstract class Inlet {
+abstract class InboundQueue {
     private static final int BATCH =
             8; // small, so that other callbacks and messages of the space are not delayed for long
 
@@ -22,31 +23,31 @@ abstract class Inlet {
     final Port port;
     private final int capacity;
     private final ActorSpace space;
-    private final io.troupe.actor.Topic<Inlet> door; // wakes the space; shows whether the actor still exists
-    private final ArrayDeque<Message> waiting = new ArrayDeque<>(); // guarded by this
+    private final Topic<InboundQueue> wakeUps; // wakes the space; shows whether the actor still exists
+    private final ArrayDeque<BusMessage> waiting = new ArrayDeque<>(); // guarded by this
     private boolean signalled; // guarded by this: a drain is scheduled on the space
     private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
 
-    Inlet(Port port, String name) {
+    InboundQueue(Port port, String name) {
         this.port = port;
         this.node = port.node;
         this.capacity = node.settings.capacity();
         ActorSpace here = ActorSpace.current();
         this.space = here == null ? node.settings.space() : here;
-        this.door = io.troupe.actor.Topic.of(space, name);
+        this.wakeUps = Topic.of(space, name);
     }
 
     /** Starts delivery. Not in the constructor, because this publishes the queue to other threads. */
     final void open() {
-        door.subscribe(new Signal());
+        wakeUps.subscribe(new Signal());
         Promise<@Nullable Void> closed = space.whenClosed();
         watch = closed;
         closed.toCompletableFuture().thenRun(() -> end("space " + space + " was closed"));
     }
 
     /** Handles one message, on the space. */
-    abstract void handle(Message message);
+    abstract void handle(BusMessage message);
 
     /**
      * Overflow policy: true to drop the oldest message, false to reject the newest. {@link #overflow} handles that
@@ -54,18 +55,18 @@ abstract class Inlet {
      */
     abstract boolean dropsOldest();
 
-    abstract void overflow(Message message);
+    abstract void overflow(BusMessage message);
 
     /** Called once, with the messages still queued at the end. */
-    abstract void leftOver(List<Message> rest, String why);
+    abstract void discard(List<BusMessage> rest, String why);
 
     /**
      * Queues a message.
      *
      * @return null, or the reason why this queue has ended
      */
-    final @Nullable String offer(Message message) {
-        Message tooMany = null;
+    final @Nullable String offer(BusMessage message) {
+        BusMessage tooMany = null;
         boolean signal;
         synchronized (this) {
             if (ended != null) {
@@ -84,7 +85,7 @@ abstract class Inlet {
         if (signal) { // before overflow(), which may throw
             signal();
         } else {
-            isOver(); // the actor may have stopped before the scheduled drain, which then never runs
+            hasEnded(); // the actor may have stopped before the scheduled drain, which then never runs
         }
         if (tooMany != null) {
             overflow(tooMany);
@@ -96,14 +97,14 @@ abstract class Inlet {
     void accepted() {}
 
     private void signal() {
-        if (door.publish(this) == 0) {
+        if (wakeUps.publish(this) == 0) {
             end("the actor that listened has stopped");
         }
     }
 
     private void drain() {
         for (int count = 0; count < BATCH; count++) {
-            Message next;
+            BusMessage next;
             synchronized (this) {
                 next = waiting.poll();
                 if (next == null) {
@@ -117,7 +118,7 @@ abstract class Inlet {
     }
 
     /** If it throws, the space reports the exception, and the remaining messages are still delivered. */
-    private void handleOne(Message next) {
+    private void handleOne(BusMessage next) {
         boolean returned = false;
         try {
             handle(next);
@@ -130,8 +131,8 @@ abstract class Inlet {
     }
 
     /** Returns whether delivery has ended, also because the actor has stopped. */
-    final boolean isOver() {
-        if (ended == null && door.subscribers() == 0) {
+    final boolean hasEnded() {
+        if (ended == null && wakeUps.subscribers() == 0) {
             end("the actor that listened has stopped");
         }
         return ended != null;
@@ -141,9 +142,9 @@ abstract class Inlet {
         return ended;
     }
 
-    /** Ends delivery; the messages still queued are passed to {@link #leftOver}. */
+    /** Ends delivery; the messages still queued are passed to {@link #discard}. */
     final void end(String why) {
-        List<Message> rest;
+        List<BusMessage> rest;
         synchronized (this) {
             if (ended != null) {
                 return;
@@ -157,13 +158,13 @@ abstract class Inlet {
             watching.cancel();
         }
         port.forget(this);
-        leftOver(rest, why);
+        discard(rest, why);
     }
 
-    private final class Signal implements Callback<Inlet> {
+    private final class Signal implements Callback<InboundQueue> {
         @Override
-        public void accept(@Nullable Inlet inlet, @Nullable Throwable error) {
-            Objects.requireNonNull(inlet).drain();
+        public void accept(@Nullable InboundQueue queue, @Nullable Throwable error) {
+            Objects.requireNonNull(queue).drain();
         }
 
         @Override

@@ -3,41 +3,41 @@ package io.troupe.services.bus;
 import java.util.function.Consumer;
 
 /** Notifies the observer of a node, and counts losses. */
-final class Telling {
+final class ObserverNotifier {
     private final BusObserver observer;
     private final Counters counters;
 
-    Telling(BusObserver observer, Counters counters) {
+    ObserverNotifier(BusObserver observer, Counters counters) {
         this.observer = observer;
         this.counters = counters;
     }
 
-    void passed(Message message) {
-        tell(it -> it.passed(message));
+    void passed(BusMessage message) {
+        notifyObserver(each -> each.passed(message));
     }
 
-    void undeliverable(Message message, String why) {
+    void undeliverable(BusMessage message, String why) {
         counters.undeliverable.increment();
         lost(new Loss.Undeliverable(message, why));
     }
 
-    void late(Message reply, String why) {
+    void late(BusMessage reply, String why) {
         counters.late.increment();
         lost(new Loss.Late(reply, why));
     }
 
     /** Reports a loss that its caller counts. */
     void lost(Loss loss) {
-        tell(it -> it.lost(loss));
+        notifyObserver(each -> each.lost(loss));
     }
 
-    void answererFailed(Message question, Throwable error) {
-        tell(it -> it.failed(question, error));
+    void handlerFailed(BusMessage request, Throwable error) {
+        notifyObserver(each -> each.failed(request, error));
     }
 
-    private void tell(Consumer<BusObserver> what) {
+    private void notifyObserver(Consumer<BusObserver> event) {
         try {
-            what.accept(observer);
+            event.accept(observer);
         } catch (RuntimeException | Error failure) { // an observer's exception must not end a delivery
             LoggingObserver.observerFailed(failure);
         }

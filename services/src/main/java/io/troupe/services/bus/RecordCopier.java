@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> None for a record type that contains, at any depth, no list, no map and no nested record of the same
  * type. Otherwise reflection on the records that contain them.
  */
-final class Detacher {
+final class RecordCopier {
     /** Accessors and constructor of a record type that has to be copied. */
     private record Plan(List<Method> accessors, Constructor<?> constructor) {}
 
@@ -35,29 +35,29 @@ final class Detacher {
      *
      * @throws IllegalArgumentException if it cannot leave the process; the message names its type and the reason
      */
-    <T extends Record> T detached(T value) {
+    <T extends Record> T copy(T value) {
         if (planOf(value.getClass()) == null) {
             return value;
         }
         @SuppressWarnings("unchecked") // the constructor of the value's class made it
-        T copy = (T) new Walk(value.getClass()).copyOfRecord(value, 1);
+        T copy = (T) new Copying(value.getClass()).copyOfRecord(value, 1);
         return copy;
     }
 
     private @Nullable Plan planOf(Class<?> type) {
         var known = plans.get(type);
         if (known == null) {
-            known = mustBeWalked(type, new HashSet<>()) ? Optional.of(plan(type)) : Optional.empty();
+            known = mayNeedCopy(type, new HashSet<>()) ? Optional.of(plan(type)) : Optional.empty();
             plans.put(type, known);
         }
         return known.orElse(null);
     }
 
     /** The copying of one value. */
-    private final class Walk {
+    private final class Copying {
         private final Class<?> root;
 
-        Walk(Class<?> root) {
+        Copying(Class<?> root) {
             this.root = root;
         }
 
@@ -95,8 +95,8 @@ final class Detacher {
         }
 
         private int checked(int level) {
-            if (level > Portable.MOST_LEVELS) {
-                throw refusal("it is nested deeper than " + Portable.MOST_LEVELS + " levels");
+            if (level > Portable.MAX_LEVELS) {
+                throw rejection("it is nested deeper than " + Portable.MAX_LEVELS + " levels");
             }
             return level;
         }
@@ -111,7 +111,7 @@ final class Detacher {
             boolean changed = false;
             for (Object each : list) {
                 if (each == null) {
-                    throw refusal("a list in it has null at " + copy.size());
+                    throw rejection("a list in it has null at " + copy.size());
                 }
                 Object part = copyOf(each, level + 1);
                 copy.add(part);
@@ -126,21 +126,21 @@ final class Detacher {
                 Object key = entry.getKey();
                 Object value = entry.getValue();
                 if (key == null) {
-                    throw refusal("a map in it has the key null");
+                    throw rejection("a map in it has the key null");
                 }
                 if (value == null) {
-                    throw refusal("a map in it has null for \"" + key + "\"");
+                    throw rejection("a map in it has null for \"" + key + "\"");
                 }
                 copy.put(key, copyOf(value, level + 1));
             }
             return Collections.unmodifiableMap(copy);
         }
 
-        private IllegalArgumentException refusal(String why) {
+        private IllegalArgumentException rejection(String why) {
             return new IllegalArgumentException("a value of " + root.getName()
                     + " cannot leave the process: " + why
                     + ", expected values, and no null in lists and maps, in at most "
-                    + Portable.MOST_LEVELS + " levels of records, lists and maps");
+                    + Portable.MAX_LEVELS + " levels of records, lists and maps");
         }
     }
 
@@ -149,7 +149,7 @@ final class Detacher {
      *
      * @param inside the types that contain this one
      */
-    private static boolean mustBeWalked(Type type, Set<Type> inside) {
+    private static boolean mayNeedCopy(Type type, Set<Type> inside) {
         if (type instanceof ParameterizedType) {
             return true; // List, Map or Optional: see Portable
         }
@@ -161,8 +161,8 @@ final class Detacher {
         }
         boolean must = plain.isRecord()
                 ? Arrays.stream(plain.getRecordComponents())
-                        .anyMatch(each -> mustBeWalked(each.getGenericType(), inside))
-                : Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> mustBeWalked(each, inside));
+                        .anyMatch(each -> mayNeedCopy(each.getGenericType(), inside))
+                : Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> mayNeedCopy(each, inside));
         inside.remove(plain);
         return must;
     }
@@ -172,7 +172,7 @@ final class Detacher {
         var accessors = new ArrayList<Method>();
         try {
             for (RecordComponent component : components) {
-                accessors.add(opened(component.getAccessor()));
+                accessors.add(accessible(component.getAccessor()));
             }
             var constructor = type.getDeclaredConstructor(
                     Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
@@ -183,7 +183,7 @@ final class Detacher {
         }
     }
 
-    private static Method opened(Method accessor) {
+    private static Method accessible(Method accessor) {
         accessor.setAccessible(true); // the class of the record need not be public
         return accessor;
     }

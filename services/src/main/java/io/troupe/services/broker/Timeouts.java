@@ -10,7 +10,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** Calls providers with a time limit. Runs on the broker's space. */
-final class Limits {
+final class Timeouts {
     /** The timers of the broker's actor. */
     interface Timers {
         Timer after(Duration delay, Runnable task);
@@ -18,7 +18,7 @@ final class Limits {
 
     private final Timers timers;
 
-    Limits(Timers timers) {
+    Timeouts(Timers timers) {
         this.timers = timers;
     }
 
@@ -33,7 +33,7 @@ final class Limits {
      * @return settled like the provider's answer; rejected with an overdue {@link ProviderException} if the limit is
      *     over first
      */
-    Promise<@Nullable Void> ask(
+    Promise<@Nullable Void> call(
             Supplier<? extends @Nullable Promise<?>> question,
             Duration limit,
             String overdue,

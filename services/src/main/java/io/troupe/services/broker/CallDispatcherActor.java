@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Sends calls to the current provider. Keeps the calls that are queued for a provider, and those without an answer yet.
  */
-final class CallerActor extends Actor implements Caller, Broker.Connection {
+final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.Connection {
     private final ActorServices services;
     private final Class<?> type;
     private final Need need;
@@ -29,11 +29,11 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     private ActorProvider.@Nullable Running current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
-    private @Nullable Events events;
+    private @Nullable EventPublisher events;
     // of instances that have not ended
     private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches = new HashMap<>();
 
-    CallerActor(
+    CallDispatcherActor(
             ActorServices services,
             Class<?> type,
             Need need,
@@ -48,7 +48,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     @Override
     protected void started() {
-        events = new Events(services.observer(), space());
+        events = new EventPublisher(services.observer(), space());
         services.broker().connect(need, this).handle((provider, error) -> {
             if (error != null) {
                 noProvider = Reasons.of(error);
@@ -69,9 +69,10 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
             noProvider = provider.provider() + " has ended, or is not an actor that was published in this process";
         } else if (!type.isInstance(next.proxy())) {
             current = null;
-            mismatch = new IllegalArgumentException("\"" + need.by() + "\" calls " + Roster.what(need) + " as "
-                    + type.getName() + ", and its provider " + provider.provider() + " is a "
-                    + interfacesOf(next.proxy()));
+            mismatch =
+                    new IllegalArgumentException("\"" + need.by() + "\" calls " + ProviderRegistry.what(need) + " as "
+                            + type.getName() + ", and its provider " + provider.provider() + " is a "
+                            + interfacesOf(next.proxy()));
             refuseAllWaiting(mismatch);
         } else {
             watch(next);
@@ -135,16 +136,16 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     @Override
-    public void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into) {
+    public void bind(@Nullable Callback<@Nullable Object> callback, BoundCallback into) {
         into.callback = callback;
     }
 
     @Override
-    public Promise<@Nullable Void> giveUp(Call call) {
+    public Promise<@Nullable Void> cancel(Call call) {
         PendingCall waited = waiting.remove(call);
-        PendingCall givenUp = waited == null ? underWay.remove(call) : waited;
-        if (givenUp != null) {
-            givenUp.giveUp();
+        PendingCall cancelled = waited == null ? underWay.remove(call) : waited;
+        if (cancelled != null) {
+            cancelled.cancel();
         }
         return Promise.done();
     }
@@ -180,7 +181,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     private void send(PendingCall call) {
-        if (call.call.wasGivenUp()) {
+        if (call.call.isCancelled()) {
             call.reject(new CancellationException(call + " was given up by its caller before it was sent"));
             return;
         }
@@ -210,8 +211,8 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
         if (underWay.remove(call.call) == null) {
-            if (!(error instanceof ActorStoppedException) && !call.wasGivenUp()) { // neither is an answer
-                events().tell(new BrokerEvent.Late(call.receiver(), call.toString(), error));
+            if (!(error instanceof ActorStoppedException) && !call.isCancelled()) { // neither is an answer
+                events().publish(new BrokerEvent.Late(call.receiver(), call.toString(), error));
             }
         } else if (error == null) {
             call.resolve(value);
@@ -233,7 +234,9 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private ServiceCallException notSent(PendingCall call, String what) {
         return new ServiceCallException(
-                call + " of \"" + need.by() + "\", which needs " + Roster.what(need) + ", " + what, false, null);
+                call + " of \"" + need.by() + "\", which needs " + ProviderRegistry.what(need) + ", " + what,
+                false,
+                null);
     }
 
     private void refuseAllWaiting(Throwable why) {
@@ -245,11 +248,11 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     /** Rejects a call that was not sent to any provider. */
     private void refuse(PendingCall call, Throwable why) {
         if (!call.reject(why)) {
-            events().tell(new BrokerEvent.Undelivered(need, call.toString(), why));
+            events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
         }
     }
 
-    private Events events() {
+    private EventPublisher events() {
         return Objects.requireNonNull(events);
     }
 

@@ -3,17 +3,17 @@ package io.troupe.services.broker;
 import io.troupe.actor.ActorSpace;
 
 /** Notifies the observer; its exceptions never reach the broker. */
-final class Events {
+final class EventPublisher {
     private final BrokerObserver observer;
     private final ActorSpace space;
 
     /** @param space reports the observer's exceptions */
-    Events(BrokerObserver observer, ActorSpace space) {
+    EventPublisher(BrokerObserver observer, ActorSpace space) {
         this.observer = observer;
         this.space = space;
     }
 
-    void tell(BrokerEvent event) {
+    void publish(BrokerEvent event) {
         try {
             observer.on(event);
         } catch (RuntimeException | Error thrown) {

@@ -18,7 +18,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** The registry: all providers in the order of registration. Used on the broker's space. */
-final class Roster {
+final class ProviderRegistry {
     private static final int MOST_LISTED = 20; // in an error message
 
     private final List<Registration> all = new ArrayList<>();
@@ -26,9 +26,9 @@ final class Roster {
     private final Set<Address> reserved =
             new HashSet<>(); // addresses of providers that are being started to replace another one
 
-    void add(Registration it) {
-        checkFree(it.address, null);
-        all.add(it);
+    void add(Registration registration) {
+        checkFree(registration.address, null);
+        all.add(registration);
     }
 
     void checkFree(Address address, @Nullable Address butFor) {
@@ -41,8 +41,8 @@ final class Roster {
         }
     }
 
-    void reserve(Registration it) {
-        reserved.add(it.address);
+    void reserve(Registration registration) {
+        reserved.add(registration.address);
     }
 
     void free(Address address) {
@@ -53,38 +53,38 @@ final class Roster {
      * Puts a provider in the position of the old one, or at the end if that was removed. The old one may run until
      * {@link #forget} is called.
      */
-    void put(Registration it, Registration old) {
+    void put(Registration registration, Registration old) {
         int place = all.indexOf(old);
         if (place >= 0) {
-            all.set(place, it);
+            all.set(place, registration);
             leaving.add(old);
         } else {
-            all.add(it);
+            all.add(registration);
         }
     }
 
     /** Removes a withdrawn provider. It may run until {@link #forget} is called. */
-    void remove(Registration it) {
-        all.remove(it);
-        leaving.add(it);
+    void remove(Registration registration) {
+        all.remove(registration);
+        leaving.add(registration);
     }
 
-    void forget(Registration it) {
-        leaving.remove(it);
+    void forget(Registration registration) {
+        leaving.remove(registration);
     }
 
     /**
      * Withdrawn or replaced providers that may still run and have the same address or the same provider object. They
      * must stop before the given one is started.
      */
-    List<Registration> predecessors(Registration it) {
+    List<Registration> predecessors(Registration registration) {
         return leaving.stream()
-                .filter(each -> each.address.equals(it.address) || each.provider == it.provider)
+                .filter(each -> each.address.equals(registration.address) || each.provider == registration.provider)
                 .toList();
     }
 
-    boolean has(Registration it) {
-        return all.contains(it);
+    boolean has(Registration registration) {
+        return all.contains(registration);
     }
 
     Optional<Registration> at(Address address) {
@@ -133,7 +133,7 @@ final class Roster {
             String why = listed(these, each -> each + " (" + reason(each, tried.get(each)) + ")");
             text.append(", which is offered, but runs nowhere: ").append(why).append("; registered: ");
         }
-        text.append(all.isEmpty() ? "nothing" : listed(all, Roster::show));
+        text.append(all.isEmpty() ? "nothing" : listed(all, ProviderRegistry::show));
         var missing = new MissingServiceException(need, Reasons.oneLine(text.toString()));
         tried.values().stream().limit(MOST_LISTED).forEach(missing::addSuppressed);
         return missing;
@@ -145,9 +145,9 @@ final class Roster {
         return some.size() <= MOST_LISTED ? first : first + " and " + (some.size() - MOST_LISTED) + " more";
     }
 
-    private static String reason(Registration it, @Nullable Throwable tried) {
-        Throwable why = tried != null ? tried : it.why;
-        return why == null ? words(it.health) : Reasons.of(why);
+    private static String reason(Registration registration, @Nullable Throwable tried) {
+        Throwable why = tried != null ? tried : registration.why;
+        return why == null ? words(registration.health) : Reasons.of(why);
     }
 
     /** The error for a need while the broker is shutting down. */
@@ -181,9 +181,10 @@ final class Roster {
                                 .toList());
     }
 
-    private static String show(Registration it) {
-        String capabilities = it.capabilities.isEmpty() ? "" : String.join(", ", it.capabilities) + "; ";
-        return it.service + " (" + capabilities + words(it.health) + ")";
+    private static String show(Registration registration) {
+        String capabilities =
+                registration.capabilities.isEmpty() ? "" : String.join(", ", registration.capabilities) + "; ";
+        return registration.service + " (" + capabilities + words(registration.health) + ")";
     }
 
     private static String words(Health health) {

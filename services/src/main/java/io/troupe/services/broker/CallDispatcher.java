@@ -11,30 +11,30 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /** The actor of a connection: queues calls and sends them to the current provider. */
-interface Caller {
+interface CallDispatcher {
     void tell(Call call);
 
     Promise<@Nullable Object> ask(Call call);
 
     /** The caller no longer waits for the answer to that call. */
-    Promise<@Nullable Void> giveUp(Call call);
+    Promise<@Nullable Void> cancel(Call call);
 
     /**
      * Takes over a callback that the next call passes on. As an argument of this message, the callback is bound to the
      * caller's space.
      */
-    void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into);
+    void bind(@Nullable Callback<@Nullable Object> callback, BoundCallback into);
 
     /**
      * Placeholder for a callback among the arguments of a call, until the connection's actor has taken over the
      * callback.
      */
-    final class Adopted {
+    final class BoundCallback {
         @Nullable
         Callback<@Nullable Object> callback; // accessed on the connection's space only
     }
 
-    /** A method and its arguments, with {@link Adopted} in place of callbacks. Compared by identity. */
+    /** A method and its arguments, with {@link BoundCallback} in place of callbacks. Compared by identity. */
     final class Call {
         final Method method;
         private final List<@Nullable Object> arguments;
@@ -49,7 +49,7 @@ interface Caller {
         @Nullable
         Object[] toInvoke() {
             return arguments.stream()
-                    .map(each -> each instanceof Adopted adopted ? adopted.callback : each)
+                    .map(each -> each instanceof BoundCallback bound ? bound.callback : each)
                     .toArray();
         }
 
@@ -58,7 +58,7 @@ interface Caller {
         }
 
         /** Returns whether the call was cancelled, or its answer has no listener any more. */
-        boolean wasGivenUp() {
+        boolean isCancelled() {
             return answer != null && answer.isAbandoned();
         }
 
@@ -77,7 +77,7 @@ interface Caller {
         private final Method method;
         private final boolean madeOutside;
         private @Nullable Promise<@Nullable Object> asked;
-        private Runnable giveUp = () -> {};
+        private Runnable onCancel = () -> {};
 
         private Answer(ActorSpace home, Method method) {
             this.home = home;
@@ -87,12 +87,12 @@ interface Caller {
 
         /** Sends the request to the connection. */
         static Promise<@Nullable Object> ask(
-                Caller caller, ActorSpace home, Method method, List<@Nullable Object> arguments) {
+                CallDispatcher dispatcher, ActorSpace home, Method method, List<@Nullable Object> arguments) {
             var answer = new Answer(home, method);
             var call = new Call(method, arguments, answer);
-            Promise<@Nullable Object> asked = caller.ask(call);
+            Promise<@Nullable Object> asked = dispatcher.ask(call);
             answer.asked = asked;
-            answer.giveUp = () -> caller.giveUp(call).exceptionally(closed -> null);
+            answer.onCancel = () -> dispatcher.cancel(call).exceptionally(closed -> null);
             answer.follow(asked);
             return answer;
         }
@@ -106,7 +106,7 @@ interface Caller {
             if (asked != null) {
                 asked.cancel(); // skipped if it has not begun
             }
-            giveUp.run();
+            onCancel.run();
         }
 
         @Override

@@ -9,8 +9,8 @@ package io.troupe.services.bus;
  * is published. Two topics with the same name and different types are an error as long as a port that has used the
  * first is open.
  */
-public record Topic<T extends Record>(String name, Class<T> type) {
-    public Topic {
+public record BusTopic<T extends Record>(String name, Class<T> type) {
+    public BusTopic {
         if (name.isBlank()) {
             throw new IllegalArgumentException("the name of a topic is blank");
         }
