@@ -129,4 +129,47 @@ public final class ActorServices {
     private static ActorSettings named(Address address) {
         return ActorSettings.named(address.toString());
     }
+
+    /** A provider for an existing actor: the code that spawned the actor also stops it. */
+    private static final class SpawnedProvider implements Provider {
+        private final ActorSpace space;
+        private final ActorProvider.Running life;
+        private final ConcurrentMap<Address, ActorProvider.Running> directory;
+
+        SpawnedProvider(
+                Address address,
+                ActorSpace space,
+                Object proxy,
+                ConcurrentMap<Address, ActorProvider.Running> directory) {
+            this.space = space;
+            this.life = ActorProvider.Running.of(address, space, proxy, directory);
+            this.directory = directory;
+        }
+
+        @Override
+        public Promise<@Nullable Void> start() {
+            if (life.hasEnded()) {
+                return Promise.failed(new ProviderException(
+                        life.address() + " has stopped, and only who spawned it can spawn it again", null));
+            }
+            life.enter(directory);
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop() {
+            directory.remove(life.address(), life);
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> check() {
+            return ActorProvider.check(space, life);
+        }
+
+        @Override
+        public Promise<@Nullable Void> whenEnded() {
+            return space.whenStopped(life.proxy());
+        }
+    }
 }

@@ -23,8 +23,7 @@ final class ProviderRegistry {
 
     private final List<Registration> all = new ArrayList<>();
     private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
-    private final Set<Address> reserved =
-            new HashSet<>(); // addresses of providers that are being started to replace another one
+    private final Set<Address> reserved = new HashSet<>(); // for replacements that are being started
 
     void add(Registration registration) {
         checkFree(registration.address, null);

@@ -7,6 +7,7 @@ import io.troupe.services.text.Suggestions;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 
 /**
  * The bus as one process sees it: routes messages between its ports and, over the {@link Transport}, to other nodes. A
@@ -262,5 +263,47 @@ final class BusNode implements Bus {
     @Override
     public String toString() {
         return "bus " + name;
+    }
+
+    /** Notifies the observer of a node, and counts losses. */
+    static final class ObserverNotifier {
+        private final BusObserver observer;
+        private final Counters counters;
+
+        ObserverNotifier(BusObserver observer, Counters counters) {
+            this.observer = observer;
+            this.counters = counters;
+        }
+
+        void passed(BusMessage message) {
+            notifyObserver(each -> each.passed(message));
+        }
+
+        void undeliverable(BusMessage message, String why) {
+            counters.undeliverable.increment();
+            lost(new Loss.Undeliverable(message, why));
+        }
+
+        void late(BusMessage reply, String why) {
+            counters.late.increment();
+            lost(new Loss.Late(reply, why));
+        }
+
+        /** Reports a loss that its caller counts. */
+        void lost(Loss loss) {
+            notifyObserver(each -> each.lost(loss));
+        }
+
+        void handlerFailed(BusMessage request, Throwable error) {
+            notifyObserver(each -> each.failed(request, error));
+        }
+
+        private void notifyObserver(Consumer<BusObserver> event) {
+            try {
+                event.accept(observer);
+            } catch (RuntimeException | Error failure) { // an observer's exception must not end a delivery
+                LoggingObserver.observerFailed(failure);
+            }
+        }
     }
 }

@@ -16,8 +16,7 @@ import org.jspecify.annotations.Nullable;
  * of the actor, that created the queue. <b>Order.</b> First in, first out.
  */
 abstract class InboundQueue {
-    private static final int BATCH =
-            8; // small, so that other callbacks and messages of the space are not delayed for long
+    private static final int BATCH = 8; // small, to limit the delay of the space's other callbacks and messages
 
     final BusNode node;
     final Port port;

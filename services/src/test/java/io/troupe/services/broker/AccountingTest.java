@@ -84,8 +84,7 @@ class AccountingTest {
         private final List<Late> later = new ArrayList<>();
         private final Map<Integer, Promise<String>> asked = new TreeMap<>();
         private final Map<Integer, Boolean> notes = new TreeMap<>();
-        private final Map<Integer, String> expected =
-                new HashMap<>(); // the provider that must execute it, if that is certain
+        private final Map<Integer, String> expected = new HashMap<>(); // provider that must execute it, if certain
         private final List<Address> alive = new ArrayList<>(); // the model: the first is in use
         private final Worker worker;
         private final long seed;
