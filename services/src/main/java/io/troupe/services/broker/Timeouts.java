@@ -34,12 +34,12 @@ final class Timeouts {
      *     over first
      */
     Promise<@Nullable Void> call(
-            Supplier<? extends @Nullable Promise<?>> question,
+            Supplier<? extends @Nullable Promise<?>> call,
             Duration limit,
             String overdue,
             Consumer<@Nullable Throwable> late) {
         var outcome = new Deferred<@Nullable Void>();
-        Promise<?> answer = answerOf(question);
+        Promise<?> answer = answerOf(call);
         Timer timer = timers.after(
                 limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit, null)));
         answer.handle((value, error) -> {
@@ -52,9 +52,9 @@ final class Timeouts {
         return outcome;
     }
 
-    private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> question) {
+    private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> call) {
         try {
-            return Objects.requireNonNull(question.get(), "it answered null, expected a promise");
+            return Objects.requireNonNull(call.get(), "it answered null, expected a promise");
         } catch (Throwable thrown) { // an exception from a provider counts as its answer
             return Promise.failed(thrown);
         }

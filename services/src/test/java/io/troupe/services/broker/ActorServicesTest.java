@@ -108,7 +108,7 @@ class ActorServicesTest {
     }
 
     @Test
-    void call_waitsForTheNextProvider_ifTheOneItIsToldOfHasEndedMeanwhile() {
+    void call_waitsForTheNextProvider_ifTheOneItIsNotifiedOfHasEndedMeanwhile() {
         try (var callers = new TestSpace();
                 var providers = new TestSpace();
                 var brokers = new TestSpace()) {
@@ -195,7 +195,7 @@ class ActorServicesTest {
     }
 
     @Test
-    void answerThatComesLate_isRejectedBefore_andToldToTheObserver() {
+    void answerThatComesLate_isRejectedBefore_andReportedToTheObserver() {
         try (var stage = new ServicesStage()) {
             stage.publish("a");
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
@@ -250,7 +250,7 @@ class ActorServicesTest {
     }
 
     @Test
-    void wrongInterface_isToldInPlainWords() {
+    void wrongInterface_isReportedInPlainWords() {
         try (var stage = new ServicesStage()) {
             stage.publish("a");
             var connection = stage.services.connect(Clock.class, PARROT);

@@ -51,7 +51,7 @@ class HealthTest {
     }
 
     @Test
-    void answerToACheck_thatComesLate_isTold_andDoesNotCount() {
+    void answerToACheck_thatComesLate_isReported_andDoesNotCount() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
             bench.require("player");

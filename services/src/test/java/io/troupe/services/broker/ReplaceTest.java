@@ -106,7 +106,7 @@ class ReplaceTest {
     }
 
     @Test
-    void oldThatDoesNotStop_isTold_andTheReplacementHolds() {
+    void oldThatDoesNotStop_isReported_andTheReplacementHolds() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
             var heard = bench.connect("robot 1", "player");
@@ -126,7 +126,7 @@ class ReplaceTest {
     }
 
     @Test
-    void userThatThrows_orDoesNotHear_doesNotHoldUpTheOthers() {
+    void userThatThrows_orDoesNotReturn_doesNotHoldUpTheOthers() {
         try (var bench = new BrokerBench()) {
             bench.offer("player", "a");
             bench.broker.connect(Need.ofService("bad", "player"), new Broker.Connection() {
@@ -370,7 +370,7 @@ class ReplaceTest {
     }
 
     @Test
-    void disconnected_hearsNothingAnyMore() {
+    void disconnected_receivesNothingAnyMore() {
         try (var bench = new BrokerBench()) {
             bench.offer("player", "a");
             var uses = new int[1];

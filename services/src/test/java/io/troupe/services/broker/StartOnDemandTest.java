@@ -85,7 +85,7 @@ class StartOnDemandTest {
     }
 
     @Test
-    void startThatComesLate_isTold_andStoppedAgain() {
+    void startThatComesLate_isReported_andStoppedAgain() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
             bench.offer("player", "b");

@@ -23,7 +23,7 @@ class BusSoakTest {
     private static final int COMING_AND_GOING = 2;
 
     @Test
-    void questions_areSettledOnceEach() {
+    void requests_areSettledOnceEach() {
         int requesters = 3;
         int questions = 1_000;
         Soak.rounds(1, round -> {

@@ -214,7 +214,7 @@ class BusThreadsTest {
     }
 
     @Test
-    void everyQuestion_isSettledOnce_whileAnswerersComeAndGo() throws Exception {
+    void everyRequest_isSettledOnce_whileHandlersComeAndGo() throws Exception {
         int questions = 5_000;
         var requesters = new Requesters(THREADS - 1, 300);
         try (var bus = open(64)) {

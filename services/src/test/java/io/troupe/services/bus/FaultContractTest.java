@@ -21,7 +21,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void answererThatHangs_isRejectedWhenTheTimeIsOver_andItsAnswerIsToldAsLate() {
+    void handlerThatHangs_isRejectedWhenTheTimeIsOver_andItsAnswerIsReportedAsLate() {
         var handler = far().attach("speller");
         var kept = new Deferred<Text>(test.space());
         handler.answer(SPELL, count -> kept);
@@ -46,7 +46,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void questionsThatWait_areRejectedAtOnce_whenTheAnswererLeaves() {
+    void requestsThatWait_areRejectedAtOnce_whenTheHandlerLeaves() {
         var handler = far().attach("speller");
         var kept = new Deferred<Text>(test.space());
         handler.answer(SPELL, count -> kept);
@@ -70,7 +70,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void questionsThatWait_areRejectedAtOnce_whenTheSpaceOfTheAnswererIsClosed() {
+    void requestsThatWait_areRejectedAtOnce_whenTheSpaceOfTheHandlerIsClosed() {
         var other = ActorSpace.create(SpaceSettings.named("other").withHandCrank());
         var handler = far().attach("speller");
         other.execute(() -> handler.answer(SPELL, count -> new Deferred<>()));
@@ -88,7 +88,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void questionsOfAnAskerThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
+    void requestsOfARequesterThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
         var handler = far().attach("speller");
         var kept = new Deferred<Text>(test.space());
         handler.answer(SPELL, count -> kept);
@@ -103,7 +103,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void answererThatIsReplaced_answersUnderTheSameName() {
+    void handlerThatIsReplaced_answersUnderTheSameName() {
         var first = far().attach("speller");
         first.answer(SPELL, count -> Promise.of(new Text("first")));
         var requester = near().attach("asker");
@@ -117,7 +117,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void answererWithTooManyQuestions_refusesTheNewest() {
+    void handlerWithTooManyRequests_refusesTheNewest() {
         var handler = far().attach("speller");
         handler.answer(SPELL, BusContract::spelt);
         var requester = near().attach("asker");
@@ -138,7 +138,7 @@ class FaultContractTest extends BusContract {
 
     /** A request from another node is evicted, because its requester may have cancelled unnoticed. */
     @Test
-    void answererThatNeverAnswers_refusesTheOldestOfAnotherNode_elseTheNewest_whenItHasBegunTooMany() {
+    void handlerThatNeverAnswers_refusesTheOldestOfAnotherNode_elseTheNewest_whenItHasBegunTooMany() {
         boolean apart = !near().node().equals(far().node());
         var handler = far().attach("speller");
         var kept = new ArrayList<Deferred<Text>>();
@@ -170,7 +170,7 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void questionThatIsCancelled_findsItsAnswerLate() {
+    void requestThatIsCancelled_findsItsAnswerLate() {
         var handler = far().attach("speller");
         handler.answer(SPELL, BusContract::spelt);
         var answer = near().attach("asker").ask(handler.address(), SPELL, new Count(1), SECOND);

@@ -86,7 +86,7 @@ class InProcessBusTest {
     }
 
     @Test
-    void question_isRejectedAtOnce_whenTheSpaceOfItsAskerIsClosed() {
+    void request_isRejectedAtOnce_whenTheSpaceOfItsRequesterIsClosed() {
         var unheard = new ArrayList<Throwable>();
         var requesters = ActorSpace.create(
                 SpaceSettings.named("askers").withHandCrank().withOnError((where, error) -> unheard.add(error)));
@@ -107,7 +107,7 @@ class InProcessBusTest {
     }
 
     @Test
-    void questionsWhoseAskersHaveGivenUp_makeRoomAtTheirAnswerer() {
+    void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler() {
         var small = InProcessBus.open(
                 "small",
                 BusSettings.on(test.space()).withCapacity(BusContract.CAPACITY).withObserver(losses::add));
@@ -138,7 +138,7 @@ class InProcessBusTest {
     }
 
     @Test
-    void questionsThatAreCancelled_areNotKeptUntilTheirLimit() {
+    void requestsThatAreCancelled_areNotKeptUntilTheirLimit() {
         var handler = bus.attach("answerer");
         handler.answer(BusContract.SPELL, count -> new Deferred<>());
         var requester = bus.attach("asker");

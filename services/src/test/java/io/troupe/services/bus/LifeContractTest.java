@@ -57,7 +57,7 @@ class LifeContractTest extends BusContract {
     }
 
     @Test
-    void actorThatHasStopped_hearsNothingAnyMore() {
+    void actorThatHasStopped_receivesNothingAnyMore() {
         var heard = new ArrayList<Integer>();
         var listener = test.spawn(Listener.class, () -> new ListenerActor(heard));
         var port = far().attach("a");
@@ -77,7 +77,7 @@ class LifeContractTest extends BusContract {
     }
 
     @Test
-    void actorThatStopsWithValuesOnTheirWay_isMissedWithTheNextValue_andAllAreTold() {
+    void actorThatStopsWithValuesOnTheirWay_isMissedWithTheNextValue_andAllAreReported() {
         var heard = new ArrayList<Integer>();
         var listener = test.spawn(Listener.class, () -> new ListenerActor(heard));
         var port = near().attach("a");
@@ -98,7 +98,7 @@ class LifeContractTest extends BusContract {
     }
 
     @Test
-    void otherSpace_hearsOnItsOwnThread_andHasItsOwnClock() {
+    void otherSpace_receivesOnItsThread_andHasItsClock() {
         var other = new TestSpace();
         var port = far().attach("a");
         var heard = new ArrayList<Integer>();

@@ -101,7 +101,7 @@ class PortableTest {
     }
 
     @Test
-    void operation_checksQuestionAndAnswer() {
+    void operation_checksRequestAndAnswer() {
         assertThatThrownBy(() -> new Operation<>("o", Plain.class, OfArray.class, Operation.Kind.DATA))
                 .hasMessageStartingWith("operation o: values of " + OfArray.class.getName());
         assertThatThrownBy(() -> new Operation<>("o", OfArray.class, Plain.class, Operation.Kind.DATA))

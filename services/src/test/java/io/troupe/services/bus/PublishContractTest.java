@@ -39,7 +39,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriber_hearsWhatIsPublishedFromThenOn_andNothingAfterItHasClosed() {
+    void subscriber_receivesWhatIsPublishedFromThenOn_andNothingAfterItHasClosed() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Integer>();
         publisher.publish(COUNTS, new Count(1));
@@ -54,7 +54,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriptionThatIsClosed_tellsHowManyValuesItDoesNotHear() {
+    void subscriptionThatIsClosed_reportsHowManyValuesItDidNotReceive() {
         var publisher = near().attach("publisher");
         var subscription = far().attach("a").subscribe(COUNTS, (count, from) -> {
             throw new AssertionError("it has closed");
@@ -75,7 +75,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void value_thatItsPublisherChangesLater_isHeardAsItWas() {
+    void value_thatItsPublisherChangesLater_isReceivedAsItWas() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Ranges>();
         far().attach("a").subscribe(RANGES, (ranges, from) -> heard.add(ranges));
@@ -90,7 +90,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriberThatIsTooSlow_losesTheOldest_andTheObserverHearsOfEach() {
+    void subscriberThatIsTooSlow_losesTheOldest_andTheObserverIsNotifiedOfEach() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Integer>();
         var slow = far().attach("slow");
@@ -116,7 +116,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriberThatThrows_isToldToTheObserver_andTheOthersHearTheValue() {
+    void subscriberThatThrows_isReportedToTheObserver_andTheOthersReceiveTheValue() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Integer>();
         var broken = far().attach("broken");

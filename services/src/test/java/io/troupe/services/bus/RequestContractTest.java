@@ -18,7 +18,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void question_isAnswered() {
+    void request_isAnswered() {
         var handler = far().attach("speller");
         handler.answer(SPELL, BusContract::spelt);
         var answer = near().attach("asker").ask(handler.address(), SPELL, new Count(7), SECOND);
@@ -39,7 +39,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void question_toNobody_isRejectedAtOnce_andNamesWhoIsSimilar() {
+    void request_toAnUnknownPort_isRejectedAtOnce_andNamesWhoIsSimilar() {
         far().attach("wall-follower");
         var to = new Address(far().node(), "wall-folower");
         var requester = near().attach("asker");
@@ -50,7 +50,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void question_thatNobodyAnswersThere_isRejectedAtOnce_andNamesTheOperationsThereAre() {
+    void request_forAnUnknownOperation_isRejectedAtOnce_andNamesTheOperationsThereAre() {
         var handler = far().attach("speller");
         handler.answer(START, BusContract::spelt);
         var requester = near().attach("asker");
@@ -61,7 +61,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void question_toANodeThatIsNotThere_isRejectedAtOnce_andNamesBoth() {
+    void request_toANodeThatIsNotThere_isRejectedAtOnce_andNamesBoth() {
         var requester = near().attach("asker");
         assertThat(refusalOf(requester.ask(new Address("moon", "base"), SPELL, new Count(7), SECOND)))
                 .isEqualTo(requester.address() + " asked moon/base for spell: there is no way from node "
@@ -70,7 +70,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void question_ofAnotherTypeThanIsAnswered_isRejected_andNamesBoth() {
+    void request_ofAnotherTypeThanIsAnswered_isRejected_andNamesBoth() {
         var handler = far().attach("speller");
         handler.answer(SPELL, BusContract::spelt);
         var other = new Operation<>("spell", Text.class, Text.class, Operation.Kind.DATA);
@@ -89,7 +89,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void answererThatThrows_rejectsWithTheNameAndMessageOfItsError_withoutTheErrorItself() {
+    void handlerThatThrows_rejectsWithTheNameAndMessageOfItsError_withoutTheErrorItself() {
         var handler = far().attach("speller");
         var error = new IllegalArgumentException("7 cannot be spelt", new RuntimeException("secret"));
         handler.answer(SPELL, count -> {
@@ -108,7 +108,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void answererThatRejects_orReturnsNothing_rejectsTheQuestion() {
+    void handlerThatRejects_orReturnsNothing_rejectsTheRequest() {
         var handler = far().attach("speller");
         handler.answer(SPELL, count -> Promise.failed(new IllegalStateException()));
         handler.answer(START, count -> nothing());
@@ -128,7 +128,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void answerThatIsNestedTooDeep_rejectsTheQuestion_byName() {
+    void answerThatIsNestedTooDeep_rejectsTheRequest_byName() {
         var smith = far().attach("smith");
         smith.answer(FORGE, count -> Promise.of(Chain.of(count.value())));
         var requester = near().attach("asker");
@@ -143,7 +143,7 @@ class RequestContractTest extends BusContract {
     }
 
     @Test
-    void answererWhoseErrorHasNoMessageToRead_rejectsTheQuestion() {
+    void handlerWhoseErrorHasNoMessageToRead_rejectsTheRequest() {
         var handler = far().attach("speller");
         handler.answer(SPELL, count -> Promise.failed(new Unreadable()));
         assertThat(test.error(near().attach("asker").ask(handler.address(), SPELL, new Count(7), SECOND)))

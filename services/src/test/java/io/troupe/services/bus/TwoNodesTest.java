@@ -22,7 +22,7 @@ class TwoNodesTest extends BusContract {
     }
 
     @Test
-    void wayThatFails_rejectsTheQuestion_andIsToldForAPublication() {
+    void transportThatFails_rejectsTheRequest_andIsReportedForAPublication() {
         var broken = new BusNode("broken", settings(), new Transport() {
             @Override
             public boolean reaches(String node) {
@@ -92,7 +92,7 @@ class TwoNodesTest extends BusContract {
     }
 
     @Test
-    void replyToAnotherQuestionOfThatNumber_settlesNothing() {
+    void replyToAnotherRequestOfThatNumber_settlesNothing() {
         var sent = new ArrayList<BusMessage>();
         var node = new BusNode("near", settings(), new Transport() {
             @Override
@@ -127,7 +127,7 @@ class TwoNodesTest extends BusContract {
     }
 
     @Test
-    void questionsWhoseAskersHaveGivenUp_makeRoomAtTheirAnswerer_theOldestFirst() {
+    void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler_theOldestFirst() {
         var handler = far().attach("a");
         var kept = new ArrayList<Deferred<Text>>();
         handler.answer(SPELL, count -> {
