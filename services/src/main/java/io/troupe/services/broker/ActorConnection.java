@@ -6,36 +6,36 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 
 /**
- * A connection to a service by an actor's interface: calls reach whoever provides it at the moment.
+ * A connection to a service through an actor interface: each call goes to the current provider of the service.
  *
- * <p><b>Role.</b> Made by {@link ActorServices#connect}; closed by whoever made it.
+ * <p><b>Role.</b> Created by {@link ActorServices#connect}; closed by the code that created it.
  *
- * <p><b>Threads.</b> Any thread calls the actor. Answers and callbacks come to the caller's own space, as those of any
+ * <p><b>Threads.</b> Any thread may call the actor. Answers and callbacks arrive on the caller's space, as for any
  * actor.
  *
  * <p><b>Order.</b> Calls of one sender reach one provider in the order in which they were made. At most once: a call is
- * never sent to a second provider, since the first may have done what was asked.
+ * never sent to a second provider, because the first may already have executed it.
  *
- * <p><b>Cost.</b> A call takes two messages and a reflective call instead of one message: the connection is an actor of
- * its own, on the space of whoever made it, which keeps the calls in order, with their limits, without locks.
+ * <p><b>Cost.</b> A call takes two messages and a reflective invocation instead of one message: the connection is an
+ * actor on the space of the code that created it. This keeps calls and their time limits in order without locks.
  *
- * <p><b>Errors.</b> A request waits, within its limit, while there is no provider. It is rejected with a
- * {@link ServiceCallException} if none comes, if its provider ends while it is under way, or does not answer within the
- * limit; an answer after that is told to the observer. One whose caller has cancelled it, or whose time limit
- * ({@link Promise#orTimeout}) has passed while nobody else listens, is cancelled: it is forgotten at once, and not
- * begun by a provider that has not begun it. A one-way call waits for a shorter time
- * ({@link ConnectionSettings#oneWayLimit}), and one that finds no provider is told to the observer; one that waits in
- * the mailbox of a provider when that stops is a dead letter of that provider's space.
+ * <p><b>Errors.</b> While there is no provider, a request is queued until its limit. It is rejected with a
+ * {@link ServiceCallException} if no provider is found, if its provider ends before the answer, or if the provider does
+ * not answer within the limit; an answer after that is reported to the observer. A request is cancelled if its caller
+ * cancels it, or if its time limit ({@link Promise#orTimeout}) passes and it has no other listener: it is removed at
+ * once, and a provider that has not begun it does not execute it. A one-way call is queued for a shorter time
+ * ({@link ConnectionSettings#oneWayLimit}); if no provider is found, this is reported to the observer. A one-way call
+ * that is still in the mailbox of a provider when that stops becomes a dead letter of the provider's space.
  */
 public final class ActorConnection<A> implements AutoCloseable {
     private final ActorSpace space;
-    private final Caller caller;
+    private final CallDispatcher dispatcher;
     private final A actor;
     private final Promise<ServiceRecord> first;
 
-    private ActorConnection(ActorSpace space, Caller caller, A actor, Promise<ServiceRecord> first) {
+    private ActorConnection(ActorSpace space, CallDispatcher dispatcher, A actor, Promise<ServiceRecord> first) {
         this.space = space;
-        this.caller = caller;
+        this.dispatcher = dispatcher;
         this.actor = actor;
         this.first = first;
     }
@@ -43,37 +43,37 @@ public final class ActorConnection<A> implements AutoCloseable {
     static <A> ActorConnection<A> open(
             ActorSpace space, ActorServices services, Class<A> type, Need need, ConnectionSettings settings) {
         var first = new Deferred<ServiceRecord>(null);
-        Caller caller = space.spawn(
-                Caller.class,
-                () -> new CallerActor(services, type, need, settings, first),
-                ActorSettings.named("\"" + need.by() + "\"'s connection to " + Roster.what(need)));
-        return new ActorConnection<>(space, caller, Relay.of(type, need, space, caller), first);
+        CallDispatcher dispatcher = space.spawn(
+                CallDispatcher.class,
+                () -> new CallDispatcherActor(services, type, need, settings, first),
+                ActorSettings.named("\"" + need.by() + "\"'s connection to " + ProviderRegistry.what(need)));
+        return new ActorConnection<>(space, dispatcher, ServiceProxy.of(type, need, space, dispatcher), first);
     }
 
-    /** Stands for the provider; use it as any proxy, from the first moment on. */
+    /** The proxy for the provider. Can be used like any actor proxy, even before a provider has been found. */
     public A actor() {
         return actor;
     }
 
     /**
-     * Tells whether there is anybody.
+     * The first provider of this connection.
      *
-     * @return the first provider; rejected with a {@link MissingServiceException} if there was none when the connection
-     *     was made (one that comes later is used), with an {@link IllegalArgumentException} if it cannot be called by
-     *     this interface
+     * @return fulfilled with the first provider; rejected with a {@link MissingServiceException} if there was none when
+     *     the connection was created (a later one is still used), or with an {@link IllegalArgumentException} if it
+     *     does not implement this interface
      */
     public Promise<ServiceRecord> first() {
         return first;
     }
 
-    /** The actor, when there is a provider; rejected as {@link #first} is. */
+    /** Fulfilled with the actor once there is a provider; rejected like {@link #first}. */
     public Promise<A> whenReady() {
         return first.thenApply(provider -> actor);
     }
 
-    /** Ends the connection; calls that have no answer yet are rejected. */
+    /** Closes the connection; calls without an answer are rejected. */
     @Override
     public void close() {
-        space.stop(caller);
+        space.stop(dispatcher);
     }
 }

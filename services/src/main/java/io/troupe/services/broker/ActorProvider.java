@@ -12,9 +12,9 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** An actor that is spawned when it is started. Called on the broker's space. */
+/** A provider that spawns an actor when the broker starts it. Called on the broker's space. */
 final class ActorProvider<A> implements Provider {
-    /** One life of an actor that provides a service, for whoever calls it. Any thread. */
+    /** One running instance of an actor that provides a service. Used from any thread. */
     static final class Running {
         private final Address address;
         private final Object proxy;
@@ -27,7 +27,7 @@ final class ActorProvider<A> implements Provider {
             this.ended = ended;
         }
 
-        /** A life that leaves the directory when it ends. */
+        /** Creates an instance that is removed from the directory when its actor stops. */
         static Running of(Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, Running> directory) {
             var life = new Running(address, proxy, space.whenStopped(proxy));
             life.ended.toCompletableFuture().whenComplete((nothing, error) -> {
@@ -50,7 +50,7 @@ final class ActorProvider<A> implements Provider {
             return ended.isDone();
         }
 
-        /** Can be found there, unless it has ended. */
+        /** Adds this instance to the directory, unless it has ended. */
         void enter(ConcurrentMap<Address, Running> directory) {
             directory.put(address, this);
             if (hasEnded()) {
@@ -59,10 +59,10 @@ final class ActorProvider<A> implements Provider {
         }
 
         /**
-         * Waits for its end.
+         * Watches for the end of this instance.
          *
-         * @return fulfilled then; to be handed to {@link #unwatch} by one who leaves before, since connections come and
-         *     go while a provider lives
+         * @return fulfilled when the instance ends. Pass it to {@link #unwatch} when it is no longer needed, because
+         *     connections are opened and closed while a provider runs
          */
         Deferred<@Nullable Void> watch() {
             var watch = new Deferred<@Nullable Void>();
@@ -108,18 +108,17 @@ final class ActorProvider<A> implements Provider {
         var life = Running.of(address, space, proxy, directory);
         running = life;
         var started = new Deferred<@Nullable Void>(null);
-        space.execute(
-                () -> { // behind the entry that starts it
-                    if (life.hasEnded()) {
-                        Throwable why = failure.get();
-                        started.reject(new ProviderException(
-                                address + " stopped when it was started" + (why == null ? "" : ": " + Reasons.of(why)),
-                                why));
-                    } else {
-                        life.enter(directory);
-                        started.resolve(null);
-                    }
-                });
+        // runs after the entry that starts the actor
+        space.execute(() -> {
+            if (life.hasEnded()) {
+                Throwable why = failure.get();
+                started.reject(new ProviderException(
+                        address + " stopped when it was started" + (why == null ? "" : ": " + Reasons.of(why)), why));
+            } else {
+                life.enter(directory);
+                started.resolve(null);
+            }
+        });
         return started;
     }
 
@@ -127,7 +126,7 @@ final class ActorProvider<A> implements Provider {
         try {
             return factory.get();
         } catch (RuntimeException | Error thrown) {
-            failure.set(thrown); // and the space's error handler hears of it
+            failure.set(thrown); // the space's error handler receives it as well
             throw thrown;
         }
     }
@@ -148,7 +147,10 @@ final class ActorProvider<A> implements Provider {
         return check(space, running);
     }
 
-    /** An entry of the space's mailbox queue: it comes back when all that the space has been sent before is done. */
+    /**
+     * A health check: appends an entry to the space's mailbox queue. It is fulfilled after all earlier messages of the
+     * space.
+     */
     static Promise<@Nullable Void> check(ActorSpace space, @Nullable Running life) {
         if (life == null || life.hasEnded()) {
             return Promise.failed(new ProviderException((life == null ? "it" : life.address()) + " has stopped", null));

@@ -12,18 +12,18 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The actor as a service: actors of this process are published at a broker, and called through it by their own
- * interfaces.
+ * Actors as services: actors of this process are registered at a broker, and clients call them through the broker by
+ * their own interfaces.
  *
- * <p><b>Role.</b> One for a broker and a process. Who is published here can be called through {@link #connect} of the
- * same object; an actor can be both publisher and subscriber.
+ * <p><b>Role.</b> Create one per broker and process. Actors that are published here can be called through
+ * {@link #connect} of the same object. An actor can be publisher and subscriber at the same time.
  *
  * <p><b>Threads.</b> Any thread.
  *
- * <p><b>Errors.</b> An actor's health is asked for by an entry in its space's queue, which comes back when everything
- * sent there before is done: a space that hangs, or is far behind, is noticed, but only by a broker on another space,
- * since a broker on the same one hangs with it. An actor that stops, by whatever cause, is noticed at once on every
- * space. An actor whose message throws goes on, and is well, unless its {@link ActorSettings} say that it stops then.
+ * <p><b>Errors.</b> The health check of an actor is an entry in its space's queue, fulfilled after all earlier entries.
+ * It detects a space that hangs or is far behind, but only if the broker runs on another space: a broker on the same
+ * space hangs with it. An actor that stops, for whatever cause, is detected at once on every space. An actor whose
+ * message throws continues and stays healthy, unless its {@link ActorSettings} make it stop.
  *
  * <p><b>Source.</b> Paper, section 1: actors that expose services, each a publisher and a subscriber.
  */
@@ -36,11 +36,11 @@ public final class ActorServices {
     private final ConcurrentMap<String, Integer> published = new ConcurrentHashMap<>();
 
     /**
-     * Actors as services.
+     * Creates the actor services of one process.
      *
-     * @param node the name of this process, for addresses
-     * @param home where connections live that are made outside every actor space
-     * @param observer hears of calls that reached nobody, and of answers that came too late
+     * @param node the name of this process, used in addresses
+     * @param home the space of connections that are created outside every actor space
+     * @param observer receives events about calls that were not delivered, and about late answers
      */
     public ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer) {
         this.broker = Objects.requireNonNull(broker, "broker");
@@ -50,12 +50,12 @@ public final class ActorServices {
     }
 
     /**
-     * Publishes an actor that the broker spawns when it is needed. Its address is the service's name, with a number if
-     * it is not the first of this service.
+     * Publishes an actor that the broker spawns on demand. Its address is the service's name, with a number appended
+     * from the second actor of the same service on.
      *
-     * @param space where it will live
-     * @param type an actor type; others connect to it by this interface, or one that it extends
-     * @param factory makes it, on its space, at each start
+     * @param space where it runs
+     * @param type an actor type; clients connect by this interface or one that it extends
+     * @param factory creates the actor, on its space, at each start
      */
     public <A> Promise<ServiceRecord> publish(
             ActorSpace space, Class<A> type, String service, List<String> capabilities, Supplier<? extends A> factory) {
@@ -64,8 +64,8 @@ public final class ActorServices {
     }
 
     /**
-     * Publishes an actor that is there already. The broker watches it, but neither starts nor stops it: that is for
-     * whoever spawned it.
+     * Publishes an existing actor. The broker watches it, but neither starts nor stops it: the code that spawned it
+     * does.
      */
     public <A> Promise<ServiceRecord> publishSpawned(
             ActorSpace space, String service, List<String> capabilities, A proxy) {
@@ -73,7 +73,7 @@ public final class ActorServices {
         return broker.register(service, capabilities, address, new SpawnedProvider(address, space, proxy, directory));
     }
 
-    /** Publishes an actor in another's place, while others call it; see {@link Broker#replace}. */
+    /** Publishes an actor in place of another one that may be in use; see {@link Broker#replace}. */
     public <A> Promise<ServiceRecord> replace(
             Address old,
             ActorSpace space,
@@ -86,26 +86,25 @@ public final class ActorServices {
                 old, service, capabilities, address, provider(address, space, type, factory, named(address)));
     }
 
-    /** What a broker needs to run an actor, for an address and settings of one's own choice. */
+    /** A provider for the broker that spawns an actor, with the given address and actor settings. */
     public <A> Provider provider(
             Address address, ActorSpace space, Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
         return new ActorProvider<>(address, space, type, factory, settings, directory);
     }
 
-    /** A connection with the usual limits; see {@link #connect(Class, Need, ConnectionSettings)}. */
+    /** Connects with the default limits; see {@link #connect(Class, Need, ConnectionSettings)}. */
     public <A> ActorConnection<A> connect(Class<A> type, Need need) {
         return connect(type, need, ConnectionSettings.DEFAULT);
     }
 
     /**
-     * Connects to whoever provides a service now, and to whoever takes its place later.
+     * Connects to the current provider of a service, and after a failover or replacement to the next one.
      *
-     * @param type the interface by which it is called; its providers have to be published by it, or by one that extends
-     *     it
+     * @param type the interface to call; providers must be published by this interface or one that extends it
      * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise}
      */
     public <A> ActorConnection<A> connect(Class<A> type, Need need, ConnectionSettings settings) {
-        Relay.check(type);
+        ServiceProxy.check(type);
         ActorSpace current = ActorSpace.current();
         return ActorConnection.open(current == null ? home : current, this, type, need, settings);
     }
@@ -129,5 +128,48 @@ public final class ActorServices {
 
     private static ActorSettings named(Address address) {
         return ActorSettings.named(address.toString());
+    }
+
+    /** A provider for an existing actor: the code that spawned the actor also stops it. */
+    private static final class SpawnedProvider implements Provider {
+        private final ActorSpace space;
+        private final ActorProvider.Running life;
+        private final ConcurrentMap<Address, ActorProvider.Running> directory;
+
+        SpawnedProvider(
+                Address address,
+                ActorSpace space,
+                Object proxy,
+                ConcurrentMap<Address, ActorProvider.Running> directory) {
+            this.space = space;
+            this.life = ActorProvider.Running.of(address, space, proxy, directory);
+            this.directory = directory;
+        }
+
+        @Override
+        public Promise<@Nullable Void> start() {
+            if (life.hasEnded()) {
+                return Promise.failed(new ProviderException(
+                        life.address() + " has stopped, and only who spawned it can spawn it again", null));
+            }
+            life.enter(directory);
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop() {
+            directory.remove(life.address(), life);
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> check() {
+            return ActorProvider.check(space, life);
+        }
+
+        @Override
+        public Promise<@Nullable Void> whenEnded() {
+            return space.whenStopped(life.proxy());
+        }
     }
 }

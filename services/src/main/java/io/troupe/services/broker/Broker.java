@@ -6,99 +6,101 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps the registry of services, finds them, starts them when they are needed, watches their health, and tells those
- * who use them when another takes over.
+ * The service registry: finds providers, starts them on demand, checks their health, and notifies connected clients
+ * when another provider takes over.
  *
- * <p><b>Threads.</b> Any thread calls; listeners run on the actor space on which they were registered.
+ * <p><b>Threads.</b> Methods may be called from any thread; listeners run on the actor space on which they were
+ * registered.
  *
- * <p><b>Errors.</b> A need that nobody can meet is rejected with a {@link MissingServiceException}.
+ * <p><b>Errors.</b> A need without a provider is rejected with a {@link MissingServiceException}.
  *
  * <p><b>Source.</b> Paper, section 2.2.4; "in case a service is not present the system should terminate gracefully",
  * section 1.
  */
 public interface Broker extends AutoCloseable {
     /**
-     * Offers a service. It is started when somebody needs it. If one at that address, or with the same
-     * {@code provider}, was withdrawn or replaced before, that is stopped at once when this one is needed, and this one
-     * is started when it has stopped or its limit is over. Those who are connected and have no provider are connected
-     * to it.
+     * Registers a provider of a service. It is started on demand. If a provider at the same address, or the same
+     * {@code provider}, was withdrawn or replaced before and has not stopped yet, that one is stopped at once when the
+     * new one is needed, and the new one is started when it has stopped or its time limit is over. Connected clients
+     * without a provider are connected to the new one.
      *
      * @param capabilities may be empty
-     * @return rejected with an {@link IllegalArgumentException} if something is registered at that address already
+     * @return rejected with an {@link IllegalArgumentException} if the address is already registered
      */
     Promise<ServiceRecord> register(String service, List<String> capabilities, Address address, Provider provider);
 
     /**
-     * Withdraws an offer: those who use it get another provider, or hear that there is none; then it is stopped. A
-     * start that has not begun, since it waits for the stop of another, is not begun.
+     * Withdraws a provider. Its clients get another provider, or are notified that there is none; then it is stopped. A
+     * start of it that is still waiting for the stop of another provider is dropped.
      *
-     * @return fulfilled when it has stopped; rejected with a {@link ProviderException} if it does not, and with an
-     *     {@link IllegalArgumentException} if nothing is registered at that address
+     * @return fulfilled when it has stopped; rejected with a {@link ProviderException} if it does not stop, and with an
+     *     {@link IllegalArgumentException} if the address is not registered
      */
     Promise<@Nullable Void> withdraw(Address provider);
 
     /**
-     * Puts a provider in another's place while the application runs: the new one is started, users are told, the old
-     * one is stopped. It has the old one's place in the order of registration, and may have its address. The replaced
-     * provider can be given its place back at any time: it is stopped and started again, as {@link #register} says.
+     * Replaces a provider at run time: the new one is started, clients are notified, then the old one is stopped. The
+     * new provider keeps the old one's position in the order of registration, and may have the same address. The
+     * replaced provider can be registered again at any time: it is stopped and started again as described at
+     * {@link #register}.
      *
-     * @return fulfilled when that is done; rejected with a {@link ProviderException} if the new one cannot be started,
-     *     and then the old one stays in use; with an {@link IllegalStateException} while another one is being started
-     *     in its place
+     * @return fulfilled when the replacement is complete; rejected with a {@link ProviderException} if the new provider
+     *     cannot be started, in which case the old one stays in use; with an {@link IllegalStateException} if the old
+     *     one is already being replaced
      */
     Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider);
 
-    /** Everything that is registered, in the order of registration. */
+    /** All registered providers, in the order of registration. */
     Promise<List<ServiceRecord>> registered();
 
-    /** All who meet a need, the best first: well before suspect, then in the order of registration. Starts nothing. */
+    /**
+     * All providers that meet a need, best first: healthy before suspect, then in the order of registration. Starts
+     * nothing.
+     */
     Promise<List<ServiceRecord>> find(Need need);
 
     /**
-     * One provider that runs: well before suspect; if none runs, the first that can be started, those that have failed
-     * before at last. Who needs the same at the same time waits for the same start.
+     * Returns one running provider: healthy before suspect. If none runs, the first one that can be started, those that
+     * have failed before last. Concurrent callers with the same need share one start.
      *
      * @return rejected with a {@link MissingServiceException} that names each provider and why it does not run
      */
     Promise<ServiceRecord> require(Need need);
 
     /**
-     * Stays connected: the listener hears of the provider to use, at first and whenever another takes its place,
-     * because it has failed, was withdrawn or replaced. Ends with {@link #disconnect}, and when the actor that called
-     * has stopped.
+     * Connects a client: the listener is notified of the provider to use, first now, and again whenever another one
+     * takes its place because the provider failed, was withdrawn or was replaced. The connection ends with
+     * {@link #disconnect}, or when the calling actor stops.
      *
-     * @return fulfilled with the first provider; rejected with a {@link MissingServiceException} if there is none now;
-     *     the connection stays even then, and its listener hears when there is one
+     * @return fulfilled with the first provider; rejected with a {@link MissingServiceException} if there is none now.
+     *     The connection stays open even then, and its listener is notified when there is a provider
      */
     Promise<ServiceRecord> connect(Need need, Connection connection);
 
-    /**
-     * Ends a connection: its listener hears nothing any more. Providers are not stopped because nobody is connected to
-     * them.
-     */
+    /** Ends a connection: its listener is not called any more. Providers keep running without connections. */
     Promise<@Nullable Void> disconnect(Connection connection);
 
     /**
-     * Tells users that there is nothing any more, then stops everything that was started here, one after the other in
-     * reverse order of their starts, each within its limit. From the call on, everything that could start or change
-     * something is refused with an {@link IllegalStateException}; {@link #registered} and {@link #find} go on to say
-     * what is known, {@link #disconnect} has nothing to do, and another shutDown answers the same.
+     * Notifies clients that there is no provider any more, then stops all providers that the broker has started, one by
+     * one in reverse order of their starts, each within its limit. From this call on, methods that start or change
+     * something are rejected with an {@link IllegalStateException}; {@link #registered} and {@link #find} still return
+     * the known state, {@link #disconnect} has no effect, and another shutDown returns the same promise.
      *
-     * @return fulfilled, when that is done, with those that did not stop
+     * @return fulfilled, when that is done, with the providers that did not stop
      */
     Promise<List<ServiceRecord>> shutDown();
 
-    /** Begins to {@link #shutDown}, and does not wait for its end: for that, {@code broker.shutDown().get(..)}. */
+    /** Starts {@link #shutDown} without waiting for its end. To wait, use {@code broker.shutDown().get(..)}. */
     @Override
     void close();
 
-    /** Hears whom to use. */
+    /** The listener of a connection: is notified which provider to use. */
     interface Connection {
-        /** From now on this one. */
+        /** Use this provider from now on. */
         void use(ServiceRecord provider);
 
-        /** There is none any more; {@link #use} may follow later. */
+        /** There is no provider at the moment; {@link #use} may follow later. */
         void lost(MissingServiceException why);
     }
 }

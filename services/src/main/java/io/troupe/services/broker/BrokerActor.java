@@ -6,89 +6,97 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.services.bus.Address;
+import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps the registry, and sees to it that everybody who needs something gets it. */
-final class BrokerActor extends Actor implements Registry {
-    private final Roster roster = new Roster();
-    private final Events events;
-    private final Lifecycle lifecycle;
+/** The broker's actor: keeps the registry, and assigns a provider to each need. */
+final class BrokerActor extends Actor implements BrokerProtocol {
+    private final ProviderRegistry registry = new ProviderRegistry();
+    private final EventPublisher events;
+    private final Supervisor supervisor;
     private final Restarts restarts;
-    private final Users users;
+    private final ConnectedClients clients;
     private @Nullable Promise<List<ServiceRecord>> shutDown;
 
     BrokerActor(ActorSpace space, BrokerSettings settings) {
-        var limits = new Limits(this::after);
-        this.events = new Events(settings.observer(), space);
-        this.lifecycle =
-                new Lifecycle(settings, limits, events, roster::predecessors, this::hasStarted, this::hasFailed);
-        this.users = new Users(this::choose, limits, settings, events);
-        this.restarts = new Restarts(settings, limits, lifecycle, it -> roster.has(it) && users.waitFor(it));
+        var timeouts = new Timeouts(this::after);
+        this.events = new EventPublisher(settings.observer(), space);
+        this.supervisor =
+                new Supervisor(settings, timeouts, events, registry::predecessors, this::hasStarted, this::hasFailed);
+        this.clients = new ConnectedClients(this::choose, timeouts, settings, events);
+        this.restarts = new Restarts(
+                settings,
+                timeouts,
+                supervisor,
+                registration -> registry.has(registration) && clients.waitFor(registration));
     }
 
     @Override
-    public Promise<ServiceRecord> register(Registration it) {
+    public Promise<ServiceRecord> register(Registration registration) {
         checkOpen();
-        roster.add(it);
-        events.tell(new BrokerEvent.Registered(it.toRecord()));
-        users.retry(it::meets);
-        return Promise.of(it.toRecord());
+        registry.add(registration);
+        events.publish(new BrokerEvent.Registered(registration.toRecord()));
+        clients.retry(registration::meets);
+        return Promise.of(registration.toRecord());
     }
 
     @Override
     public Promise<@Nullable Void> withdraw(Address provider) {
         checkOpen();
-        Registration it = roster.known(provider);
-        roster.remove(it);
-        events.tell(new BrokerEvent.Withdrawn(it.toRecord()));
-        return leave(it, () -> users.leave(it));
+        Registration registration = registry.known(provider);
+        registry.remove(registration);
+        events.publish(new BrokerEvent.Withdrawn(registration.toRecord()));
+        return leave(registration, () -> clients.leave(registration));
     }
 
     /**
-     * Stops one that has lost its place.
+     * Stops a provider that was withdrawn or replaced.
      *
-     * @param tellUsers it is stopped when they have been notified, or before that if a successor is to be started
+     * @param notifyClients notifies its clients; the provider is stopped after that, or earlier if a successor has to
+     *     be started
      */
-    private Promise<@Nullable Void> leave(Registration it, Supplier<Promise<?>> tellUsers) {
+    private Promise<@Nullable Void> leave(Registration registration, Supplier<Promise<?>> notifyClients) {
         var leaving = new Deferred<@Nullable Void>();
-        Promise<@Nullable Void> stopped = leaving.thenCompose(notified -> lifecycle.stop(it));
-        it.leaving = leaving;
-        it.gone = stopped.handle((nothing, error) -> {
-            roster.forget(it);
+        Promise<@Nullable Void> stopped = leaving.thenCompose(notified -> supervisor.stop(registration));
+        registration.leaving = leaving;
+        registration.gone = stopped.handle((nothing, error) -> {
+            registry.forget(registration);
             return null;
-        }); // before its users look for another provider, which may be a successor
-        it.cancelTimers();
-        lifecycle.rejectWaitingStart(it);
-        tellUsers.get().handle((notified, error) -> leaving.resolve(null));
+        }); // set before its clients look for another provider, which may be a successor
+        registration.cancelTimers();
+        supervisor.rejectWaitingStart(registration);
+        notifyClients.get().handle((notified, error) -> leaving.resolve(null));
         return stopped;
     }
 
     @Override
     public Promise<ServiceRecord> replace(Address old, Registration by) {
         checkOpen();
-        Registration before = roster.known(old);
+        Registration before = registry.known(old);
         if (before.isBeingReplaced) {
             throw new IllegalStateException(old + " is being replaced already, expected one replacement at a time");
         }
-        roster.checkFree(by.address, old);
-        roster.reserve(by);
+        registry.checkFree(by.address, old);
+        registry.reserve(by);
         before.isBeingReplaced = true;
         var done = new Deferred<ServiceRecord>();
-        lifecycle.start(by).handle((started, error) -> {
+        supervisor.start(by).handle((started, error) -> {
             before.isBeingReplaced = false;
-            roster.free(by.address);
+            registry.free(by.address);
             if (error != null) {
                 done.reject(new ProviderException(
                         by + " could not be started in the place of " + old + ", which stays in use: "
                                 + Reasons.of(error),
                         error));
             } else {
-                takeOver(before, by).handle((stopped, stays) -> done.resolve(by.toRecord())); // observers hear of stays
+                // a failed stop of the old provider is reported to the observer
+                takeOver(before, by).handle((stopped, stays) -> done.resolve(by.toRecord()));
             }
             return null;
         });
@@ -97,45 +105,46 @@ final class BrokerActor extends Actor implements Registry {
 
     private Promise<@Nullable Void> takeOver(Registration before, Registration by) {
         Promise<@Nullable Void> withdrawn = before.gone;
-        roster.put(by, before);
-        events.tell(new BrokerEvent.Replaced(before.toRecord(), by.toRecord()));
-        Promise<@Nullable Void> stopped = withdrawn != null ? withdrawn : leave(before, () -> users.move(before, by));
-        users.retry(by::meets);
+        registry.put(by, before);
+        events.publish(new BrokerEvent.Replaced(before.toRecord(), by.toRecord()));
+        Promise<@Nullable Void> stopped = withdrawn != null ? withdrawn : leave(before, () -> clients.move(before, by));
+        clients.retry(by::meets);
         return stopped;
     }
 
     @Override
     public Promise<List<ServiceRecord>> registered() {
-        return Promise.of(roster.records());
+        return Promise.of(registry.records());
     }
 
     @Override
     public Promise<List<ServiceRecord>> find(Need need) {
         return Promise.of(
-                roster.meeting(need).stream().map(Registration::toRecord).toList());
+                registry.meeting(need).stream().map(Registration::toRecord).toList());
     }
 
     @Override
     public Promise<ServiceRecord> require(Need need) {
         checkOpen();
         var found = new Deferred<ServiceRecord>();
-        choose(need, true, it -> found.resolve(it.toRecord()), found::reject);
+        choose(need, true, registration -> found.resolve(registration.toRecord()), found::reject);
         return found;
     }
 
     @Override
-    public Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Users.Told> line) {
+    public Promise<ServiceRecord> connect(
+            Need need, Broker.Connection connection, Callback<ConnectedClients.Notification> callback) {
         checkOpen();
-        return users.connect(need, connection, line);
+        return clients.connect(need, connection, callback);
     }
 
     @Override
     public Promise<@Nullable Void> disconnect(Broker.Connection connection) {
-        users.disconnect(connection);
+        clients.disconnect(connection);
         return Promise.done();
     }
 
-    // ---- whom to use
+    // ---- choosing a provider
 
     private void choose(
             Need need, boolean evenFailed, Consumer<Registration> found, Consumer<MissingServiceException> none) {
@@ -148,64 +157,67 @@ final class BrokerActor extends Actor implements Registry {
             Map<Registration, Throwable> tried,
             Consumer<Registration> found,
             Consumer<MissingServiceException> none) {
-        var best = roster.best(need, each -> !tried.containsKey(each) && (evenFailed || each.health != Health.FAILED));
-        if (lifecycle.isClosing()) {
-            none.accept(Roster.closing(need));
+        var best =
+                registry.best(need, each -> !tried.containsKey(each) && (evenFailed || each.health != Health.FAILED));
+        if (supervisor.isClosing()) {
+            none.accept(ProviderRegistry.closing(need));
             return;
         }
         if (best.isEmpty()) {
-            none.accept(roster.missing(need, tried));
-            restarts.consider(roster.meeting(need));
+            none.accept(registry.missing(need, tried));
+            restarts.consider(registry.meeting(need));
             return;
         }
-        Registration it = best.get();
-        if (it.isRunning()) {
-            found.accept(it);
+        Registration registration = best.get();
+        if (registration.isRunning()) {
+            found.accept(registration);
             return;
         }
-        lifecycle.start(it).handle((started, error) -> {
+        supervisor.start(registration).handle((started, error) -> {
             if (error != null) {
-                tried.put(it, error);
-            } else if (!it.isRunning()) {
-                tried.put(it, new ProviderException(it + " ended while it started", it.why));
-            } // else it is among the best now, unless it was withdrawn meanwhile
+                tried.put(registration, error);
+            } else if (!registration.isRunning()) {
+                tried.put(
+                        registration,
+                        new ProviderException(registration + " ended while it started", registration.why));
+            } // it is now one of the best, unless it was withdrawn meanwhile
             tryNext(need, evenFailed, tried, found, none);
             return null;
         });
     }
 
-    private void hasStarted(Registration it) {
-        if (roster.has(it)) {
-            users.retry(it::meets);
+    private void hasStarted(Registration registration) {
+        if (registry.has(registration)) {
+            clients.retry(registration::meets);
         }
     }
 
-    private void hasFailed(Registration it) {
-        users.leave(it);
+    private void hasFailed(Registration registration) {
+        clients.leave(registration);
     }
 
-    // ---- the end
+    // ---- shutdown
 
     @Override
     public Promise<List<ServiceRecord>> shutDown() {
         if (shutDown == null) {
             var done = new Deferred<List<ServiceRecord>>();
             shutDown = done;
-            lifecycle.beginClosing();
-            users.endAll().handle((heard, error) -> {
-                stopLast(lifecycle.begun(), done);
+            supervisor.beginClosing();
+            clients.endAll().handle((notified, error) -> {
+                stopLast(supervisor.begun(), done);
                 return null;
             });
         }
         return shutDown;
     }
 
-    /** Stops the last of these, then those before. */
+    /** Stops the providers of the list one by one, the last first. */
     private void stopLast(List<Registration> rest, Deferred<List<ServiceRecord>> done) {
         if (rest.isEmpty()) {
-            done.resolve(lifecycle.begun().stream().map(Registration::toRecord).toList());
+            done.resolve(supervisor.begun().stream().map(Registration::toRecord).toList());
         } else {
-            lifecycle.stop(rest.getLast()).handle((stopped, error) -> {
+            supervisor.stop(rest.getLast()).handle((stopped, error) -> {
                 stopLast(rest.subList(0, rest.size() - 1), done);
                 return null;
             });
@@ -213,13 +225,61 @@ final class BrokerActor extends Actor implements Registry {
     }
 
     private void checkOpen() {
-        if (lifecycle.isClosing()) {
+        if (supervisor.isClosing()) {
             throw new IllegalStateException("the broker is closed");
         }
     }
 
     @Override
     protected void stopped() {
-        lifecycle.begun().forEach(it -> events.tell(new BrokerEvent.Abandoned(it.toRecord())));
+        supervisor.begun().forEach(registration -> events.publish(new BrokerEvent.Abandoned(registration.toRecord())));
+    }
+
+    /** Restarts failed providers that a connection waits for, after increasing pauses. Runs on the broker's space. */
+    private static final class Restarts {
+        private final BrokerSettings settings;
+        private final Timeouts timeouts;
+        private final Supervisor supervisor;
+        private final Predicate<Registration> wanted;
+
+        Restarts(BrokerSettings settings, Timeouts timeouts, Supervisor supervisor, Predicate<Registration> wanted) {
+            this.settings = settings;
+            this.timeouts = timeouts;
+            this.supervisor = supervisor;
+            this.wanted = wanted;
+        }
+
+        void consider(List<Registration> some) {
+            some.forEach(this::consider);
+        }
+
+        private void consider(Registration registration) {
+            if (settings.restartPause().isZero()
+                    || registration.health != Health.FAILED
+                    || registration.nextRestart != null
+                    || supervisor.isClosing()
+                    || !wanted.test(registration)) {
+                return;
+            }
+            Duration pause = next(registration.restartPause);
+            registration.restartPause = pause;
+            registration.nextRestart = timeouts.after(pause, () -> {
+                registration.nextRestart = null;
+                if (registration.health == Health.FAILED && !supervisor.isClosing() && wanted.test(registration)) {
+                    supervisor.start(registration).handle((started, error) -> {
+                        consider(registration);
+                        return null;
+                    });
+                }
+            });
+        }
+
+        private Duration next(@Nullable Duration before) {
+            if (before == null) {
+                return settings.restartPause();
+            }
+            Duration twice = before.multipliedBy(2);
+            return twice.compareTo(settings.longestRestartPause()) < 0 ? twice : settings.longestRestartPause();
+        }
     }
 }

@@ -2,33 +2,35 @@ package io.troupe.services.broker;
 
 import org.jspecify.annotations.Nullable;
 
-/** Something that happened at a broker. */
+/** An event at a broker. */
 public sealed interface BrokerEvent {
     record Registered(ServiceRecord provider) implements BrokerEvent {}
 
-    /** It is being started, because somebody needs it. */
+    /** The provider is being started on demand. */
     record Starting(ServiceRecord provider) implements BrokerEvent {}
 
     record Started(ServiceRecord provider) implements BrokerEvent {}
 
     record StartFailed(ServiceRecord provider, Throwable why) implements BrokerEvent {}
 
-    /** It has not answered the question for its health in time. */
+    /** The provider has not answered its health check in time. */
     record Suspect(ServiceRecord provider, Throwable why) implements BrokerEvent {}
 
-    /** It had been suspect, and has answered. */
+    /** The provider was suspect, and has answered a health check. */
     record Recovered(ServiceRecord provider) implements BrokerEvent {}
 
-    /** It ran, and is given up; its {@link Provider#stop} is called, in case it lives. */
+    /**
+     * The running provider has failed and is no longer used. {@link Provider#stop} is called, because it may still run.
+     */
     record Failed(ServiceRecord provider, Throwable why) implements BrokerEvent {}
 
-    /** A user has got a provider, when it had none. */
+    /** A client without a provider got one. */
     record Connected(Need need, ServiceRecord to) implements BrokerEvent {}
 
-    /** A user has got another provider in place of the one before: it failed, was withdrawn or replaced. */
+    /** A client got another provider, because its previous one failed, was withdrawn or was replaced. */
     record FailedOver(Need need, ServiceRecord from, ServiceRecord to) implements BrokerEvent {}
 
-    /** A user has no provider any more. */
+    /** A client has no provider any more. */
     record Lost(Need need, MissingServiceException why) implements BrokerEvent {}
 
     record Replaced(ServiceRecord old, ServiceRecord by) implements BrokerEvent {}
@@ -37,26 +39,29 @@ public sealed interface BrokerEvent {
 
     record Stopped(ServiceRecord provider) implements BrokerEvent {}
 
-    /** It was told to stop, and failed to, or has not said so in time; it may go on. */
+    /** The provider's stop failed or timed out; it may still run. */
     record StopFailed(ServiceRecord provider, Throwable why) implements BrokerEvent {}
 
     /**
-     * An answer came after its limit, when the asker had been told that there is none.
+     * An answer arrived after its time limit, when the caller had already been rejected.
      *
-     * @param asked what was asked, for example {@code "start"} or {@code "Clock.now()"}
-     * @param error null if it was a good answer
+     * @param asked the call, for example {@code "start"} or {@code "Clock.now()"}
+     * @param error null if the late answer was a success
      */
     record Late(String provider, String asked, @Nullable Throwable error) implements BrokerEvent {}
 
-    /** A {@link Broker.Connection} threw, or did not hear in time what it was told; {@code why} says which. */
+    /**
+     * A {@link Broker.Connection} threw an exception, or did not return in time when it was notified; {@code why} has
+     * the details.
+     */
     record UserFailed(Need need, Throwable why) implements BrokerEvent {}
 
-    /** The actor that had connected has stopped, or its space is closed: its connection has ended. */
+    /** The connected actor has stopped, or its space is closed: its connection has ended. */
     record UserGone(Need need) implements BrokerEvent {}
 
-    /** A one-way call through a connection has reached nobody. */
+    /** A one-way call through a connection was not delivered to any provider. */
     record Undelivered(Need need, String call, Throwable why) implements BrokerEvent {}
 
-    /** The broker's space was closed before the broker was; what it says may go on. */
+    /** The broker's space was closed before the broker. The provider may still run. */
     record Abandoned(ServiceRecord provider) implements BrokerEvent {}
 }

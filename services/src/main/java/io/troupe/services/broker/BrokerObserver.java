@@ -4,16 +4,16 @@ import java.lang.System.Logger.Level;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Hears everything that happens at a broker.
+ * Observes all events of a broker.
  *
- * <p><b>Threads.</b> The broker's space; for what happens to calls through an actor connection, the connection's. What
- * it throws is reported to that space's error handler, and changes nothing.
+ * <p><b>Threads.</b> Called on the broker's space; for events about calls through an actor connection, on the
+ * connection's space. Exceptions are reported to that space's error handler and have no other effect.
  */
 @FunctionalInterface
 public interface BrokerObserver {
     void on(BrokerEvent event);
 
-    /** Tells the system log: failures as warnings, the rest for whoever debugs. */
+    /** Writes to the system log: failures as warnings, other events at debug level. */
     static BrokerObserver logging() {
         var log = System.getLogger(BrokerObserver.class.getName());
         return event -> log.log(level(event), String.valueOf(event), error(event));

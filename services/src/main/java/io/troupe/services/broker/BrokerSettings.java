@@ -4,21 +4,21 @@ import java.time.Duration;
 import java.util.Objects;
 
 /**
- * How a broker watches what it runs; immutable.
+ * Time limits and health checks of a broker; immutable.
  *
- * @param checkEvery from the answer to one question for health, or its limit, to the next question
- * @param checkLimit how long an answer to it may take
- * @param missedChecks so many answers in a row that did not come in time make a suspect provider a failed one
- * @param startLimit how long a start may take
- * @param stopLimit how long a stop may take
- * @param hearLimit how long the broker waits, before it stops a provider that was replaced or withdrawn, for its users
- *     to hear of it
- * @param restartPause after this, a provider that has failed is started again if a connection waits for it; it doubles
- *     with every failure until it has run for {@code longestRestartPause}; zero = it is only tried again when somebody
- *     calls {@link Broker#require} or {@link Broker#connect}
- * @param longestRestartPause where the doubling ends; a provider that has run for so long is restarted after
+ * @param checkEvery the time from the answer to a health check, or its limit, to the next check
+ * @param checkLimit the time limit of a health check
+ * @param missedChecks after this many consecutive checks without an answer, a suspect provider has failed
+ * @param startLimit the time limit of a start
+ * @param stopLimit the time limit of a stop
+ * @param notifyLimit the longest time that the broker waits for clients to be notified before it stops a provider that
+ *     was replaced or withdrawn
+ * @param restartPause a failed provider is started again after this pause if a connection waits for it; the pause
+ *     doubles with every failure until the provider has run for {@code longestRestartPause}; zero = it is only started
+ *     again by {@link Broker#require} or {@link Broker#connect}
+ * @param longestRestartPause the upper bound of the pause; a provider that has run for this long is restarted after
  *     {@code restartPause} again
- * @param observer hears what happens
+ * @param observer is notified of all events
  */
 public record BrokerSettings(
         Duration checkEvery,
@@ -26,13 +26,13 @@ public record BrokerSettings(
         int missedChecks,
         Duration startLimit,
         Duration stopLimit,
-        Duration hearLimit,
+        Duration notifyLimit,
         Duration restartPause,
         Duration longestRestartPause,
         BrokerObserver observer) {
     /**
-     * A check every second with a limit of a second, failed after three, 10 s for a start, 5 s for a stop, restarts
-     * after 1 s to 1 min; logs.
+     * A check every second with a limit of 1 s, failed after three missed checks, 10 s for a start, 5 s for a stop,
+     * restarts after 1 s to 1 min; writes to the log.
      */
     public static final BrokerSettings DEFAULT = new BrokerSettings(
             Duration.ofSeconds(1),
@@ -50,7 +50,7 @@ public record BrokerSettings(
         positive("checkLimit", checkLimit);
         positive("startLimit", startLimit);
         positive("stopLimit", stopLimit);
-        positive("hearLimit", hearLimit);
+        positive("notifyLimit", notifyLimit);
         if (missedChecks < 1) {
             throw new IllegalArgumentException("missedChecks is " + missedChecks + ", expected 1 or more");
         }
@@ -72,20 +72,20 @@ public record BrokerSettings(
 
     public BrokerSettings withChecks(Duration every, Duration limit, int missed) {
         return new BrokerSettings(
-                every, limit, missed, startLimit, stopLimit, hearLimit, restartPause, longestRestartPause, observer);
+                every, limit, missed, startLimit, stopLimit, notifyLimit, restartPause, longestRestartPause, observer);
     }
 
-    public BrokerSettings withLimits(Duration start, Duration stop, Duration hear) {
+    public BrokerSettings withLimits(Duration start, Duration stop, Duration notify) {
         return new BrokerSettings(
-                checkEvery, checkLimit, missedChecks, start, stop, hear, restartPause, longestRestartPause, observer);
+                checkEvery, checkLimit, missedChecks, start, stop, notify, restartPause, longestRestartPause, observer);
     }
 
     public BrokerSettings withRestart(Duration pause, Duration longest) {
         return new BrokerSettings(
-                checkEvery, checkLimit, missedChecks, startLimit, stopLimit, hearLimit, pause, longest, observer);
+                checkEvery, checkLimit, missedChecks, startLimit, stopLimit, notifyLimit, pause, longest, observer);
     }
 
-    /** What has failed is only tried again when somebody requires it. */
+    /** A failed provider is only started again when it is required. */
     public BrokerSettings withoutRestart() {
         return withRestart(Duration.ZERO, Duration.ZERO);
     }
@@ -97,7 +97,7 @@ public record BrokerSettings(
                 missedChecks,
                 startLimit,
                 stopLimit,
-                hearLimit,
+                notifyLimit,
                 restartPause,
                 longestRestartPause,
                 newObserver);

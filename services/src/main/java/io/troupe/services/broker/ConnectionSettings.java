@@ -3,16 +3,16 @@ package io.troupe.services.broker;
 import java.time.Duration;
 
 /**
- * How long calls through a connection wait; immutable.
+ * Time limits of calls through a connection; immutable.
  *
- * @param waitLimit how long a request waits while there is no provider
- * @param answerLimit how long a provider may take for a request; zero = as long as its provider lives
- * @param oneWayLimit how long a one-way call waits while there is no provider; short, since what it says may be out of
- *     date when there is one
- * @param mostWaiting so many calls may wait while there is no provider; more are refused at once
+ * @param waitLimit the longest time that a request is queued while there is no provider
+ * @param answerLimit the longest time that a provider may take for a request; zero = as long as the provider runs
+ * @param oneWayLimit the longest time that a one-way call is queued while there is no provider; short, because a
+ *     command may be out of date when a provider is found
+ * @param mostWaiting the most calls queued while there is no provider; further calls are rejected at once
  */
 public record ConnectionSettings(Duration waitLimit, Duration answerLimit, Duration oneWayLimit, int mostWaiting) {
-    /** Five seconds for requests, one second for one-way calls, a thousand calls. */
+    /** Five seconds for requests, one second for one-way calls, at most 1000 queued calls. */
     public static final ConnectionSettings DEFAULT =
             new ConnectionSettings(Duration.ofSeconds(5), Duration.ofSeconds(5), Duration.ofSeconds(1), 1000);
 
@@ -35,7 +35,7 @@ public record ConnectionSettings(Duration waitLimit, Duration answerLimit, Durat
         return new ConnectionSettings(limit, answerLimit, oneWayLimit, mostWaiting);
     }
 
-    /** For services that answer when they end, such as driving along a wall. */
+    /** For services that answer when they end, for example following a wall. */
     public ConnectionSettings withoutAnswerLimit() {
         return withAnswerLimit(Duration.ZERO);
     }

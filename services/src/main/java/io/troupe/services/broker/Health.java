@@ -1,16 +1,16 @@
 package io.troupe.services.broker;
 
-/** How a provider is. */
+/** The health of a provider. */
 public enum Health {
-    /** It is registered, and has not been started. */
+    /** Registered, and not started yet. */
     NOT_STARTED,
     STARTING,
-    /** It runs and answers. */
+    /** Running, and answers health checks. */
     WELL,
-    /** It has not answered the last question for its health in time; it is chosen only when no other is well. */
+    /** Running, but has not answered the last health check in time; chosen only if no other provider is healthy. */
     SUSPECT,
     /** It has been stopped. */
     STOPPED,
-    /** It could not be started, died, or has not answered for too long. */
+    /** It could not be started, has ended, or has missed too many health checks. */
     FAILED
 }

@@ -1,8 +1,8 @@
 package io.troupe.services.broker;
 
 /**
- * Nobody offers what is needed. The message names the service, who needs it, what is registered (the first 20, and how
- * many more), and what is similar.
+ * No provider can meet a need. The message names the service, the client, what is registered (the first 20 and the
+ * number of others), and a similar name.
  */
 public final class MissingServiceException extends RuntimeException {
     private static final long serialVersionUID = 1L;

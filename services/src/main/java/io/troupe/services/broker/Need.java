@@ -3,9 +3,9 @@ package io.troupe.services.broker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Who needs which service, by its name, by a capability, or by both.
+ * A client's requirement: the service it looks up, by name, by capability, or by both.
  *
- * @param by for messages to people
+ * @param by the name of the client, for messages
  */
 public record Need(
         String by, @Nullable String service, @Nullable String capability) {

@@ -5,34 +5,36 @@ import io.troupe.actor.promise.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How the broker runs what provides a service: a component's interface, or an actor.
+ * A provider of a service, as the broker runs it: a component's interface, or an actor.
  *
- * <p><b>Threads.</b> Called on the broker's space; it answers from wherever it lives. The broker limits how long it
- * waits.
+ * <p><b>Threads.</b> Called on the broker's space; may answer from any thread. The broker limits the time of each call.
  *
- * <p><b>Order.</b> A start begins when the stop before it is answered, or its limit is over. What has failed while it
- * ran, or has not started within its limit, is told to stop, so that it does not run beside whoever takes its place;
- * and once more if its start is answered after that. A start that is answered while a later one goes on counts as one
- * life with it.
+ * <p><b>Order.</b> A start begins after the answer to the previous stop, or after its limit. The broker calls stop for
+ * a provider that failed while it ran, or did not start within its limit, so that it does not run beside its successor;
+ * and again if such a start completes later. If a start completes while a later start is in progress, both count as one
+ * run.
  *
- * <p><b>Errors.</b> A provider that has a time limit of its own rejects with {@link ProviderException#overdue} when
- * that is over, since it may still do what it was asked for: any other rejection of a start is not followed by a stop,
- * and any other rejected check makes it failed at once.
+ * <p><b>Errors.</b> If a provider has a time limit itself, it rejects with {@link ProviderException#overdue} when that
+ * is over, because the operation may still complete. After any other rejection of a start, stop is not called; any
+ * other rejected check makes the provider failed at once.
  */
 public interface Provider {
-    /** Fulfilled when it runs; called again after {@link #stop} or a failure. */
+    /** Starts it; fulfilled when it runs. Called again after {@link #stop} or a failure. */
     Promise<@Nullable Void> start();
 
-    /** Fulfilled when it has stopped. */
+    /** Stops it; fulfilled when it has stopped. */
     Promise<@Nullable Void> stop();
 
-    /** Fulfilled when it is well, rejected with what is wrong with it. Never fulfilled by something that hangs. */
+    /**
+     * The health check: fulfilled if it is healthy, rejected with the problem if not. A provider that hangs never
+     * settles it.
+     */
     Promise<@Nullable Void> check();
 
     /**
-     * Settled when what runs now ends by itself, so that the broker hears at once; asked for after every start. One
-     * that cannot tell answers a promise that is never settled, as this method does: then only {@link #check} finds
-     * out.
+     * Settled when the current run ends without {@link #stop}, so that the broker detects this at once. Called after
+     * every start. A provider that cannot detect its end returns a promise that is never settled, as this method does;
+     * then only {@link #check} detects it.
      */
     default Promise<@Nullable Void> whenEnded() {
         return new Deferred<>(null);

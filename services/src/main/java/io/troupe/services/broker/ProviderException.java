@@ -2,13 +2,13 @@ package io.troupe.services.broker;
 
 import org.jspecify.annotations.Nullable;
 
-/** A provider did not do what it was asked for; the message names it, what it was asked, and what came instead. */
+/** A provider failed to start, stop or pass a check. The message names the provider, the call and the problem. */
 public final class ProviderException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
     private final boolean overdue;
 
-    /** For providers themselves, too: their users are told the message without the name of a class. */
+    /** May be used by providers themselves: the broker's messages then show only the text, without a class name. */
     public ProviderException(String message) {
         this(message, null);
     }
@@ -24,14 +24,14 @@ public final class ProviderException extends RuntimeException {
     }
 
     /**
-     * For providers with a time limit of their own: one that has not answered within it. Any other rejection says that
-     * it has not done it, and will not.
+     * For providers with a time limit of their choice: the operation was not answered within it. Any other rejection
+     * means that the operation was not carried out and will not be.
      */
     public static ProviderException overdue(String message, @Nullable Throwable cause) {
         return new ProviderException(message, cause, true);
     }
 
-    /** Whether it has simply not answered in time, so that it may have done it, or do it later. */
+    /** Returns whether the operation timed out. It may have been carried out, or may be carried out later. */
     public boolean isOverdue() {
         return overdue;
     }

@@ -1,10 +1,10 @@
 package io.troupe.services.broker;
 
-/** Errors in the midst of a sentence. */
+/** Formats errors as part of a sentence. */
 final class Reasons {
     private Reasons() {}
 
-    /** On one line; our own errors by their message alone. */
+    /** The error on one line; exceptions of the broker by their message only. */
     static String of(Throwable error) {
         boolean ours = error instanceof ProviderException || error instanceof MissingServiceException;
         return oneLine(String.valueOf(ours ? error.getMessage() : error));

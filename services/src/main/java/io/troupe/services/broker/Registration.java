@@ -8,7 +8,7 @@ import java.time.Duration;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** One provider as the broker knows it. On the broker's space. */
+/** A registered provider and its state. Used on the broker's space. */
 final class Registration {
     final String service;
     final List<String> capabilities;
@@ -17,37 +17,38 @@ final class Registration {
 
     Health health = Health.NOT_STARTED;
 
-    /** Counts starts and ends, so that what belongs to an earlier run can be told. */
+    /** Counts starts and ends; distinguishes events of the current run from those of earlier runs. */
     int run;
 
     /**
-     * Whether it may run: from the beginning of a start until it has said that it stopped, ended, or could not start.
+     * Whether it may run: from the beginning of a start until it has reported that it stopped, ended, or could not
+     * start.
      */
     boolean mayRun;
 
     /**
-     * Whether a start of an earlier run has been answered since it was last asked to stop, so that it may run although
-     * it should not.
+     * Whether a start of an earlier run completed after the last call of stop, so that the provider may run although it
+     * should not.
      */
     boolean startedLate;
 
-    /** Whether another is being started in its place. */
+    /** Whether another provider is being started in its place. */
     boolean isBeingReplaced;
 
-    /** It was withdrawn or replaced; to be stopped when this is settled. */
+    /** Set when it was withdrawn or replaced; settled when it may be stopped. */
     @Nullable
     Deferred<@Nullable Void> leaving;
 
-    /** It was withdrawn or replaced; fulfilled when it has stopped, or its limit is over. */
+    /** Set when it was withdrawn or replaced; fulfilled when it has stopped, or the limit of its stop is over. */
     @Nullable
     Promise<@Nullable Void> gone;
 
     int missedChecks;
 
     @Nullable
-    Throwable why; // it failed
+    Throwable why; // the cause of its failure
 
-    /** A start that was asked for, which may wait for a stop. */
+    /** A requested start, which may wait for a stop. */
     @Nullable
     Deferred<@Nullable Void> starting;
 
@@ -61,7 +62,7 @@ final class Registration {
     Timer nextRestart;
 
     @Nullable
-    Duration restartPause; // the last one; null = none yet, or it has run for long since
+    Duration restartPause; // the last pause; null = none yet, or reset after a long run
 
     @Nullable
     Timer restartPauseEnd;
@@ -86,7 +87,7 @@ final class Registration {
                 && (need.capability() == null || capabilities.contains(need.capability()));
     }
 
-    /** The smaller, the sooner it is chosen. */
+    /** The lower, the earlier it is chosen. */
     int rank() {
         return switch (health) {
             case WELL -> 0;
@@ -97,8 +98,8 @@ final class Registration {
         };
     }
 
-    /** Stops waiting until users have been notified that it leaves: a successor is to be started. */
-    void hurry() {
+    /** Ends the wait for notified clients, so that the provider is stopped now: a successor has to be started. */
+    void stopNow() {
         if (leaving != null) {
             leaving.resolve(null);
         }

@@ -12,84 +12,87 @@ import org.jspecify.annotations.Nullable;
 /**
  * The broker of one process.
  *
- * <p><b>Role.</b> An actor on a space; its time is that space's. Providers may live anywhere; a broker only notices
- * that one hangs if it has a space, and so a thread, of its own.
+ * <p><b>Role.</b> An actor on a space; uses the clock of that space. Providers may run anywhere. The broker detects a
+ * provider that hangs only if it runs on a separate space, and so on another thread.
  *
- * <p><b>Order.</b> What one thread asks of it is done in that order; what takes time, such as a start, is not waited
- * for by the next.
+ * <p><b>Order.</b> Calls from one thread are executed in their order. A call does not wait until an earlier one that
+ * takes time, such as a start, is complete.
  *
- * <p><b>Errors.</b> Everything that goes wrong is told to the observer of the settings, whoever else hears of it. When
- * the space is closed before the broker, its observer hears what may still run.
+ * <p><b>Errors.</b> All failures are reported to the observer of the settings, in addition to rejected promises. If the
+ * space is closed before the broker, the observer gets an event for each provider that may still run.
  */
 public final class ServiceBroker implements Broker {
-    private final Registry registry;
+    private final BrokerProtocol actor;
 
-    private ServiceBroker(Registry registry) {
-        this.registry = registry;
+    private ServiceBroker(BrokerProtocol actor) {
+        this.actor = actor;
     }
 
-    /** A broker on that space, with nothing registered. */
+    /** Opens a broker on that space, with an empty registry. */
     public static ServiceBroker open(ActorSpace space, BrokerSettings settings) {
         Objects.requireNonNull(settings, "settings");
-        return new ServiceBroker(
-                space.spawn(Registry.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")));
+        return new ServiceBroker(space.spawn(
+                BrokerProtocol.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")));
     }
 
     @Override
     public Promise<ServiceRecord> register(
             String service, List<String> capabilities, Address address, Provider provider) {
-        return registry.register(new Registration(service, capabilities, address, provider));
+        return actor.register(new Registration(service, capabilities, address, provider));
     }
 
     @Override
     public Promise<@Nullable Void> withdraw(Address provider) {
-        return registry.withdraw(provider);
+        return actor.withdraw(provider);
     }
 
     @Override
     public Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider) {
-        return registry.replace(old, new Registration(service, capabilities, address, provider));
+        return actor.replace(old, new Registration(service, capabilities, address, provider));
     }
 
     @Override
     public Promise<List<ServiceRecord>> registered() {
-        return registry.registered();
+        return actor.registered();
     }
 
     @Override
     public Promise<List<ServiceRecord>> find(Need need) {
-        return registry.find(need);
+        return actor.find(need);
     }
 
     @Override
     public Promise<ServiceRecord> require(Need need) {
-        return registry.require(need);
+        return actor.require(need);
     }
 
     @Override
     public Promise<ServiceRecord> connect(Need need, Connection connection) {
         Objects.requireNonNull(connection, "connection");
-        return registry.connect(need, connection, lineTo(connection));
+        return actor.connect(need, connection, callbackFor(connection));
     }
 
-    /** Says when the listener has heard: only then may a provider that it used before be stopped. */
-    private static Callback<Users.Told> lineTo(Connection connection) {
-        return (told, error) -> {
-            if (told == null) {
+    /**
+     * Calls the listener and confirms this to the broker: only then may the provider that the client used before be
+     * stopped.
+     */
+    private static Callback<ConnectedClients.Notification> callbackFor(Connection connection) {
+        return (notification, error) -> {
+            if (notification == null) {
                 return; // the broker's space was closed
             }
             try {
-                if (told.use() != null) {
-                    connection.use(told.use());
-                } else if (told.lost() != null) {
-                    connection.lost(told.lost());
+                if (notification.use() != null) {
+                    connection.use(notification.use());
+                } else if (notification.lost() != null) {
+                    connection.lost(notification.lost());
                 }
-                told.heard().resolve(null);
+                notification.done().resolve(null);
             } catch (RuntimeException thrown) {
-                told.heard().reject(thrown); // reported to the observer
+                notification.done().reject(thrown); // reported to the observer
             } catch (Error thrown) {
-                told.heard().reject(thrown);
+                notification.done().reject(thrown);
                 throw thrown;
             }
         };
@@ -97,16 +100,16 @@ public final class ServiceBroker implements Broker {
 
     @Override
     public Promise<@Nullable Void> disconnect(Connection connection) {
-        return registry.disconnect(connection);
+        return actor.disconnect(connection);
     }
 
     @Override
     public Promise<List<ServiceRecord>> shutDown() {
-        return registry.shutDown();
+        return actor.shutDown();
     }
 
     @Override
     public void close() {
-        shutDown().handle((left, error) -> null); // the observer hears of what did not stop
+        shutDown().handle((left, error) -> null); // the observer is notified of providers that did not stop
     }
 }

@@ -3,8 +3,8 @@ package io.troupe.services.broker;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A call through an {@link ActorConnection} that was not answered; the message names who called, which method, which
- * provider, and why. What a provider itself answers a call with, an error too, comes to the caller as it is.
+ * A call through an {@link ActorConnection} that was not answered. The message names the caller, the method, the
+ * provider and the reason. Answers of the provider, including its errors, are passed to the caller unchanged.
  */
 public final class ServiceCallException extends RuntimeException {
     private static final long serialVersionUID = 1L;
@@ -17,8 +17,8 @@ public final class ServiceCallException extends RuntimeException {
     }
 
     /**
-     * Whether it was sent to a provider, which may have done what was asked; if false, nobody has, and it can be
-     * repeated safely.
+     * Returns whether the call was sent to a provider, which may have executed it. If false, no provider has received
+     * it, and it is safe to repeat it.
      */
     public boolean wasSent() {
         return sent;

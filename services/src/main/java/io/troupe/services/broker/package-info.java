@@ -1,4 +1,16 @@
-/** The registry of services: who offers what, who is well, who is started when somebody needs it. */
+/**
+ * The service registry: finds providers of services, starts them on demand, checks their health, and moves clients to
+ * another provider when one fails.
+ *
+ * <p>Start with {@link io.troupe.services.broker.ServiceBroker}. A service is a
+ * {@link io.troupe.services.broker.Provider}, registered under a name; a client looks it up by a
+ * {@link io.troupe.services.broker.Need}. {@link io.troupe.services.broker.ActorServices} publishes actors, and
+ * connects to them by their interfaces.
+ *
+ * <p>Inside: {@code BrokerActor} combines the {@code ProviderRegistry}, the {@code Supervisor}, which starts, checks
+ * and stops providers, and the {@code ConnectedClients}. {@code CallDispatcherActor} queues the calls of an
+ * {@link io.troupe.services.broker.ActorConnection} and sends them to the current provider.
+ */
 @NullMarked
 package io.troupe.services.broker;
 

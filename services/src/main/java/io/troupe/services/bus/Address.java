@@ -1,9 +1,9 @@
 package io.troupe.services.bus;
 
 /**
- * Where something on a bus is: which process, and under which name in it.
+ * The address of a port on a bus: the node (the process) and the name of the port on that node.
  *
- * <p><b>Units and shapes.</b> Written {@code node/name}; neither part is blank or has a slash.
+ * <p><b>Units and shapes.</b> Written {@code node/name}; neither part is blank or contains a slash.
  */
 public record Address(String node, String name) {
     public Address {

@@ -3,9 +3,9 @@ package io.troupe.services.bus;
 /**
  * Carries messages between components: by publish and subscribe, and by request and reply.
  *
- * <p><b>Role.</b> The seam between one process and many: {@code InProcessBus} is inside one; a distributed bus
- * implements the same two interfaces. Nothing that crosses it is a reference: addresses are names, messages are records
- * of values.
+ * <p><b>Role.</b> Separates components from the transport: {@code InProcessBus} works inside one process; a distributed
+ * bus implements the same two interfaces. No reference crosses the bus: addresses are names, messages are records of
+ * values.
  *
  * <p><b>Source.</b> Paper, sections 2.1.2 and 2.2.3.
  */
@@ -14,13 +14,13 @@ public interface Bus extends AutoCloseable {
     String node();
 
     /**
-     * Attaches something under a name.
+     * Attaches a port under a name.
      *
      * @throws IllegalArgumentException if the name is taken
      */
     BusPort attach(String name);
 
-    /** Ends all ports; questions that wait for an answer are rejected. */
+    /** Closes all ports; pending requests are rejected. */
     @Override
     void close();
 }

@@ -1,7 +1,8 @@
 package io.troupe.services.bus;
 
 /**
- * A message that the bus could not deliver, or a question without an answer; the message names who asked whom for what.
+ * A message could not be delivered, or a request got no reply. The message names the requester, the receiver and the
+ * operation.
  */
 public sealed class BusException extends RuntimeException permits BusTimeoutException {
     private static final long serialVersionUID = 1L;

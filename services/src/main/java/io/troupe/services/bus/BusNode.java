@@ -1,30 +1,34 @@
 package io.troupe.services.bus;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.bus.Message.Failure;
-import io.troupe.services.bus.Message.Purpose;
+import io.troupe.services.bus.BusMessage.Failure;
+import io.troupe.services.bus.BusMessage.Purpose;
 import io.troupe.services.text.Suggestions;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
 
-/** One process on a bus. What a kind of bus has of its own is the {@link Transport} to the other nodes. */
+/**
+ * The bus as one process sees it: routes messages between its ports and, over the {@link Transport}, to other nodes. A
+ * kind of bus differs from others only in its transport.
+ */
 final class BusNode implements Bus {
     final BusSettings settings;
     final Counters counters = new Counters();
-    final Telling telling;
+    final ObserverNotifier notifier;
     private final String name;
     private final Transport transport;
     private final Directory directory;
-    private final Questions questions = new Questions(this);
-    private final Detacher detacher = new Detacher();
+    private final PendingRequests pendingRequests = new PendingRequests(this);
+    private final RecordCopier copier = new RecordCopier();
     private final AtomicLong numbers = new AtomicLong();
     private final AtomicBoolean closed = new AtomicBoolean();
 
     BusNode(String name, BusSettings settings, Transport transport) {
-        this.name = new Address(name, "bus").node(); // which checks it
+        this.name = new Address(name, "bus").node(); // validates the name
         this.settings = settings;
-        this.telling = new Telling(settings.observer(), counters);
+        this.notifier = new ObserverNotifier(settings.observer(), counters);
         this.transport = transport;
         this.directory = new Directory(name);
     }
@@ -57,90 +61,93 @@ final class BusNode implements Bus {
         return counters.now();
     }
 
-    // ---- for the ports
+    // ---- called by ports
 
-    void use(Topic<?> topic) {
+    void use(BusTopic<?> topic) {
         directory.use(topic);
     }
 
-    void release(Topic<?> topic) {
+    void release(BusTopic<?> topic) {
         directory.release(topic);
     }
 
-    void add(Hearing<?> hearing) {
-        directory.add(hearing);
+    void add(TopicSubscription<?> subscription) {
+        directory.add(subscription);
     }
 
-    void remove(Hearing<?> hearing) {
-        directory.remove(hearing);
+    void remove(TopicSubscription<?> subscription) {
+        directory.remove(subscription);
     }
 
     void detach(Port port) {
         directory.remove(port);
     }
 
-    void publish(Port from, Topic<?> topic, Record payload) {
+    void publish(Port from, BusTopic<?> topic, Record payload) {
         counters.published.increment();
-        route(new DataMessage(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload));
+        route(new BusMessage.Data(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload));
     }
 
     <Q extends Record, A extends Record> Promise<A> ask(
-            Port asker, Address to, Operation<Q, A> operation, Q question, Duration limit) {
-        return questions.ask(asker, to, operation, question, limit);
+            Port requester, Address to, Operation<Q, A> operation, Q request, Duration limit) {
+        return pendingRequests.ask(requester, to, operation, request, limit);
     }
 
-    void rejectQuestionsOf(Port asker, String why) {
-        questions.refuseAllOf(asker, why);
+    void rejectRequestsOf(Port requester, String why) {
+        pendingRequests.rejectAllOf(requester, why);
     }
 
     long nextNumber() {
         return numbers.incrementAndGet();
     }
 
-    /** The value as it would be on the other side: sharing nothing that can be changed. */
-    Record detached(Record value) {
-        return detacher.detached(value);
+    /** A copy of the value that shares no mutable object with it, as if it had been sent to another process. */
+    Record copy(Record value) {
+        return copier.copy(value);
     }
 
-    /** Its asker has given up. An answerer of another node does not learn of that. */
-    void forgetQuestion(Message message) {
-        if (message.purpose() instanceof Purpose.Question question
-                && question.to().node().equals(name)) {
-            Port port = directory.port(question.to().name());
-            Answering<?, ?> answering = port == null ? null : port.answering(question.operation());
-            if (answering != null) {
-                answering.forget(message);
+    /** The requester has cancelled. Only a request handler on this node is notified of that. */
+    void requestCancelled(BusMessage message) {
+        if (message.purpose() instanceof Purpose.Request request
+                && request.to().node().equals(name)) {
+            Port port = directory.port(request.to().name());
+            OperationHandler<?, ?> operationHandler = port == null ? null : port.operationHandler(request.operation());
+            if (operationHandler != null) {
+                operationHandler.forget(message);
             }
         }
     }
 
-    /** Whether its asker waits for the answer, as far as is known here: of an asker on another node it is not. */
-    boolean isAwaited(Message question) {
-        return isFromAnother(question) || questions.isAwaited(question);
+    /**
+     * Returns whether the requester still waits for the reply. True for every requester on another node, because its
+     * state is not known here.
+     */
+    boolean isAwaited(BusMessage request) {
+        return isFromAnother(request) || pendingRequests.isAwaited(request);
     }
 
-    /** Whether it was sent by another node. */
-    boolean isFromAnother(Message message) {
+    /** Returns whether the message was sent by another node. */
+    boolean isFromAnother(BusMessage message) {
         return !message.from().node().equals(name);
     }
 
     // ---- messages
 
-    /** Sends a message from here on its way. */
-    void route(Message message) {
-        telling.passed(message);
+    /** Sends a message that originates from this node. */
+    void route(BusMessage message) {
+        notifier.passed(message);
         switch (message.purpose()) {
             case Purpose.Publication publication -> {
                 deliver(message);
                 broadcast(message);
             }
-            case Purpose.Question question -> send(question.to(), message);
-            case Purpose.Answer answer -> send(answer.to(), message);
-            case Purpose.Refusal refusal -> send(refusal.to(), message);
+            case Purpose.Request request -> send(request.to(), message);
+            case Purpose.Reply reply -> send(reply.to(), message);
+            case Purpose.Rejection rejection -> send(rejection.to(), message);
         }
     }
 
-    private void send(Address to, Message message) {
+    private void send(Address to, BusMessage message) {
         if (to.node().equals(name)) {
             deliver(message);
         } else if (!transport.reaches(to.node())) {
@@ -154,12 +161,12 @@ final class BusNode implements Bus {
         }
     }
 
-    private void cannotSend(Message message, String why) {
-        telling.undeliverable(message, why);
-        questions.refuse(message.sequence(), why); // if it is one
-        if (message.purpose() instanceof Purpose.Answer answer) { // a refusal is small, and may get through
-            var purpose = new Purpose.Refusal(answer.to(), answer.operation(), answer.question());
-            route(Message.of(
+    private void cannotSend(BusMessage message, String why) {
+        notifier.undeliverable(message, why);
+        pendingRequests.reject(message.sequence(), why); // does nothing if the message is no request
+        if (message.purpose() instanceof Purpose.Reply reply) { // a refusal is small and may be sent successfully
+            var purpose = new Purpose.Rejection(reply.to(), reply.operation(), reply.request());
+            route(BusMessage.of(
                     message.kind(),
                     message.from(),
                     purpose,
@@ -168,90 +175,87 @@ final class BusNode implements Bus {
         }
     }
 
-    private void broadcast(Message publication) {
+    private void broadcast(BusMessage publication) {
         try {
             transport.broadcast(publication);
         } catch (RuntimeException | Error failure) {
-            telling.undeliverable(publication, "the way from node " + name + " to the others failed: " + failure);
+            notifier.undeliverable(publication, "the way from node " + name + " to the others failed: " + failure);
         }
     }
 
-    /** A message has come from another node. */
-    void receive(Message message) {
-        telling.passed(message);
+    /** Called by the transport: a message from another node has arrived. */
+    void receive(BusMessage message) {
+        notifier.passed(message);
         deliver(message);
     }
 
-    private void deliver(Message message) {
+    private void deliver(BusMessage message) {
         switch (message.purpose()) {
             case Purpose.Publication publication -> deliverToAll(message, publication.topic());
-            case Purpose.Question question -> deliverQuestion(message, question);
-            case Purpose.Answer answer -> questions.settle(message, answer.question());
-            case Purpose.Refusal refusal -> questions.settle(message, refusal.question());
+            case Purpose.Request request -> deliverRequest(message, request);
+            case Purpose.Reply reply -> pendingRequests.settle(message, reply.request());
+            case Purpose.Rejection rejection -> pendingRequests.settle(message, rejection.request());
         }
     }
 
-    private void deliverToAll(Message message, String topic) {
-        for (Hearing<?> hearing : directory.hearings(topic)) {
-            if (hearing.topic.type().isInstance(message.payload())) {
-                hearing.offer(message); // one that has just ended does not subscribe now
+    private void deliverToAll(BusMessage message, String topic) {
+        for (TopicSubscription<?> subscription : directory.subscriptions(topic)) {
+            if (subscription.topic.type().isInstance(message.payload())) {
+                subscription.offer(message); // a subscription that has just ended ignores it
             } else {
-                telling.undeliverable(
+                notifier.undeliverable(
                         message,
-                        "it is a " + message.payload().getClass().getName() + ", and " + hearing.port + " expects a "
-                                + hearing.topic.type().getName());
+                        "it is a " + message.payload().getClass().getName() + ", and " + subscription.port
+                                + " expects a " + subscription.topic.type().getName());
             }
         }
     }
 
-    private void deliverQuestion(Message message, Purpose.Question question) {
-        Address to = question.to();
+    private void deliverRequest(BusMessage message, Purpose.Request request) {
+        Address to = request.to();
         Port port = directory.port(to.name());
         if (port == null) {
-            refuse(to, message, "nobody is there; " + directory.hint(to.name()));
+            reject(to, message, "nobody is there; " + directory.hint(to.name()));
             return;
         }
-        Answering<?, ?> answering = port.answering(question.operation());
-        if (answering == null) {
-            refuse(
-                    to,
-                    message,
-                    "it does not answer that; " + Suggestions.hint(question.operation(), port.operations()));
+        OperationHandler<?, ?> operationHandler = port.operationHandler(request.operation());
+        if (operationHandler == null) {
+            reject(to, message, "it does not answer that; " + Suggestions.hint(request.operation(), port.operations()));
             return;
         }
-        if (!answering.operation.question().isInstance(message.payload())) {
-            refuse(
+        if (!operationHandler.operation.request().isInstance(message.payload())) {
+            reject(
                     to,
                     message,
                     "the question is a " + message.payload().getClass().getName() + ", expected a "
-                            + answering.operation.question().getName());
+                            + operationHandler.operation.request().getName());
             return;
         }
-        String ended = answering.offer(message);
+        String ended = operationHandler.offer(message);
         if (ended != null) {
-            refuse(to, message, "it does not answer any more: " + ended);
+            reject(to, message, "it does not answer any more: " + ended);
         }
     }
 
-    /** Tells an asker that nobody answers. */
-    void refuse(Address answerer, Message question, String why) {
-        telling.undeliverable(question, why);
-        route(refusal(answerer, question, new Failure.NotDelivered(why)));
+    /** Rejects a request that is not delivered to a handler. */
+    void reject(Address receiver, BusMessage request, String why) {
+        notifier.undeliverable(request, why);
+        route(rejection(receiver, request, new Failure.NotDelivered(why)));
     }
 
-    Message refusal(Address answerer, Message question, Record failure) {
-        var purpose = new Purpose.Refusal(question.from(), operationOf(question), question.sequence());
-        return Message.of(question.kind(), answerer, purpose, nextNumber(), failure);
+    BusMessage rejection(Address receiver, BusMessage request, Record failure) {
+        var purpose = new Purpose.Rejection(request.from(), operationOf(request), request.sequence());
+        return BusMessage.of(request.kind(), receiver, purpose, nextNumber(), failure);
     }
 
-    Message answer(Address answerer, Message question, Record answer) {
-        var purpose = new Purpose.Answer(question.from(), operationOf(question), question.sequence());
-        return Message.of(question.kind(), answerer, purpose, nextNumber(), answer);
+    BusMessage reply(Address receiver, BusMessage request, Record reply) {
+        var purpose = new Purpose.Reply(request.from(), operationOf(request), request.sequence());
+        return BusMessage.of(request.kind(), receiver, purpose, nextNumber(), reply);
     }
 
-    private static String operationOf(Message message) {
-        if (message.purpose() instanceof Purpose.Question question) {
-            return question.operation();
+    private static String operationOf(BusMessage message) {
+        if (message.purpose() instanceof Purpose.Request request) {
+            return request.operation();
         }
         throw new IllegalStateException("not a question: " + message);
     }
@@ -259,5 +263,47 @@ final class BusNode implements Bus {
     @Override
     public String toString() {
         return "bus " + name;
+    }
+
+    /** Notifies the observer of a node, and counts losses. */
+    static final class ObserverNotifier {
+        private final BusObserver observer;
+        private final Counters counters;
+
+        ObserverNotifier(BusObserver observer, Counters counters) {
+            this.observer = observer;
+            this.counters = counters;
+        }
+
+        void passed(BusMessage message) {
+            notifyObserver(each -> each.passed(message));
+        }
+
+        void undeliverable(BusMessage message, String why) {
+            counters.undeliverable.increment();
+            lost(new Loss.Undeliverable(message, why));
+        }
+
+        void late(BusMessage reply, String why) {
+            counters.late.increment();
+            lost(new Loss.Late(reply, why));
+        }
+
+        /** Reports a loss that its caller counts. */
+        void lost(Loss loss) {
+            notifyObserver(each -> each.lost(loss));
+        }
+
+        void handlerFailed(BusMessage request, Throwable error) {
+            notifyObserver(each -> each.failed(request, error));
+        }
+
+        private void notifyObserver(Consumer<BusObserver> event) {
+            try {
+                event.accept(observer);
+            } catch (RuntimeException | Error failure) { // an observer's exception must not end a delivery
+                LoggingObserver.observerFailed(failure);
+            }
+        }
     }
 }

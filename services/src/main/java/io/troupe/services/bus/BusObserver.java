@@ -1,25 +1,26 @@
 package io.troupe.services.bus;
 
 /**
- * Watches a bus.
+ * Observes the messages and losses of one node of a bus.
  *
- * <p><b>Threads.</b> Called on whichever thread sends, delivers, or finds out; it must not wait. <b>Errors.</b> What it
- * throws is logged, and the bus goes on.
+ * <p><b>Threads.</b> Called on the thread that sends, delivers or detects the event; it must not block. <b>Errors.</b>
+ * Its exceptions are logged and do not affect the bus.
  */
 @FunctionalInterface
 public interface BusObserver {
     /** A message was lost. */
     void lost(Loss loss);
 
-    /** A message was sent from here, or has come here from another node; before it is delivered. */
-    default void passed(Message message) {}
-
-    /** An answerer failed. The asker is told the error's name and message; the error itself stays here. */
-    default void failed(Message question, Throwable error) {}
+    /** A message was sent from this node, or has arrived from another node. Called before delivery. */
+    default void passed(BusMessage message) {}
 
     /**
-     * Logs losses as warnings; of the values that a subscription drops the first, the second, the fourth, and so on.
+     * A request handler failed. The requester gets only the class name and message of the error; the error itself stays
+     * on this node.
      */
+    default void failed(BusMessage request, Throwable error) {}
+
+    /** Logs losses as warnings. Of the values that a subscription drops, it logs number 1, 2, 4, 8 and so on. */
     static BusObserver logging() {
         return new LoggingObserver();
     }

@@ -5,52 +5,60 @@ import java.time.Duration;
 import java.util.function.Function;
 
 /**
- * One component's access to the bus.
+ * The access of one component to the bus.
  *
- * <p><b>Threads.</b> Any thread calls. What a subscriber or an answerer is given runs on the actor space on which it
- * was registered.
+ * <p><b>Threads.</b> Methods may be called from any thread. A subscriber or a request handler runs on the actor space
+ * on which it was registered.
  *
- * <p><b>Order.</b> From one port to one subscriber, first in first out. At most once: a value is never delivered twice.
+ * <p><b>Order.</b> First in, first out, from one port to one subscriber. At most once: a value is never delivered
+ * twice.
  *
- * <p><b>Errors.</b> Nothing is lost silently: what cannot be delivered is told to the bus's observer, and rejects a
- * question.
+ * <p><b>Errors.</b> Nothing is lost silently: a message that cannot be delivered is reported to the bus's observer, and
+ * a request that cannot be delivered is rejected.
  */
 public interface BusPort extends AutoCloseable {
     Address address();
 
-    /** Sends a value to all who subscribe to the topic now. */
-    <T extends Record> void publish(Topic<T> topic, T value);
-
-    /** Hears what is published from now on; a subscription is closed by itself when this port is. */
-    <T extends Record> Subscription subscribe(Topic<T> topic, Subscriber<? super T> subscriber);
-
-    /** Answers questions from now on; an exception, or a rejected promise, rejects the question. */
-    <Q extends Record, A extends Record> void answer(
-            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer);
+    /** Publishes a value to all current subscribers of the topic. */
+    <T extends Record> void publish(BusTopic<T> topic, T value);
 
     /**
-     * Asks. Once at most: nothing is repeated. The answerer is not told of the limit, nor that the asker has given up:
-     * it works on the question all the same. A question that is cancelled is forgotten here.
+     * Subscribes to the values published from now on. The subscription ends when it is closed or when this port is
+     * closed.
+     */
+    <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber);
+
+    /**
+     * Registers the request handler of an operation. An exception from the handler, or a rejected promise, rejects the
+     * request.
+     */
+    <Q extends Record, A extends Record> void answer(
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler);
+
+    /**
+     * Sends a request. At most once: a request is never sent again. The request handler does not learn the limit, and
+     * is not notified when the requester gives up: it completes its work. If the returned promise is cancelled, the
+     * reply is no longer awaited.
      *
-     * @param limit how long to wait, on the clock of the asker's space
-     * @return the answer; rejected with a {@link BusException} if nobody is at the address, or nobody there answers
-     *     that operation; with a {@link BusTimeoutException} if no answer comes within the limit (one that comes later
-     *     is told to the bus's observer); with a {@link RemoteFailure} if the answerer fails
+     * @param limit the time limit, on the clock of the requester's space
+     * @return the reply; rejected with a {@link BusException} if the address has no port, or the port has no handler
+     *     for that operation; with a {@link BusTimeoutException} if no reply arrives within the limit (a later reply is
+     *     reported to the bus's observer); with a {@link RemoteFailure} if the handler fails
      */
     <Q extends Record, A extends Record> Promise<A> ask(
-            Address to, Operation<Q, A> operation, Q question, Duration limit);
+            Address to, Operation<Q, A> operation, Q request, Duration limit);
 
-    /** Leaves the bus: the name is free again, subscriptions end, and questions that wait here are rejected. */
+    /** Leaves the bus: the name becomes free, subscriptions end, and queued and pending requests are rejected. */
     @Override
     void close();
 
-    /** Hears values. */
+    /** Receives the values of a subscription. */
     @FunctionalInterface
     interface Subscriber<T> {
-        void hear(T value, Address publisher);
+        void receive(T value, Address publisher);
     }
 
-    /** Ends the hearing. */
+    /** A subscription to a topic; closing it ends it. */
     @FunctionalInterface
     interface Subscription extends AutoCloseable {
         @Override

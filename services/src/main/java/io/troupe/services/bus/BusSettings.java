@@ -4,14 +4,15 @@ import io.troupe.actor.ActorSpace;
 import java.util.Objects;
 
 /**
- * How a node of a bus is made; immutable.
+ * Settings of a node of a bus; immutable.
  *
- * @param space where those hear, answer and have their time limits who register or ask from outside every actor space;
- *     not closed by the bus
- * @param capacity how many messages wait before one subscriber, or before one answerer, at the most; an answerer may
- *     have begun as many questions that are not yet answered. One more makes the oldest of those from other nodes
- *     refused, since its asker may have given up unnoticed; if there is none, it is refused itself
- * @param observer is told what is lost
+ * @param space runs the subscribers, request handlers and time limits of code that registers or asks from outside every
+ *     actor space; the bus does not close it
+ * @param capacity the most messages queued for one subscriber or one request handler, and the most requests that a
+ *     handler may have begun without a reply. When one more request is begun, the oldest begun request from another
+ *     node is rejected, because its requester may have cancelled unnoticed; if there is no such request, the new one is
+ *     rejected
+ * @param observer is notified of losses
  */
 public record BusSettings(ActorSpace space, int capacity, BusObserver observer) {
     private static final int USUAL_CAPACITY = 1024;
@@ -24,7 +25,7 @@ public record BusSettings(ActorSpace space, int capacity, BusObserver observer) 
         }
     }
 
-    /** For those who register from outside, that space; 1024 messages; losses are logged. */
+    /** Settings with that space for code outside every actor space, a capacity of 1024 messages, and losses logged. */
     public static BusSettings on(ActorSpace space) {
         return new BusSettings(space, USUAL_CAPACITY, BusObserver.logging());
     }

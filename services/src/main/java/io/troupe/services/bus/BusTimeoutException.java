@@ -1,6 +1,6 @@
 package io.troupe.services.bus;
 
-/** A question that found no answer within its limit: what was asked for may have been done, or may be done later. */
+/** A request got no reply within its limit. The operation may have been carried out, or may be carried out later. */
 public final class BusTimeoutException extends BusException {
     private static final long serialVersionUID = 1L;
 

@@ -2,7 +2,7 @@ package io.troupe.services.bus;
 
 import java.util.concurrent.atomic.LongAdder;
 
-/** What a node counts; any thread adds. */
+/** The message counters of a node; incremented from any thread. */
 final class Counters {
     final LongAdder published = new LongAdder();
     final LongAdder queued = new LongAdder();

@@ -8,14 +8,14 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
-/** Who is on one node: ports by name, subscriptions by topic, and the type of each topic. */
+/** The registry of one node: ports by name, subscriptions by topic, and the value type of each topic. */
 final class Directory {
     private final String node;
     private final Map<String, Port> ports = new ConcurrentHashMap<>();
-    private final Map<String, List<Hearing<?>>> hearings = new ConcurrentHashMap<>();
+    private final Map<String, List<TopicSubscription<?>>> subscriptions = new ConcurrentHashMap<>();
     private final Map<String, TypeInUse> topics = new ConcurrentHashMap<>();
 
-    /** The type of a topic, and how many ports have published on it or subscribed to it. */
+    /** The value type of a topic, and the number of ports that have published or subscribed to it. */
     private record TypeInUse(Class<?> type, int ports) {}
 
     Directory(String node) {
@@ -24,7 +24,7 @@ final class Directory {
 
     void add(Port port) {
         if (ports.putIfAbsent(port.address().name(), port) != null) {
-            throw new IllegalArgumentException("the name " + port.address() + " is taken; " + whoIsThere());
+            throw new IllegalArgumentException("the name " + port.address() + " is taken; " + attachedPorts());
         }
     }
 
@@ -41,21 +41,21 @@ final class Directory {
         return new ArrayList<>(ports.values());
     }
 
-    /** For somebody who has asked for a name that is not there. */
+    /** A suggestion for the error message about an unknown port name. */
     String hint(String name) {
         return Suggestions.hint(name, ports.keySet());
     }
 
-    private String whoIsThere() {
+    private String attachedPorts() {
         return "there are " + String.join(", ", ports.keySet().stream().sorted().toList()) + " on node " + node;
     }
 
     /**
-     * A port begins to use a topic, whose type is known from then on until all ports that use it are closed.
+     * A port starts to use a topic. The value type of the topic is fixed until all ports that use it are closed.
      *
-     * @throws IllegalArgumentException if the topic has another type here
+     * @throws IllegalArgumentException if the topic has another type on this node
      */
-    void use(Topic<?> topic) {
+    void use(BusTopic<?> topic) {
         topics.compute(topic.name(), (name, before) -> {
             if (before != null && before.type() != topic.type()) {
                 throw new IllegalArgumentException(
@@ -66,28 +66,28 @@ final class Directory {
         });
     }
 
-    /** A port that uses it is closed. */
-    void release(Topic<?> topic) {
+    /** A port that used the topic was closed. */
+    void release(BusTopic<?> topic) {
         topics.computeIfPresent(
                 topic.name(), (name, used) -> used.ports() == 1 ? null : new TypeInUse(used.type(), used.ports() - 1));
     }
 
-    void add(Hearing<?> hearing) {
-        hearings.compute(hearing.topic.name(), (topic, before) -> {
-            List<Hearing<?>> all = before == null ? new CopyOnWriteArrayList<>() : before;
-            all.add(hearing); // here, since one that is empty is forgotten
+    void add(TopicSubscription<?> subscription) {
+        subscriptions.compute(subscription.topic.name(), (topic, before) -> {
+            List<TopicSubscription<?>> all = before == null ? new CopyOnWriteArrayList<>() : before;
+            all.add(subscription); // inside compute, because an empty list is removed concurrently
             return all;
         });
     }
 
-    void remove(Hearing<?> hearing) {
-        hearings.computeIfPresent(hearing.topic.name(), (topic, all) -> {
-            all.remove(hearing);
-            return all.isEmpty() ? null : all; // topics come and go, as components do
+    void remove(TopicSubscription<?> subscription) {
+        subscriptions.computeIfPresent(subscription.topic.name(), (topic, all) -> {
+            all.remove(subscription);
+            return all.isEmpty() ? null : all; // topics are created and removed as components come and go
         });
     }
 
-    List<Hearing<?>> hearings(String topic) {
-        return hearings.getOrDefault(topic, List.of());
+    List<TopicSubscription<?>> subscriptions(String topic) {
+        return subscriptions.getOrDefault(topic, List.of());
     }
 }

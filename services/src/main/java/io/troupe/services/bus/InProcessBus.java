@@ -5,25 +5,27 @@ import io.troupe.actor.ActorSpace;
 /**
  * A bus inside one process.
  *
- * <p><b>Role.</b> Made by {@link #open}; ends with {@link #close}. It moves the same {@link Message}s as a bus between
- * processes would, so nothing that uses it can come to depend on identity: lists and maps in a value are copied unless
+ * <p><b>Role.</b> Created by {@link #open}, ended by {@link #close}. It carries the same {@link BusMessage} records as
+ * a bus between processes, so its users cannot depend on object identity: lists and maps in a value are copied unless
  * they are immutable.
  *
- * <p><b>Threads.</b> A subscriber and an answerer run on the actor space, and on behalf of the actor, that registered
- * them; registered outside every space, on the space of the settings. Messages are entries of the callback queue.
+ * <p><b>Threads.</b> A subscriber or a request handler runs on the actor space, and on behalf of the actor, that
+ * registered it; if it was registered outside every space, on the space of the settings. Messages are entries of the
+ * callback queue.
  *
- * <p><b>Order.</b> Values of one port reach a subscriber in the order in which they were published. Calls of
- * {@code publish} that overlap on several threads are in either order. At most once: nothing is repeated.
+ * <p><b>Order.</b> Values of one port reach a subscriber in the order in which they were published. Concurrent calls of
+ * {@code publish} on several threads are delivered in either order. At most once: nothing is repeated.
  *
- * <p><b>Cost.</b> Publishing costs one short lock for each subscriber. At most {@link BusSettings#capacity} messages
- * wait before one subscriber: then the oldest is dropped. Before an answerer the newest question is refused instead,
- * and when so many are begun and not yet answered; those whose asker on this node has given up do not count.
+ * <p><b>Cost.</b> Publishing takes one short lock per subscriber. At most {@link BusSettings#capacity} messages are
+ * queued for one subscriber; when the queue is full, the oldest is dropped. When the queue of a request handler is
+ * full, or it has that many requests begun without a reply, the newest request is rejected instead; requests whose
+ * requester on this node has cancelled do not count.
  *
- * <p><b>Errors.</b> {@link BusPort#ask} rejects with a {@link BusException} that names asker, answerer and operation:
- * nobody is there, nobody answers that, other types were expected, too many questions wait, the time is over, or one of
- * both has left, or its space is closed. An actor that stops and leaves its port open is missed with the next message
- * to it. A subscriber that throws does not keep others from hearing. What a port is asked to do after it was closed
- * throws a {@link BusException}.
+ * <p><b>Errors.</b> {@link BusPort#ask} rejects with a {@link BusException} that names the requester, the receiver and
+ * the operation. Causes: no port at the address, no handler for the operation, another value type than expected, too
+ * many queued requests, the time limit, or that one of both ports or its space was closed. If an actor stops and its
+ * port stays open, the bus detects this at the next message to it. An exception from one subscriber does not affect the
+ * others. Methods of a closed port throw a {@link BusException}.
  */
 public final class InProcessBus implements Bus {
     private static final Transport NOWHERE = new Transport() {
@@ -33,12 +35,12 @@ public final class InProcessBus implements Bus {
         }
 
         @Override
-        public void send(String node, Message message) {
+        public void send(String node, BusMessage message) {
             throw new IllegalStateException("there is no way to node " + node);
         }
 
         @Override
-        public void broadcast(Message publication) {}
+        public void broadcast(BusMessage publication) {}
 
         @Override
         public void close() {}
@@ -50,12 +52,12 @@ public final class InProcessBus implements Bus {
         this.node = node;
     }
 
-    /** A bus whose outsiders live on the {@link ActorSpace#global()} space. */
+    /** A bus that uses {@link ActorSpace#global()} for code outside every actor space. */
     public static InProcessBus open(String node) {
         return open(node, BusSettings.on(ActorSpace.global()));
     }
 
-    /** A bus with settings of its own. */
+    /** A bus with the given settings. */
     public static InProcessBus open(String node, BusSettings settings) {
         return new InProcessBus(new BusNode(node, settings, NOWHERE));
     }
@@ -70,7 +72,7 @@ public final class InProcessBus implements Bus {
         return node.attach(name);
     }
 
-    /** How much it has carried. */
+    /** The message counts since the bus was opened. */
     public BusMetrics metrics() {
         return node.metrics();
     }

@@ -2,7 +2,7 @@ package io.troupe.services.bus;
 
 import java.lang.System.Logger.Level;
 
-/** Logs what is lost. */
+/** Logs losses. */
 final class LoggingObserver implements BusObserver {
     private static final System.Logger LOG = System.getLogger(Bus.class.getName());
 
@@ -10,7 +10,8 @@ final class LoggingObserver implements BusObserver {
     public void lost(Loss loss) {
         switch (loss) {
             case Loss.Dropped dropped -> {
-                if (Long.bitCount(dropped.soFar()) == 1) { // a slow subscriber must not fill the log
+                if (Long.bitCount(dropped.soFar())
+                        == 1) { // powers of two only: a slow subscriber must not fill the log
                     LOG.log(Level.WARNING, dropped.toString());
                 }
             }
@@ -20,11 +21,11 @@ final class LoggingObserver implements BusObserver {
     }
 
     @Override
-    public void failed(Message question, Throwable error) {
-        LOG.log(Level.DEBUG, () -> question.purpose() + " failed", error);
+    public void failed(BusMessage request, Throwable error) {
+        LOG.log(Level.DEBUG, () -> request.purpose() + " failed", error);
     }
 
-    /** An observer of somebody's own making has thrown. */
+    /** Logs an exception that a user's observer threw. */
     static void observerFailed(Throwable error) {
         LOG.log(Level.ERROR, "the observer of a bus failed", error);
     }

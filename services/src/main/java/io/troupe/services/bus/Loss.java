@@ -1,20 +1,22 @@
 package io.troupe.services.bus;
 
-/** A message that was not heard or not wanted any more; told to the bus's observer once each. */
+/**
+ * A message that was not delivered, or a reply that was no longer awaited. Each is reported once to the bus's observer.
+ */
 public sealed interface Loss {
     /**
-     * A subscriber had as many values waiting as its queue holds, and the oldest made room.
+     * The queue of a subscriber was full, and its oldest value was removed.
      *
-     * @param soFar how many this subscription has lost in this way, this one included
+     * @param soFar the number of values that this subscription has dropped, including this one
      */
-    record Dropped(Address subscriber, Message oldest, long soFar) implements Loss {
+    record Dropped(Address subscriber, BusMessage oldest, long soFar) implements Loss {
         @Override
         public String toString() {
             return subscriber + " is too slow: its oldest " + describe(oldest) + " was dropped, " + soFar + " so far";
         }
     }
 
-    /** A subscription ended with values waiting that it will not hear. */
+    /** A subscription ended with values still queued, which are not delivered. */
     record Discarded(Address subscriber, String topic, int count, String why) implements Loss {
         @Override
         public String toString() {
@@ -22,31 +24,31 @@ public sealed interface Loss {
         }
     }
 
-    /** An answer, or a refusal, for which nobody waits any more. */
-    record Late(Message answer, String why) implements Loss {
+    /** A reply or refusal arrived when its request was no longer pending. */
+    record Late(BusMessage reply, String why) implements Loss {
         @Override
         public String toString() {
-            return describe(answer) + " is late: " + why;
+            return describe(reply) + " is late: " + why;
         }
     }
 
-    /** There is no way to whom it is for; the sender of a question is told, too. */
-    record Undeliverable(Message message, String why) implements Loss {
+    /** The receiver of the message cannot be reached. If it is a request, the request is rejected as well. */
+    record Undeliverable(BusMessage message, String why) implements Loss {
         @Override
         public String toString() {
             return describe(message) + " cannot be delivered: " + why;
         }
     }
 
-    /** A subscriber threw; the others have heard the value all the same. */
-    record SubscriberFailed(Address subscriber, Message message, Throwable error) implements Loss {
+    /** A subscriber threw an exception. Other subscribers received the value. */
+    record SubscriberFailed(Address subscriber, BusMessage message, Throwable error) implements Loss {
         @Override
         public String toString() {
             return subscriber + " failed to hear " + describe(message) + ": " + error;
         }
     }
 
-    private static String describe(Message message) {
+    private static String describe(BusMessage message) {
         return message.purpose() + " from " + message.from() + " (number " + message.sequence() + ")";
     }
 }

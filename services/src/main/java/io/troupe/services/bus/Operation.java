@@ -3,23 +3,23 @@ package io.troupe.services.bus;
 import java.util.Objects;
 
 /**
- * A name under which questions of one type are answered by answers of another.
+ * A named operation: requests of one type, answered by replies of another.
  *
- * <p><b>Units and shapes.</b> Both are records of values that can leave a process; anything else is refused here, by
- * the name of the component. What holds for the values of a {@link Topic} holds for questions and answers.
+ * <p><b>Units and shapes.</b> Both types are records of values that can leave a process; the constructor rejects any
+ * other type and names the component that is at fault. The rules for values of a {@link BusTopic} apply to requests and
+ * replies as well.
  */
-public record Operation<Q extends Record, A extends Record>(
-        String name, Class<Q> question, Class<A> answer, Kind kind) {
+public record Operation<Q extends Record, A extends Record>(String name, Class<Q> request, Class<A> reply, Kind kind) {
     public Operation {
         if (name.isBlank()) {
             throw new IllegalArgumentException("the name of an operation is blank");
         }
-        Portable.check("operation " + name, question);
-        Portable.check("operation " + name, answer);
+        Portable.check("operation " + name, request);
+        Portable.check("operation " + name, reply);
         Objects.requireNonNull(kind, "kind");
     }
 
-    /** Service-specific data, or the managing of services (paper, section 2.2.3). */
+    /** Service-specific data, or the management of services (paper, section 2.2.3). */
     public enum Kind {
         DATA,
         CONTROL

@@ -13,14 +13,14 @@ import java.util.Set;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/** One name on a node, and what belongs to it. */
+/** A port of a node: its subscriptions, request handlers and topics. */
 final class Port implements BusPort {
     final BusNode node;
     private final Address address;
-    private final Object lock = new Object(); // guards all below
-    private final Set<Hearing<?>> hearings = new LinkedHashSet<>();
-    private final Map<String, Answering<?, ?>> answerings = new LinkedHashMap<>();
-    private final Set<Topic<?>> topics = new HashSet<>(); // those it has published on or subscribed to
+    private final Object lock = new Object(); // guards all fields below
+    private final Set<TopicSubscription<?>> subscriptions = new LinkedHashSet<>();
+    private final Map<String, OperationHandler<?, ?>> operationHandlers = new LinkedHashMap<>();
+    private final Set<BusTopic<?>> topics = new HashSet<>(); // those it has published or subscribed to
     private @Nullable String closed;
 
     Port(BusNode node, Address address) {
@@ -34,72 +34,72 @@ final class Port implements BusPort {
     }
 
     @Override
-    public <T extends Record> void publish(Topic<T> topic, T value) {
-        Record payload = node.detached(topic.type().cast(Objects.requireNonNull(value, "value")));
+    public <T extends Record> void publish(BusTopic<T> topic, T value) {
+        Record payload = node.copy(topic.type().cast(Objects.requireNonNull(value, "value")));
         synchronized (lock) {
             if (closed != null) {
-                throw refusal("publish on " + topic.name(), closed);
+                throw rejection("publish on " + topic.name(), closed);
             }
-            use(topic); // after the value was checked: one that is refused does not set the topic's type
+            use(topic); // after the check of the value: a rejected value does not fix the topic's type
         }
         node.publish(this, topic, payload);
     }
 
     @Override
-    public <T extends Record> Subscription subscribe(Topic<T> topic, Subscriber<? super T> subscriber) {
+    public <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber) {
         Objects.requireNonNull(subscriber, "subscriber");
-        var hearing = new Hearing<T>(this, topic, subscriber);
+        var subscription = new TopicSubscription<T>(this, topic, subscriber);
         synchronized (lock) {
             if (closed != null) {
-                throw refusal("subscribe to " + topic.name(), closed);
+                throw rejection("subscribe to " + topic.name(), closed);
             }
             use(topic);
-            hearings.add(hearing);
+            subscriptions.add(subscription);
         }
-        hearing.open();
-        node.add(hearing);
-        checkBegun("subscribe to " + topic.name(), hearing);
-        return hearing;
+        subscription.open();
+        node.add(subscription);
+        checkOpen("subscribe to " + topic.name(), subscription);
+        return subscription;
     }
 
     @Override
     public <Q extends Record, A extends Record> void answer(
-            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
-        Objects.requireNonNull(answerer, "answerer");
-        var answering = new Answering<Q, A>(this, operation, answerer);
-        var before = answering(operation.name());
-        if (before != null && !before.isOver()) {
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
+        Objects.requireNonNull(handler, "answerer");
+        var operationHandler = new OperationHandler<Q, A>(this, operation, handler);
+        var before = operationHandler(operation.name());
+        if (before != null && !before.hasEnded()) {
             throw answeredAlready(operation);
         }
-        answering.open();
+        operationHandler.open();
         synchronized (lock) {
             if (closed != null) {
-                answering.end(closed);
-            } else if (answerings.putIfAbsent(operation.name(), answering) != null) {
-                answering.end("another answers");
+                operationHandler.end(closed);
+            } else if (operationHandlers.putIfAbsent(operation.name(), operationHandler) != null) {
+                operationHandler.end("another answers");
                 throw answeredAlready(operation);
             }
         }
-        checkBegun("answer " + operation.name(), answering);
+        checkOpen("answer " + operation.name(), operationHandler);
     }
 
     private IllegalArgumentException answeredAlready(Operation<?, ?> operation) {
         return new IllegalArgumentException(address + " answers " + operation.name() + " already");
     }
 
-    /** It may have ended, with its space or this port, before others could find it to end it. */
-    private void checkBegun(String what, Inlet inlet) {
-        String why = inlet.whyEnded();
+    /** Throws if the queue has ended before it was registered, because its space or this port was closed. */
+    private void checkOpen(String what, InboundQueue queue) {
+        String why = queue.whyEnded();
         if (why != null) {
-            forget(inlet);
-            throw refusal(what, why);
+            forget(queue);
+            throw rejection(what, why);
         }
     }
 
     @Override
     public <Q extends Record, A extends Record> Promise<A> ask(
-            Address to, Operation<Q, A> operation, Q question, Duration limit) {
-        return node.ask(this, to, operation, question, limit);
+            Address to, Operation<Q, A> operation, Q request, Duration limit) {
+        return node.ask(this, to, operation, request, limit);
     }
 
     @Override
@@ -108,7 +108,7 @@ final class Port implements BusPort {
     }
 
     void close(String why) {
-        List<Inlet> inlets = new ArrayList<>();
+        List<InboundQueue> queues = new ArrayList<>();
         synchronized (lock) {
             if (closed != null) {
                 return;
@@ -116,12 +116,12 @@ final class Port implements BusPort {
             closed = why;
             topics.forEach(node::release);
             topics.clear();
-            inlets.addAll(hearings);
-            inlets.addAll(answerings.values());
+            queues.addAll(subscriptions);
+            queues.addAll(operationHandlers.values());
         }
         node.detach(this);
-        inlets.forEach(inlet -> inlet.end(why));
-        node.rejectQuestionsOf(this, "the asker has left: " + why);
+        queues.forEach(queue -> queue.end(why));
+        node.rejectRequestsOf(this, "the asker has left: " + why);
     }
 
     @Nullable
@@ -132,41 +132,42 @@ final class Port implements BusPort {
     }
 
     @Nullable
-    Answering<?, ?> answering(String operation) {
+    OperationHandler<?, ?> operationHandler(String operation) {
         synchronized (lock) {
-            return answerings.get(operation);
+            return operationHandlers.get(operation);
         }
     }
 
     List<String> operations() {
         synchronized (lock) {
-            return List.copyOf(answerings.keySet());
+            return List.copyOf(operationHandlers.keySet());
         }
     }
 
-    /** That one has ended. */
-    void forget(Inlet inlet) {
+    /** Removes a queue that has ended. */
+    void forget(InboundQueue queue) {
         synchronized (lock) {
-            switch (inlet) {
-                case Hearing<?> hearing -> hearings.remove(hearing);
-                case Answering<?, ?> answering -> answerings.remove(answering.operation.name(), answering);
-                default -> throw new IllegalStateException("no such inlet: " + inlet);
+            switch (queue) {
+                case TopicSubscription<?> subscription -> subscriptions.remove(subscription);
+                case OperationHandler<?, ?> operationHandler ->
+                    operationHandlers.remove(operationHandler.operation.name(), operationHandler);
+                default -> throw new IllegalStateException("no such queue: " + queue);
             }
         }
-        if (inlet instanceof Hearing<?> hearing) {
-            node.remove(hearing);
+        if (queue instanceof TopicSubscription<?> subscription) {
+            node.remove(subscription);
         }
     }
 
-    /** Under the lock. */
-    private void use(Topic<?> topic) {
+    /** Called under the lock. */
+    private void use(BusTopic<?> topic) {
         if (!topics.contains(topic)) {
             node.use(topic);
             topics.add(topic);
         }
     }
 
-    private BusException refusal(String what, String why) {
+    private BusException rejection(String what, String why) {
         return new BusException(address + " cannot " + what + ": " + why);
     }
 

@@ -12,16 +12,16 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Which records can leave a process: those of values all the way down.
+ * Checks whether records of a type can leave a process: only if they consist of values at every depth.
  *
- * <p><b>Cost.</b> Walks the type, at the making of a topic or an operation.
+ * <p><b>Cost.</b> Walks the type once, when a topic or an operation is created.
  */
 final class Portable {
     /**
-     * How many values a value may be inside of, itself included; so few that whoever copies, writes or reads it may
-     * recurse.
+     * The deepest nesting of values, the value itself included. Low enough for recursive copying, encoding and
+     * decoding.
      */
-    static final int MOST_LEVELS = 500;
+    static final int MAX_LEVELS = 500;
 
     private static final Set<Class<?>> VALUES = Set.of(
             Boolean.class,
@@ -40,7 +40,7 @@ final class Portable {
 
     private final String use;
     private final Class<?> root;
-    private final Set<Class<?>> seen = new HashSet<>(); // a record may contain itself, as a tree does
+    private final Set<Class<?>> seen = new HashSet<>(); // a record may contain its own type, as a tree does
 
     private Portable(String use, Class<?> root) {
         this.use = use;
@@ -48,13 +48,13 @@ final class Portable {
     }
 
     /**
-     * @throws IllegalArgumentException if a value of that type could not leave the process; the text names the
-     *     component and says why
+     * @throws IllegalArgumentException if values of that type cannot leave the process; the message names the component
+     *     and the reason
      */
     static void check(String use, Class<? extends Record> type) {
         var check = new Portable(use, type);
         if (!type.isRecord()) {
-            throw check.refusal("", type, "it is no record");
+            throw check.rejection("", type, "it is no record");
         }
         check.checkType("", type);
     }
@@ -63,7 +63,7 @@ final class Portable {
         switch (type) {
             case Class<?> plain -> checkClass(path, plain);
             case ParameterizedType generic -> checkGeneric(path, generic);
-            default -> throw refusal(path, type, "it is not known which type that is");
+            default -> throw rejection(path, type, "it is not known which type that is");
         }
     }
 
@@ -72,7 +72,7 @@ final class Portable {
             return;
         }
         if (type.isArray()) {
-            throw refusal(path, type, "an array can be changed: use a List");
+            throw rejection(path, type, "an array can be changed: use a List");
         }
         if (type.isRecord()) {
             checkRecord(path, type);
@@ -83,9 +83,9 @@ final class Portable {
                 }
             }
         } else if (type == List.class || type == Map.class || type == Optional.class) {
-            throw refusal(path, type, "it does not say of what");
+            throw rejection(path, type, "it does not say of what");
         } else {
-            throw refusal(path, type, EXPECTED);
+            throw rejection(path, type, EXPECTED);
         }
     }
 
@@ -105,13 +105,13 @@ final class Portable {
         } else if (raw == Map.class && arguments[0] == String.class) {
             checkType(path + "{}", arguments[1]);
         } else if (raw == Map.class) {
-            throw refusal(path, type, "the keys of a Map have to be String");
+            throw rejection(path, type, "the keys of a Map have to be String");
         } else {
-            throw refusal(path, type, EXPECTED);
+            throw rejection(path, type, EXPECTED);
         }
     }
 
-    private IllegalArgumentException refusal(String path, Type type, String why) {
+    private IllegalArgumentException rejection(String path, Type type, String why) {
         return new IllegalArgumentException(
                 use + ": values of " + root.getName() + " cannot leave a process because of " + root.getSimpleName()
                         + path + " of type " + type.getTypeName() + ": " + why);

@@ -1,26 +1,26 @@
 package io.troupe.services.bus;
 
 /**
- * The way from one node to the others; what a bus between processes has of its own. It hands what arrives to
+ * Sends messages to other nodes; the only part in which kinds of bus differ. Passes incoming messages to
  * {@link BusNode#receive}.
  *
- * <p><b>Role.</b> A node that is opened again under its name counts its messages from 1 again: a transport must bring
- * it nothing that was sent to an earlier life, or that this sent, for example by the incarnation of each node in its
- * frames.
+ * <p><b>Role.</b> A node that is opened again under the same name numbers its messages from 1 again. A transport must
+ * not deliver to it messages that were sent to, or by, the earlier node of that name. One way is to put the incarnation
+ * of each node into its frames.
  *
- * <p><b>Threads.</b> Any thread calls, none waits. <b>Order.</b> Messages of one sender to one node arrive in the order
- * in which they were sent, or not at all.
+ * <p><b>Threads.</b> Called from any thread; must not block. <b>Order.</b> Messages of one sender to one node arrive in
+ * the order in which they were sent, or not at all.
  */
 interface Transport {
-    /** Whether there is a node of that name. */
+    /** Returns whether a node of that name is known. */
     boolean reaches(String node);
 
-    /** Takes a message to one node. */
-    void send(String node, Message message);
+    /** Sends a message to one node. */
+    void send(String node, BusMessage message);
 
-    /** Takes a publication to all other nodes. */
-    void broadcast(Message publication);
+    /** Sends a publication to all other nodes. */
+    void broadcast(BusMessage publication);
 
-    /** Nothing comes any more. */
+    /** Called when the node is closed: no message follows. */
     void close();
 }

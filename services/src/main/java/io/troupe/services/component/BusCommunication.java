@@ -4,8 +4,8 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.services.bus.Address;
 import io.troupe.services.bus.Bus;
 import io.troupe.services.bus.BusPort;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.bus.Operation;
-import io.troupe.services.bus.Topic;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -45,11 +45,11 @@ public final class BusCommunication implements AutoCloseable {
         port.publish(data.topic(), data.value());
     }
 
-    void subscribe(List<Topic<?>> topics, Consumer<ApplicationData<?>> listener) {
+    void subscribe(List<BusTopic<?>> topics, Consumer<ApplicationData<?>> listener) {
         topics.forEach(topic -> subscribe(topic, listener));
     }
 
-    private <T extends Record> void subscribe(Topic<T> topic, Consumer<ApplicationData<?>> listener) {
+    private <T extends Record> void subscribe(BusTopic<T> topic, Consumer<ApplicationData<?>> listener) {
         subscriptions.add(
                 port.subscribe(topic, (value, publisher) -> listener.accept(new ApplicationData<>(topic, value))));
     }

@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import java.util.List;
 import java.util.function.Supplier;
 
@@ -22,8 +22,8 @@ import java.util.function.Supplier;
 public record Component<I, O>(
         String service,
         List<String> capabilities,
-        List<Topic<?>> subscribes,
-        List<Topic<?>> publishes,
+        List<BusTopic<?>> subscribes,
+        List<BusTopic<?>> publishes,
         Supplier<? extends ComponentCommunication<I, O>> communication,
         Conversion<I, O> conversion,
         Buffering input,

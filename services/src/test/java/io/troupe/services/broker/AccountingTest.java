@@ -23,12 +23,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Random programs that call through one connection, while providers come, die, are withdrawn and replaced, some of it
- * in one turn, and a model of where each call has to end: every request is answered exactly once, by the provider that
- * did it, or rejected with a reason; every one-way call was done once, or is told to the observer, or is a dead letter.
+ * Runs random programs that call through one connection while providers are published, fail, are withdrawn and
+ * replaced, partly within one turn. A model determines where each call has to end: every request is answered exactly
+ * once, by the provider that executed it, or rejected with a reason; every one-way call was executed once, or reported
+ * to the observer, or is a dead letter.
  */
 class AccountingTest {
-    /** Actor under test: does at once, or keeps the asker waiting. */
+    /** The actor under test: answers at once, or later. */
     interface Worker {
         Promise<String> work(int id, boolean later);
 
@@ -64,14 +65,14 @@ class AccountingTest {
         assertThat(ends.get("answered")).isGreaterThan(1000);
     }
 
-    /** An answer that is still owed. */
+    /** An answer that is still pending. */
     private record Late(Deferred<String> answer, String by) {
         void give() {
             answer.resolve(by);
         }
     }
 
-    /** One program, and the model: what providers there are, in the order of the registry. */
+    /** One program, and its model: the providers in the order of the registry. */
     private static final class Program {
         private final Random random;
         private final TestSpace test = new TestSpace();
@@ -83,7 +84,7 @@ class AccountingTest {
         private final List<Late> later = new ArrayList<>();
         private final Map<Integer, Promise<String>> asked = new TreeMap<>();
         private final Map<Integer, Boolean> notes = new TreeMap<>();
-        private final Map<Integer, String> expected = new HashMap<>(); // who has to do it, where that is certain
+        private final Map<Integer, String> expected = new HashMap<>(); // provider that must execute it, if certain
         private final List<Address> alive = new ArrayList<>(); // the model: the first is in use
         private final Worker worker;
         private final long seed;
@@ -104,7 +105,7 @@ class AccountingTest {
 
         void run() {
             for (int i = 0; i < STEPS; i++) {
-                boolean settle = random.nextInt(3) > 0; // else the next step comes in the same turn
+                boolean settle = random.nextInt(3) > 0; // otherwise the next step runs in the same turn
                 step(settle);
                 batch++;
                 if (settle) {
@@ -121,7 +122,10 @@ class AccountingTest {
             test.crank();
         }
 
-        /** Whom the model sends the next calls to; after several steps in one turn it looks what has come of them. */
+        /**
+         * Updates the provider that the model expects to get the next calls. After several steps in one turn, the model
+         * takes over the broker's state.
+         */
         private void settled() {
             var records = test.get(broker.registered());
             Address really = null;
@@ -262,7 +266,7 @@ class AccountingTest {
             expect(id, quiet && settle && batch == 0);
         }
 
-        /** When nothing else is under way, the model knows who has to do it: whoever is in use. */
+        /** If nothing else is pending, the model knows who must execute the call: the provider in use. */
         private void expect(int id, boolean certain) {
             Address now = inUse;
             if (certain && now != null) {

@@ -108,7 +108,7 @@ class ActorServicesTest {
     }
 
     @Test
-    void call_waitsForTheNextProvider_ifTheOneItIsToldOfHasEndedMeanwhile() {
+    void call_waitsForTheNextProvider_ifTheOneItIsNotifiedOfHasEndedMeanwhile() {
         try (var callers = new TestSpace();
                 var providers = new TestSpace();
                 var brokers = new TestSpace()) {
@@ -125,9 +125,9 @@ class ActorServicesTest {
             callers.crank(); // asks the broker
             brokers.crank(); // spawns a
             providers.crank(); // starts it
-            brokers.crank(); // names it to the connection, which has not heard yet
+            brokers.crank(); // notifies the connection, which has not processed this yet
             providers.space().stop(services.running(BrokerBench.at("parrot")).proxy());
-            providers.crank(); // of which the broker has not heard yet
+            providers.crank(); // the broker has not been notified of this yet
             callers.crank();
             assertThat(answer.isDone()).isFalse();
             for (int round = 0; round < 4; round++) {
@@ -190,12 +190,12 @@ class ActorServicesTest {
                     .hasMessage("node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
             assertThat(((ServiceCallException) stage.bench.test.error(answer)).wasSent())
                     .isTrue();
-            assertThat(stage.diary).containsExactly("a begins hello"); // and nobody else does it again
+            assertThat(stage.diary).containsExactly("a begins hello"); // no other provider executes it again
         }
     }
 
     @Test
-    void answerThatComesLate_isRejectedBefore_andToldToTheObserver() {
+    void answerThatComesLate_isRejectedBefore_andReportedToTheObserver() {
         try (var stage = new ServicesStage()) {
             stage.publish("a");
             var parrot = stage.services.connect(Parrot.class, PARROT).actor();
@@ -250,7 +250,7 @@ class ActorServicesTest {
     }
 
     @Test
-    void wrongInterface_isToldInPlainWords() {
+    void wrongInterface_isReportedInPlainWords() {
         try (var stage = new ServicesStage()) {
             stage.publish("a");
             var connection = stage.services.connect(Clock.class, PARROT);

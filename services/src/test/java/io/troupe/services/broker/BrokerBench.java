@@ -7,7 +7,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A broker on a space without a thread, with what it says. */
+/** A broker on a space without a thread; records its events and the calls of its providers. */
 final class BrokerBench implements AutoCloseable {
     static final Duration SECOND = Duration.ofSeconds(1);
 
@@ -50,7 +50,7 @@ final class BrokerBench implements AutoCloseable {
         return String.valueOf(error.getMessage());
     }
 
-    /** A user that writes down what it hears. */
+    /** Connects a client that records its notifications. */
     List<String> connect(String by, String service) {
         var heard = new ArrayList<String>();
         var first = broker.connect(Need.ofService(by, service), new Broker.Connection() {
@@ -71,13 +71,13 @@ final class BrokerBench implements AutoCloseable {
         return heard;
     }
 
-    /** Serves what waits, then lets time pass. */
+    /** Runs pending work, then advances the clock. */
     void pass(Duration time) {
         test.crank();
         test.advance(time);
     }
 
-    /** So many seconds, one after the other. */
+    /** Advances the clock by this many seconds, one at a time. */
     void seconds(int count) {
         for (int i = 0; i < count; i++) {
             pass(SECOND);

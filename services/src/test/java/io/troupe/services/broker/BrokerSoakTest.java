@@ -12,7 +12,7 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** Random programs of a broker whose providers answer at once, late, never, or with an error; see {@link Soak}. */
+/** Random programs on a broker whose providers answer at once, late, never, or with an error; see {@link Soak}. */
 class BrokerSoakTest {
     private static final int STEPS = 60;
     private static final int ADDRESSES = 3;
@@ -47,7 +47,7 @@ class BrokerSoakTest {
             this.statistics = statistics;
         }
 
-        /** Alive from when a start is fulfilled until it dies, or a stop is fulfilled. */
+        /** Alive from a fulfilled start until it dies or a stop is fulfilled. */
         private final class Moody implements Provider {
             private final int number = providers.size();
             private Deferred<@Nullable Void> end = new Deferred<>(null); // of the newest start

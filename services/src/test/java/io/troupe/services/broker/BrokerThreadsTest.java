@@ -17,7 +17,7 @@ import java.util.concurrent.Executors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Broker, providers and callers on spaces, and so threads, of their own. */
+/** Broker, providers and callers on separate spaces, each with a thread. */
 @Timeout(600)
 class BrokerThreadsTest {
     private static final Duration PATIENCE = Patience.LONG;
@@ -29,7 +29,7 @@ class BrokerThreadsTest {
         return ActorSpace.create(SpaceSettings.named(name).withOnStall(Duration.ZERO, stall -> {}));
     }
 
-    /** Cranks the broker's space until other threads have done what settles that. */
+    /** Cranks the broker's space until work on other threads has settled the promise. */
     private static <T> T await(TestSpace brokers, Promise<T> promise) {
         while (!promise.isDone()) {
             brokers.crank();
@@ -42,7 +42,7 @@ class BrokerThreadsTest {
     void spaceThatHangs_isNoticedByABrokerOnAnother_andItsUsersGoOver() throws Exception {
         var hangs = new CountDownLatch(1);
         var release = new CountDownLatch(1);
-        var brokers = new TestSpace(); // whose clock decides when a limit is over
+        var brokers = new TestSpace(); // its clock decides when a limit is over
         try (var hanging = space("hanging");
                 var other = space("other")) {
             var broker = ServiceBroker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(events::add));
@@ -121,7 +121,7 @@ class BrokerThreadsTest {
                 for (int i = 0; i < calls; i++) {
                     answers.add(parrot.say(String.valueOf(i)));
                     if (i % 100 == 99) {
-                        answers.getLast().get(PATIENCE); // so that the load lasts as long as the replacing
+                        answers.getLast().get(PATIENCE); // keeps the load running during all replacements
                     }
                 }
                 return Promise.all(answers).get(PATIENCE);

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A provider that does what a test tells it to, and writes down what it was asked. */
+/** A provider scripted by a test; records its calls. */
 final class FakeProvider implements Provider {
     private final String name;
     private final List<String> diary;
@@ -23,7 +23,7 @@ final class FakeProvider implements Provider {
         this.diary = diary;
     }
 
-    /** Never answers, until the test does. */
+    /** Returns a promise that only the test settles. */
     Promise<@Nullable Void> hang() {
         var answer = new Deferred<@Nullable Void>(null);
         unanswered.add(answer);
@@ -38,7 +38,7 @@ final class FakeProvider implements Provider {
         throw new IllegalStateException(name + " exploded");
     }
 
-    /** Dies now. */
+    /** Ends the current run with an error. */
     void die(String why) {
         end.reject(new IllegalStateException(why));
     }

@@ -12,13 +12,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Calls whose callers do not wait for them any more, and connections that are closed. */
+/** Calls that their callers cancel, and connections that are closed. */
 class GivenUpCallsTest {
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
     private static final ConnectionSettings PATIENT =
             ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(100)).withAnswerLimit(Duration.ofSeconds(100));
 
-    /** How a caller gives a call up. */
+    /** The way in which a caller cancels a call. */
     private enum Manner {
         CANCEL {
             @Override
@@ -42,7 +42,7 @@ class GivenUpCallsTest {
             }
         };
 
-        /** Answers what is rejected then. */
+        /** Returns the promise that is rejected by this. */
         abstract Promise<?> giveUp(Promise<?> call);
     }
 
@@ -167,7 +167,7 @@ class GivenUpCallsTest {
             var references = new ArrayList<WeakReference<Need>>();
             var open = new ArrayList<ActorConnection<Parrot>>();
             for (int i = 0; i < 20; i++) {
-                var need = Need.ofService("robot " + i, "parrot"); // each connection has its own
+                var need = Need.ofService("robot " + i, "parrot"); // one need per connection
                 references.add(new WeakReference<>(need));
                 open.add(connected(stage, need)); // overlapping: the last ones are open when the first are closed
             }
@@ -175,8 +175,8 @@ class GivenUpCallsTest {
                 open.removeFirst().close();
             }
             stage.bench.test.crank();
-            stage.bench.events.clear(); // which name their needs
-            int most = 2; // the open one, and the last closed one in what an idle space keeps of its last turn
+            stage.bench.events.clear(); // events refer to needs
+            int most = 2; // the open one, and the last closed one, which an idle space may keep from its last turn
             for (int tries = 0; tries < 20 && count(references) > most; tries++) {
                 System.gc();
             }

@@ -6,7 +6,7 @@ import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
-/** What runs is watched; who uses what fails gets another. */
+/** Running providers are checked; clients of a failed provider get another one. */
 class HealthTest {
     @Test
     void providerThatHangs_isSuspect_thenFailed_andItsUsersGoOver() {
@@ -15,7 +15,7 @@ class HealthTest {
             bench.offer("player", "b");
             var heard = bench.connect("robot 1", "player");
             a.check = a::hang;
-            bench.seconds(2); // asked after one second, given up after another
+            bench.seconds(2); // check after one second, limit after another
             assertThat(bench.health("a")).isEqualTo(Health.SUSPECT);
             bench.seconds(3);
             assertThat(bench.health("a")).isEqualTo(Health.SUSPECT);
@@ -51,7 +51,7 @@ class HealthTest {
     }
 
     @Test
-    void answerToACheck_thatComesLate_isTold_andDoesNotCount() {
+    void answerToACheck_thatComesLate_isReported_andDoesNotCount() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
             bench.require("player");
@@ -99,7 +99,7 @@ class HealthTest {
             c.die("power");
             bench.test.crank();
             assertThat(heard).containsExactly("use a", "use b", "use c", "lost");
-            assertThat(bench.diary).doesNotContain("stop a", "stop b", "stop c"); // they are dead
+            assertThat(bench.diary).doesNotContain("stop a", "stop b", "stop c"); // they have ended
             assertThat(bench.events(BrokerEvent.Lost.class).getFirst().why())
                     .hasMessageContaining("node/a (java.lang.IllegalStateException: power), node/b (");
             bench.seconds(200);
@@ -129,7 +129,7 @@ class HealthTest {
             assertThat(heard).containsExactly("use a", "lost");
             bench.seconds(1);
             assertThat(heard).containsExactly("use a", "lost", "use a");
-            bench.seconds(4); // the pauses begin anew
+            bench.seconds(4); // the pauses start at the shortest again
             a.die("again");
             bench.seconds(1);
             assertThat(heard).containsExactly("use a", "lost", "use a", "lost", "use a");

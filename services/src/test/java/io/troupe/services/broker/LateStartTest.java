@@ -6,13 +6,13 @@ import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
-/** Starts that are answered when a later run has begun, or ended: the provider must not run on because of them. */
+/** Starts that complete when a later run has begun or ended: the provider must not keep running because of them. */
 class LateStartTest {
     private static BrokerBench bench() {
         return new BrokerBench(BrokerSettings.DEFAULT.withoutRestart());
     }
 
-    /** Starts it, and gives it up after its limit. */
+    /** Starts a provider whose start exceeds the limit. */
     private static FakeProvider overdue(BrokerBench bench) {
         var a = bench.offer("player", "a");
         a.start = a::hang;
@@ -95,7 +95,7 @@ class LateStartTest {
             bench.test.crank();
             a.start = Promise::done;
             a.stop = Promise::done;
-            a.unanswered.removeFirst().resolve(null); // the stop, which may have been before it
+            a.unanswered.removeFirst().resolve(null); // the stop, which may have been executed before the start
             assertThat(bench.test.get(again).health()).isEqualTo(Health.WELL);
             assertThat(bench.diary).containsExactly("start a", "stop a", "stop a", "start a");
         }

@@ -6,7 +6,7 @@ import io.troupe.services.bus.Address;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Who needs what nobody offers is told what is there, on one line. */
+/** The error for a need without a provider lists what is registered, on one line. */
 class MissingServiceTest {
     @Test
     void serviceThatNobodyOffers_isNamed_withWhatIsThere_andWhatIsSimilar() {

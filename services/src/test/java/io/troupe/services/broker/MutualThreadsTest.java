@@ -21,14 +21,14 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * Two actors that are publisher and subscriber of each other, over a broker; all three on spaces, and so threads, of
- * their own.
+ * Two actors that are publisher and subscriber of each other, over a broker. All three run on separate spaces, each
+ * with a thread.
  */
 @Timeout(600)
 class MutualThreadsTest {
     private static final Duration PATIENCE = Patience.LONG;
 
-    /** Publishes numbers to whoever follows it. */
+    /** Publishes numbers to its followers. */
     interface Station {
         Promise<@Nullable Void> follow(String by, Callback<Integer> reader);
 
@@ -39,10 +39,7 @@ class MutualThreadsTest {
 
     private final BlockingQueue<String> diary = new LinkedBlockingQueue<>();
 
-    /**
-     * Follows the provider of another service, whoever that is at the moment, and publishes the number after each that
-     * it hears.
-     */
+    /** Follows the current provider of another service, and publishes the successor of each number that it receives. */
     private final class Answerer extends Actor implements Station, Broker.Connection {
         private final String name;
         private final Need other;
@@ -62,7 +59,7 @@ class MutualThreadsTest {
         protected void started() {
             var opened = services.connect(Station.class, other, Patience.CONNECTION);
             connection = opened;
-            opened.whenReady() // so that the connection hears of each provider before this actor does
+            opened.whenReady() // so that the connection is notified of each provider before this actor
                     .thenCompose(ready -> services.broker().connect(other, this))
                     .exceptionally(error -> {
                         diary.add(name + " is not connected: " + error);
@@ -122,7 +119,7 @@ class MutualThreadsTest {
         return ActorSpace.create(SpaceSettings.named(name).withOnStall(Duration.ZERO, stall -> {}));
     }
 
-    /** Waits until all of this has been written down, in whichever order, and nothing else. */
+    /** Waits until exactly these entries have been recorded, in any order. */
     private void await(String... entries) throws InterruptedException {
         Set<String> missing = new LinkedHashSet<>(Arrays.asList(entries));
         while (!missing.isEmpty()) {
@@ -146,7 +143,7 @@ class MutualThreadsTest {
 
             try (var a = services.connect(Station.class, Need.ofService("test", "a"), Patience.CONNECTION);
                     var b = services.connect(Station.class, Need.ofService("test", "b"), Patience.CONNECTION)) {
-                await("a follows b", "b follows a"); // whoever asks for one starts both
+                await("a follows b", "b follows a"); // connecting to one starts both
                 a.actor().publish(1);
                 await("b hears 1 from a", "a hears 2 from b", "b hears 3 from a", "a hears 4 from b");
 

@@ -8,7 +8,7 @@ import java.util.Deque;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** An actor type with everything that one can have. */
+/** An actor type with every kind of method. */
 interface Parrot {
     Promise<String> say(String text);
 
@@ -24,7 +24,7 @@ interface Parrot {
         return say(text).thenCombine(say(text), (a, b) -> a + ", " + b);
     }
 
-    /** One that writes down what it has heard, under its name. */
+    /** A parrot that records its calls together with its name. */
     final class Grey implements Parrot {
         private final String name;
         private final List<String> diary;

@@ -3,8 +3,8 @@ package io.troupe.services.broker;
 import java.time.Duration;
 
 /**
- * Limits for tests on threads of their own, so long that a busy machine does not reach them: a test that hangs ends
- * with its time-out.
+ * Time limits for tests on several threads, long enough that a busy machine does not reach them. A test that hangs is
+ * ended by its JUnit timeout.
  */
 final class Patience {
     static final Duration LONG = Duration.ofMinutes(10);

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Replacing, withdrawing and closing, while everything runs. */
+/** Replacing and withdrawing providers, and closing the broker, at run time. */
 class ReplaceTest {
     private static Promise<ServiceRecord> replace(BrokerBench bench, String old, FakeProvider by, String name) {
         return bench.broker.replace(BrokerBench.at(old), "player", List.of("better"), BrokerBench.at(name), by);
@@ -106,7 +106,7 @@ class ReplaceTest {
     }
 
     @Test
-    void oldThatDoesNotStop_isTold_andTheReplacementHolds() {
+    void oldThatDoesNotStop_isReported_andTheReplacementHolds() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
             var heard = bench.connect("robot 1", "player");
@@ -126,7 +126,7 @@ class ReplaceTest {
     }
 
     @Test
-    void userThatThrows_orDoesNotHear_doesNotHoldUpTheOthers() {
+    void userThatThrows_orDoesNotReturn_doesNotHoldUpTheOthers() {
         try (var bench = new BrokerBench()) {
             bench.offer("player", "a");
             bench.broker.connect(Need.ofService("bad", "player"), new Broker.Connection() {
@@ -203,7 +203,7 @@ class ReplaceTest {
             bench.broker.withdraw(BrokerBench.at("a"));
             var second = bench.provider("a2");
             bench.broker.register("player", List.of(), BrokerBench.at("a"), second);
-            bench.broker.withdraw(BrokerBench.at("a")); // which never ran
+            bench.broker.withdraw(BrokerBench.at("a")); // it never ran
             bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("a3"));
             var required = bench.broker.require(Need.ofService("x", "player"));
             bench.seconds(2);
@@ -222,7 +222,7 @@ class ReplaceTest {
             var b = bench.offer("player", "b");
             var heard = bench.connect("robot 1", "player");
             b.start = b::hang;
-            bench.broker.withdraw(BrokerBench.at("a")); // stopped when its user has another provider
+            bench.broker.withdraw(BrokerBench.at("a")); // stopped when its client has another provider
             bench.broker.register("player", List.of(), BrokerBench.at("a"), bench.provider("a2"));
             bench.test.crank();
             assertThat(bench.diary).containsExactly("start a", "robot 1 hears of a", "start b");
@@ -235,7 +235,9 @@ class ReplaceTest {
         }
     }
 
-    /** A provider that is running already when it is started again, as a component's interface: a stop ends all. */
+    /**
+     * A provider that may be running already when it is started again, like a component's interface: one stop ends it.
+     */
     private static FakeProvider startedOnce(BrokerBench bench, String name, AtomicBoolean runs) {
         var provider = bench.provider(name);
         provider.start = () -> {
@@ -263,7 +265,7 @@ class ReplaceTest {
             bench.test.get(bench.broker.registered());
             assertThat(turns.heard).containsExactly("use a");
 
-            replace(bench, "a", bench.provider("b"), "b"); // the user's space is busy until further notice
+            replace(bench, "a", bench.provider("b"), "b"); // the client's space is busy until it is cranked
             bench.test.crank();
             assertThat(bench.diary).containsExactly("start a", "start b");
             var givenBack = replace(bench, "b", a, address);
@@ -274,11 +276,11 @@ class ReplaceTest {
             assertThat(runs).isTrue();
             assertThat(turns.heard).containsExactly("use a", "use b", "use " + address);
             assertThat(bench.health(address)).isEqualTo(Health.WELL);
-            bench.test.get(bench.broker.disconnect(turns.connection)); // it is not cranked any more
+            bench.test.get(bench.broker.disconnect(turns.connection)); // the client is not cranked any more
         }
     }
 
-    /** A user on a space that is cranked apart from the broker's. */
+    /** A client on a space that is cranked separately from the broker's. */
     private static final class ManualTurns {
         final List<String> heard = new ArrayList<>();
         final Broker.Connection connection = new Broker.Connection() {
@@ -298,7 +300,7 @@ class ReplaceTest {
         }
 
         void crank(TestSpace user, BrokerBench bench) {
-            for (int i = 0; i < 5; i++) { // there and back again, some times
+            for (int i = 0; i < 5; i++) { // several round trips
                 user.crank();
                 bench.test.crank();
             }
@@ -368,7 +370,7 @@ class ReplaceTest {
     }
 
     @Test
-    void disconnected_hearsNothingAnyMore() {
+    void disconnected_receivesNothingAnyMore() {
         try (var bench = new BrokerBench()) {
             bench.offer("player", "a");
             var uses = new int[1];

@@ -4,7 +4,7 @@ import io.troupe.actor.promise.Promise;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A broker and actors as its services, on a space without a thread. */
+/** A broker, and actors as its services, on a space without a thread. */
 final class ServicesStage implements AutoCloseable {
     final BrokerBench bench = new BrokerBench(BrokerSettings.DEFAULT.withoutRestart());
     final ActorServices services = new ActorServices(bench.broker, "node", bench.test.space(), bench.events::add);

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A service is started when somebody needs it, and not before. */
+/** A service is started when it is needed, and not before. */
 class StartOnDemandTest {
     @Test
     void register_startsNothing() {
@@ -85,7 +85,7 @@ class StartOnDemandTest {
     }
 
     @Test
-    void startThatComesLate_isTold_andStoppedAgain() {
+    void startThatComesLate_isReported_andStoppedAgain() {
         try (var bench = new BrokerBench()) {
             var a = bench.offer("player", "a");
             bench.offer("player", "b");

@@ -6,9 +6,9 @@ import io.troupe.actor.Actor;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** A connection ends with the actor that made it. */
+/** A connection ends when the actor that opened it stops. */
 class UserGoneTest {
-    /** Connects when it is told to. */
+    /** An actor that connects when its method is called. */
     interface Joiner {
         void join();
     }
@@ -56,7 +56,7 @@ class UserGoneTest {
             user.join();
             test.test.crank();
             a.die("power");
-            test.test.crank(); // the user waits for another start
+            test.test.crank(); // the client waits for another start
             test.test.space().stop(user);
             test.seconds(100);
             assertThat(test.diary).containsExactly("start a", "user uses a");

@@ -13,15 +13,15 @@ import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 
 /**
- * What every bus promises is tested twice: the near and the far side are one node, or two that see nothing of each
- * other but bytes.
+ * Base class of the tests that every kind of bus must pass. Each test runs twice: with both sides on one node, and with
+ * two nodes that exchange only bytes.
  */
 abstract class BusContract {
-    /** Where the two sides of a test are. */
+    /** The placement of the two sides of a test. */
     enum Wiring {
-        /** On one {@link InProcessBus}. */
+        /** Both sides on one {@link InProcessBus}. */
         ONE_NODE,
-        /** On two nodes that exchange bytes and nothing else. */
+        /** Each side on a node; the nodes exchange only bytes. */
         TWO_NODES
     }
 
@@ -41,11 +41,11 @@ abstract class BusContract {
         }
     }
 
-    static final Topic<Chain> CHAINS = new Topic<>("chains", Chain.class);
+    static final BusTopic<Chain> CHAINS = new BusTopic<>("chains", Chain.class);
     static final Operation<Count, Chain> FORGE =
             new Operation<>("forge", Count.class, Chain.class, Operation.Kind.DATA);
-    static final Topic<Count> COUNTS = new Topic<>("counts", Count.class);
-    static final Topic<Ranges> RANGES = new Topic<>("ranges", Ranges.class);
+    static final BusTopic<Count> COUNTS = new BusTopic<>("counts", Count.class);
+    static final BusTopic<Ranges> RANGES = new BusTopic<>("ranges", Ranges.class);
     static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
     static final Operation<Count, Text> START =
             new Operation<>("start", Count.class, Text.class, Operation.Kind.CONTROL);
@@ -54,7 +54,7 @@ abstract class BusContract {
 
     final TestSpace test = new TestSpace();
     final List<Loss> losses = new ArrayList<>();
-    final List<Message> passed = new ArrayList<>();
+    final List<BusMessage> passed = new ArrayList<>();
     final List<Throwable> failures = new ArrayList<>();
 
     private final BytePipe pipe = new BytePipe(test.space());
@@ -100,7 +100,7 @@ abstract class BusContract {
         return pipe.bytesCarried();
     }
 
-    /** Brings to the far side what is under way, without a turn of the space in between. */
+    /** Delivers pending messages to the far side without running the space in between. */
     final void arrive() {
         pipe.carryAll();
     }
@@ -113,12 +113,12 @@ abstract class BusContract {
             }
 
             @Override
-            public void passed(Message message) {
+            public void passed(BusMessage message) {
                 passed.add(message);
             }
 
             @Override
-            public void failed(Message question, Throwable error) {
+            public void failed(BusMessage request, Throwable error) {
                 failures.add(error);
             }
         });
@@ -150,7 +150,7 @@ abstract class BusContract {
         return String.valueOf(error.getMessage());
     }
 
-    /** Somebody listens, so that a rejection is not reported. */
+    /** Registers a listener, so that a rejection is not reported as unhandled. */
     static <T> Promise<T> heard(Promise<T> promise) {
         promise.handle((value, error) -> value);
         return promise;

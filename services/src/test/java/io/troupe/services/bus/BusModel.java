@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
-/** What a bus does, said simply: lists, no threads, no promises. */
+/** A simple model of a bus: lists, without threads or promises. */
 final class BusModel {
-    /** What an answerer does with a question. */
+    /** The behaviour of a request handler. */
     enum Manner {
         ANSWERS,
         THROWS,
@@ -22,29 +22,29 @@ final class BusModel {
         final ArrayDeque<String> waiting = new ArrayDeque<>();
     }
 
-    /** A question; the outcome is null as long as it waits. */
-    static final class Question {
+    /** A request; the outcome is null while it is pending. */
+    static final class Request {
         final int id;
-        final String asker;
+        final String requester;
         final long deadlineSeconds;
 
         @Nullable
         String outcome;
 
-        Question(int id, String asker, long deadlineSeconds) {
+        Request(int id, String requester, long deadlineSeconds) {
             this.id = id;
-            this.asker = asker;
+            this.requester = requester;
             this.deadlineSeconds = deadlineSeconds;
         }
     }
 
-    /** A name that answers. */
-    private static final class Answerer {
+    /** A port with a request handler. */
+    private static final class Handler {
         final Manner manner;
-        final ArrayDeque<Question> waiting = new ArrayDeque<>();
-        final List<Question> kept = new ArrayList<>();
+        final ArrayDeque<Request> waiting = new ArrayDeque<>();
+        final List<Request> kept = new ArrayList<>();
 
-        Answerer(Manner manner) {
+        Handler(Manner manner) {
             this.manner = manner;
         }
     }
@@ -53,17 +53,17 @@ final class BusModel {
     private final int nodes;
     private final Map<Integer, Reader> readers = new LinkedHashMap<>();
     private final Map<Integer, String> portOf = new LinkedHashMap<>();
-    private final Map<String, Answerer> answerers = new LinkedHashMap<>();
-    private final List<Question> questions = new ArrayList<>();
+    private final Map<String, Handler> handlers = new LinkedHashMap<>();
+    private final List<Request> questions = new ArrayList<>();
     private final Map<Integer, Reader> all = new LinkedHashMap<>();
-    private final List<Question> keptByNobody = new ArrayList<>();
+    private final List<Request> keptByNobody = new ArrayList<>();
     long dropped;
     long discarded;
     long queued;
     long late;
     private long seconds;
 
-    /** @param nodes over how many nodes the ports are spread by their numbers */
+    /** @param nodes the ports are distributed over this many nodes by their numbers */
     BusModel(int capacity, int nodes) {
         this.nodes = nodes;
         this.capacity = capacity;
@@ -94,19 +94,19 @@ final class BusModel {
     }
 
     void answer(String port, Manner manner) {
-        answerers.put(port, new Answerer(manner));
+        handlers.put(port, new Handler(manner));
     }
 
-    void ask(int id, String asker, String to, long limitSeconds) {
-        var question = new Question(id, asker, seconds + limitSeconds);
-        questions.add(question);
-        var answerer = answerers.get(to);
-        if (answerer == null) {
-            question.outcome = "refused";
-        } else if (answerer.waiting.size() == capacity) {
-            question.outcome = "refused";
+    void ask(int id, String requester, String to, long limitSeconds) {
+        var request = new Request(id, requester, seconds + limitSeconds);
+        questions.add(request);
+        var handler = handlers.get(to);
+        if (handler == null) {
+            request.outcome = "refused";
+        } else if (handler.waiting.size() == capacity) {
+            request.outcome = "refused";
         } else {
-            answerer.waiting.add(question);
+            handler.waiting.add(request);
         }
     }
 
@@ -115,65 +115,65 @@ final class BusModel {
             reader.heard.addAll(reader.waiting);
             reader.waiting.clear();
         }
-        for (var entry : answerers.entrySet()) {
-            var answerer = entry.getValue();
-            for (var question = answerer.waiting.poll(); question != null; question = answerer.waiting.poll()) {
-                if (begun(entry.getKey(), answerer).size() >= capacity && isKnownToWait(question, entry.getKey())) {
-                    var evicted = oldestOfAnotherNode(entry.getKey(), answerer);
-                    settle(evicted == null ? question : evicted, "refused");
+        for (var entry : handlers.entrySet()) {
+            var handler = entry.getValue();
+            for (var request = handler.waiting.poll(); request != null; request = handler.waiting.poll()) {
+                if (begun(entry.getKey(), handler).size() >= capacity && isKnownToWait(request, entry.getKey())) {
+                    var evicted = oldestFromAnotherNode(entry.getKey(), handler);
+                    settle(evicted == null ? request : evicted, "refused");
                     if (evicted == null) {
                         continue;
                     }
-                    answerer.kept.remove(evicted);
+                    handler.kept.remove(evicted);
                     keptByNobody.add(evicted);
                 }
-                switch (answerer.manner) {
-                    case ANSWERS -> settle(question, "answered " + question.id);
-                    case THROWS -> settle(question, "failed");
-                    case KEEPS -> answerer.kept.add(question);
+                switch (handler.manner) {
+                    case ANSWERS -> settle(request, "answered " + request.id);
+                    case THROWS -> settle(request, "failed");
+                    case KEEPS -> handler.kept.add(request);
                 }
             }
         }
     }
 
     /**
-     * What an answerer has begun, as far as it knows: it learns that an asker has given up only of those on its own
-     * node.
+     * The begun requests of a request handler, as far as the handler's node knows: a cancelled request is removed only
+     * if its requester is on the same node.
      */
-    private List<Question> begun(String name, Answerer answerer) {
-        return answerer.kept.stream()
-                .filter(question -> isKnownToWait(question, name))
+    private List<Request> begun(String name, Handler handler) {
+        return handler.kept.stream()
+                .filter(request -> isKnownToWait(request, name))
                 .toList();
     }
 
-    private @Nullable Question oldestOfAnotherNode(String name, Answerer answerer) {
-        return answerer.kept.stream()
-                .filter(question -> nodeOf(question.asker) != nodeOf(name))
+    private @Nullable Request oldestFromAnotherNode(String name, Handler handler) {
+        return handler.kept.stream()
+                .filter(request -> nodeOf(request.requester) != nodeOf(name))
                 .findFirst()
                 .orElse(null);
     }
 
-    private boolean isKnownToWait(Question question, String answerer) {
-        return question.outcome == null || nodeOf(question.asker) != nodeOf(answerer);
+    private boolean isKnownToWait(Request request, String handler) {
+        return request.outcome == null || nodeOf(request.requester) != nodeOf(handler);
     }
 
     private int nodeOf(String port) {
         return (port.charAt(port.length() - 1) - '0') % nodes;
     }
 
-    private void settle(Question question, String outcome) {
-        if (question.outcome == null) {
-            question.outcome = outcome;
+    private void settle(Request request, String outcome) {
+        if (request.outcome == null) {
+            request.outcome = outcome;
         } else {
             late++;
         }
     }
 
-    /** Whatever was kept is answered now. */
+    /** Replies to all requests that were kept open. */
     void answerKept() {
-        for (var answerer : answerers.values()) {
-            answerer.kept.forEach(question -> settle(question, "answered " + question.id));
-            answerer.kept.clear();
+        for (var handler : handlers.values()) {
+            handler.kept.forEach(request -> settle(request, "answered " + request.id));
+            handler.kept.clear();
         }
         late += keptByNobody.size();
         keptByNobody.clear();
@@ -181,9 +181,9 @@ final class BusModel {
 
     void advance(long by) {
         seconds += by;
-        for (var question : questions) {
-            if (question.outcome == null && question.deadlineSeconds < seconds) {
-                question.outcome = "timed out";
+        for (var request : questions) {
+            if (request.outcome == null && request.deadlineSeconds < seconds) {
+                request.outcome = "timed out";
             }
         }
     }
@@ -194,15 +194,15 @@ final class BusModel {
                 unsubscribe(reader);
             }
         });
-        var answerer = answerers.remove(port);
-        if (answerer != null) {
-            answerer.waiting.forEach(question -> settle(question, "refused"));
-            begun(port, answerer).forEach(question -> settle(question, "refused"));
-            keptByNobody.addAll(answerer.kept);
+        var handler = handlers.remove(port);
+        if (handler != null) {
+            handler.waiting.forEach(request -> settle(request, "refused"));
+            begun(port, handler).forEach(request -> settle(request, "refused"));
+            keptByNobody.addAll(handler.kept);
         }
-        for (var question : questions) {
-            if (question.asker.equals(port) && question.outcome == null) {
-                question.outcome = "refused";
+        for (var request : questions) {
+            if (request.requester.equals(port) && request.outcome == null) {
+                request.outcome = "refused";
             }
         }
     }
@@ -215,7 +215,7 @@ final class BusModel {
 
     Map<Integer, String> answers() {
         var answers = new LinkedHashMap<Integer, String>();
-        questions.forEach(question -> answers.put(question.id, String.valueOf(question.outcome)));
+        questions.forEach(request -> answers.put(request.id, String.valueOf(request.outcome)));
         return answers;
     }
 }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-/** Random programs on a bus and on a simple model of it; all that can be heard and counted is the same. */
+/** Runs random programs on a bus and on a simple model of it, and compares everything that is received and counted. */
 class BusModelTest {
     private static final int PROGRAMS = Integer.getInteger("model.programs", 300);
     private static final long SEED = Long.getLong("model.seed", -1L);

@@ -18,7 +18,7 @@ final class BusProgram implements AutoCloseable {
     private static final int CAPACITY = 3;
     private static final int STEPS = 60;
     private static final int LIMIT_SECONDS = 3;
-    private static final Duration LIMIT = Duration.ofMillis(3_500); // never at the same moment as a step of the clock
+    private static final Duration LIMIT = Duration.ofMillis(3_500); // never equal to a multiple of the clock's steps
     private static final int PORTS = 4;
 
     private final TestSpace test = new TestSpace();
@@ -48,7 +48,7 @@ final class BusProgram implements AutoCloseable {
     void run() {
         for (int i = 0; i < STEPS; i++) {
             step();
-            pipe.carryAll(); // what is under way is no business of the model
+            pipe.carryAll(); // the model has no messages in transit
         }
         crank();
     }
@@ -71,7 +71,7 @@ final class BusProgram implements AutoCloseable {
         }
     }
 
-    /** Attached if it is not. */
+    /** The port of that number, attached if necessary. */
     private String somePort() {
         int number = random.nextInt(PORTS);
         ports.computeIfAbsent(
@@ -139,14 +139,14 @@ final class BusProgram implements AutoCloseable {
         };
     }
 
-    private void ask(String asker, String to) {
+    private void ask(String requester, String to) {
         int id = next++;
-        steps.add(asker + " asks " + to + ": " + id);
+        steps.add(requester + " asks " + to + ": " + id);
         var node = nodes.get((to.charAt(to.length() - 1) - '0') % nodes.size()).node();
-        var answer = port(asker).ask(new Address(node, to), BusContract.SPELL, new Count(id), LIMIT);
-        answer.handle((value, error) -> value); // somebody listens
+        var answer = port(requester).ask(new Address(node, to), BusContract.SPELL, new Count(id), LIMIT);
+        answer.handle((value, error) -> value); // a listener, so that a rejection is not reported
         answers.put(id, answer);
-        model.ask(id, asker, to, LIMIT_SECONDS);
+        model.ask(id, requester, to, LIMIT_SECONDS);
     }
 
     private void crank() {
@@ -207,7 +207,7 @@ final class BusProgram implements AutoCloseable {
         return model.answers();
     }
 
-    /** What the bus counts, and what its observer was told, must be the same, and add up. */
+    /** Compares the metrics of the bus and the losses reported to its observer with the model. */
     Map<String, Long> countedByTheBus() {
         var counts = new LinkedHashMap<String, Long>();
         long delivered = 0;

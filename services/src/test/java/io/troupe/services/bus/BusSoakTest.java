@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 
-/** Threads that use one bus while ports, subscriptions and answerers come and go; see {@link Soak}. */
+/** Several threads use one bus while ports, subscriptions and request handlers come and go; see {@link Soak}. */
 class BusSoakTest {
     private static final Duration LONG = Duration.ofMinutes(10);
     private static final int VALUES = 3_000;
@@ -23,17 +23,17 @@ class BusSoakTest {
     private static final int COMING_AND_GOING = 2;
 
     @Test
-    void questions_areSettledOnceEach() {
-        int askers = 3;
+    void requests_areSettledOnceEach() {
+        int requesters = 3;
         int questions = 1_000;
         Soak.rounds(1, round -> {
             var losses = new LongAdder();
             try (var outside = ActorSpace.create(SpaceSettings.named("outside"));
                     var home = ActorSpace.create(SpaceSettings.named("answerers"));
                     var bus = InProcessBus.open("robots", new BusSettings(outside, 64, loss -> losses.increment()))) {
-                var all = new BusThreadsTest.Askers(askers, 100);
+                var all = new BusThreadsTest.Requesters(requesters, 100);
                 var to = new Address("robots", "answerer");
-                inThreads(askers + 1, number -> {
+                inThreads(requesters + 1, number -> {
                     if (number == 0) {
                         all.comeAndGo(bus, home);
                     } else {
@@ -42,7 +42,7 @@ class BusSoakTest {
                 });
                 wait(home.sequential(() -> true));
                 assertThat(all.wrong).isEmpty();
-                assertThat(all.answered.get() + all.refused.get()).isEqualTo(askers * questions);
+                assertThat(all.answered.get() + all.refused.get()).isEqualTo(requesters * questions);
                 var metrics = bus.metrics();
                 assertThat(metrics.answered()).isEqualTo(all.answered.get()).isPositive();
                 assertThat(metrics.refused()).isEqualTo(all.refused.get());
@@ -51,7 +51,7 @@ class BusSoakTest {
         });
     }
 
-    /** Checks the order of each publisher's values. On its space. */
+    /** Checks the order of each publisher's values. Runs on the subscriber's space. */
     private static final class Listener {
         private final ConcurrentLinkedQueue<String> wrong;
         private final LongAdder heard;
@@ -62,7 +62,7 @@ class BusSoakTest {
             this.heard = heard;
         }
 
-        void hear(Count count, Address from) {
+        void receive(Count count, Address from) {
             heard.increment();
             int before = last.getOrDefault(from, -1);
             if (count.value() <= before) {
@@ -126,7 +126,7 @@ class BusSoakTest {
     }
 
     private static BusPort.Subscription subscribe(BusPort port, ActorSpace space, Listener listener) {
-        return wait(space.sequential(() -> port.subscribe(BusContract.COUNTS, listener::hear)));
+        return wait(space.sequential(() -> port.subscribe(BusContract.COUNTS, listener::receive)));
     }
 
     private static <T> T wait(Promise<T> promise) {

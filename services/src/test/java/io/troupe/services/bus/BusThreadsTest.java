@@ -55,14 +55,14 @@ class BusThreadsTest {
         spaces.forEach(ActorSpace::close);
     }
 
-    /** Hears on its own space, and checks order and repetition as it hears. */
+    /** A subscriber on a separate space that checks order and repetition of the values it receives. */
     private static final class Listener {
         private final Map<Address, Integer> last = new HashMap<>();
         private final List<String> wrong = new ArrayList<>();
         private final Deferred<Integer> end = new Deferred<>();
         private int heard;
 
-        void hear(Count count, Address from) {
+        void receive(Count count, Address from) {
             heard++;
             if (count.equals(END)) {
                 end.resolve(heard);
@@ -94,7 +94,7 @@ class BusThreadsTest {
             var listener = new Listener();
             listeners.add(listener);
             space("space" + i)
-                    .sequential(() -> port.subscribe(BusContract.COUNTS, listener::hear))
+                    .sequential(() -> port.subscribe(BusContract.COUNTS, listener::receive))
                     .get(LONG);
         }
         inThreads(THREADS, number -> {
@@ -137,10 +137,10 @@ class BusThreadsTest {
     }
 
     /**
-     * Questions of several threads to one address, where answerers come and go, each of which stays until it was of
-     * use.
+     * Requests from several threads to one address, while request handlers come and go. Each handler stays until it has
+     * been used.
      */
-    static final class Askers {
+    static final class Requesters {
         private final int lives;
         final AtomicLong answered = new AtomicLong();
         final AtomicLong refused = new AtomicLong();
@@ -148,16 +148,16 @@ class BusThreadsTest {
         private final AtomicInteger asking;
         private final CountDownLatch firstIsThere = new CountDownLatch(1);
 
-        Askers(int askers, int lives) {
-            this.asking = new AtomicInteger(askers);
+        Requesters(int requesters, int lives) {
+            this.asking = new AtomicInteger(requesters);
             this.lives = lives;
         }
 
-        void ask(BusPort asker, Address to, int questions) {
+        void ask(BusPort requester, Address to, int questions) {
             try {
                 firstIsThere.await();
                 for (int i = 0; i < questions; i++) {
-                    ask(asker, to, new Count(i));
+                    ask(requester, to, new Count(i));
                 }
             } catch (InterruptedException interrupted) {
                 wrong.add(interrupted.toString());
@@ -166,9 +166,9 @@ class BusThreadsTest {
             }
         }
 
-        private void ask(BusPort asker, Address to, Count count) {
+        private void ask(BusPort requester, Address to, Count count) {
             try {
-                Text text = asker.ask(to, BusContract.SPELL, count, LONG).get(LONG);
+                Text text = requester.ask(to, BusContract.SPELL, count, LONG).get(LONG);
                 answered.incrementAndGet();
                 if (!text.value().equals("" + count.value())) {
                     wrong.add(text + " for " + count);
@@ -180,18 +180,18 @@ class BusThreadsTest {
             }
         }
 
-        /** So that the askers meet an answerer, and none, as long as they ask, however the threads are scheduled. */
+        /** Makes sure that the requesters meet phases with and without a handler, independent of thread scheduling. */
         void comeAndGo(InProcessBus bus, ActorSpace home) {
             for (int i = 0; i < lives; i++) {
                 long answeredBefore = answered.get();
-                var port = answerer(bus, home);
+                var port = handler(bus, home);
                 firstIsThere.countDown();
                 awaitMoreThan(answeredBefore, answered);
                 long refusedBefore = refused.get();
                 port.close();
                 awaitMoreThan(refusedBefore, refused);
             }
-            answerer(bus, home);
+            handler(bus, home);
         }
 
         private void awaitMoreThan(long before, AtomicLong count) {
@@ -201,7 +201,7 @@ class BusThreadsTest {
             }
         }
 
-        private static BusPort answerer(InProcessBus bus, ActorSpace home) {
+        private static BusPort handler(InProcessBus bus, ActorSpace home) {
             var port = bus.attach("answerer");
             home.sequential(() -> {
                         port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value())));
@@ -214,27 +214,27 @@ class BusThreadsTest {
     }
 
     @Test
-    void everyQuestion_isSettledOnce_whileAnswerersComeAndGo() throws Exception {
+    void everyRequest_isSettledOnce_whileHandlersComeAndGo() throws Exception {
         int questions = 5_000;
-        var askers = new Askers(THREADS - 1, 300);
+        var requesters = new Requesters(THREADS - 1, 300);
         try (var bus = open(64)) {
             var home = space("answerers");
             var to = new Address("robots", "answerer");
             inThreads(THREADS, number -> {
                 if (number == 0) {
-                    askers.comeAndGo(bus, home);
+                    requesters.comeAndGo(bus, home);
                 } else {
-                    askers.ask(bus.attach("asker" + number), to, questions);
+                    requesters.ask(bus.attach("asker" + number), to, questions);
                 }
             });
-            home.sequential(() -> true).get(LONG); // it counts an answer after its asker has it
-            assertThat(askers.wrong).isEmpty();
-            assertThat(askers.answered).as("found an answerer").hasPositiveValue();
-            assertThat(askers.refused).as("found none").hasPositiveValue();
+            home.sequential(() -> true).get(LONG); // the reply is counted after the requester has received it
+            assertThat(requesters.wrong).isEmpty();
+            assertThat(requesters.answered).as("found an answerer").hasPositiveValue();
+            assertThat(requesters.refused).as("found none").hasPositiveValue();
             var metrics = bus.metrics();
             assertThat(metrics.asked()).isEqualTo(questions * (THREADS - 1L));
-            assertThat(metrics.answered()).isEqualTo(askers.answered.get());
-            assertThat(metrics.refused()).isEqualTo(askers.refused.get());
+            assertThat(metrics.answered()).isEqualTo(requesters.answered.get());
+            assertThat(metrics.refused()).isEqualTo(requesters.refused.get());
             assertThat(metrics.answered() + metrics.refused()).isEqualTo(metrics.asked());
             assertThat(metrics.timedOut()).isZero();
             assertThat(metrics.late()).isEqualTo(late.sum());

@@ -7,7 +7,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** A bus between nodes that see nothing of each other but bytes. What is under way arrives by turns of a space. */
+/** A bus between nodes that exchange only bytes. Pending messages arrive by callbacks of a space. */
 final class BytePipe {
     private record Parcel(String to, byte[] bytes) {}
 
@@ -26,23 +26,23 @@ final class BytePipe {
         return node;
     }
 
-    /** How many bytes have gone from node to node. */
+    /** The number of bytes sent between nodes. */
     long bytesCarried() {
         return carried.get();
     }
 
-    /** Carries what is under way, now. */
+    /** Delivers all pending messages now. */
     void carryAll() {
         for (Parcel next = underWay.poll(); next != null; next = underWay.poll()) {
             carried.addAndGet(next.bytes().length);
             var node = nodes.get(next.to());
             if (node != null) {
-                node.receive((Message) RecordCodec.decode(next.bytes()));
+                node.receive((BusMessage) RecordCodec.decode(next.bytes()));
             }
         }
     }
 
-    /** One node's end. */
+    /** The transport of one node. */
     private final class End implements Transport {
         private final String mine;
 
@@ -56,13 +56,13 @@ final class BytePipe {
         }
 
         @Override
-        public void send(String node, Message message) {
+        public void send(String node, BusMessage message) {
             underWay.add(new Parcel(node, RecordCodec.encode((Record) message)));
             carrier.execute(BytePipe.this::carryAll);
         }
 
         @Override
-        public void broadcast(Message publication) {
+        public void broadcast(BusMessage publication) {
             nodes.keySet().stream().filter(node -> !node.equals(mine)).forEach(node -> send(node, publication));
         }
 

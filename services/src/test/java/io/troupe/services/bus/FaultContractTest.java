@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Answerers that hang, leave, are replaced, or have too much to do; askers that give up. */
+/** Request handlers that hang, leave, are replaced or are overloaded; requesters that cancel. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class FaultContractTest extends BusContract {
@@ -21,45 +21,45 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void answererThatHangs_isRejectedWhenTheTimeIsOver_andItsAnswerIsToldAsLate() {
-        var answerer = far().attach("speller");
+    void handlerThatHangs_isRejectedWhenTheTimeIsOver_andItsAnswerIsReportedAsLate() {
+        var handler = far().attach("speller");
         var kept = new Deferred<Text>(test.space());
-        answerer.answer(SPELL, count -> kept);
-        var asker = near().attach("asker");
-        var answer = asker.ask(answerer.address(), SPELL, new Count(7), SECOND);
+        handler.answer(SPELL, count -> kept);
+        var requester = near().attach("asker");
+        var answer = requester.ask(handler.address(), SPELL, new Count(7), SECOND);
         test.crank();
         test.advance(SECOND.minusMillis(2));
         assertThat(answer.isDone()).isFalse();
         test.advance(Duration.ofMillis(5));
         assertThat(refusalOf(answer))
-                .isEqualTo(asker.address() + " asked " + answerer.address() + " for spell: no answer within PT1S");
+                .isEqualTo(requester.address() + " asked " + handler.address() + " for spell: no answer within PT1S");
         assertThat(answer.error()).isInstanceOf(BusTimeoutException.class);
         assertThat(losses).isEmpty();
         kept.resolve(new Text("at last"));
         test.crank();
         assertThat(theOnlyLoss()).isInstanceOfSatisfying(Loss.Late.class, late -> {
-            assertThat(late.answer().payload()).isEqualTo(new Text("at last"));
-            assertThat(late.answer().from()).isEqualTo(answerer.address());
+            assertThat(late.reply().payload()).isEqualTo(new Text("at last"));
+            assertThat(late.reply().from()).isEqualTo(handler.address());
         });
         assertThat(nearMetrics().timedOut()).isEqualTo(1);
         assertThat(nearMetrics().late()).isEqualTo(1);
     }
 
     @Test
-    void questionsThatWait_areRejectedAtOnce_whenTheAnswererLeaves() {
-        var answerer = far().attach("speller");
+    void requestsThatWait_areRejectedAtOnce_whenTheHandlerLeaves() {
+        var handler = far().attach("speller");
         var kept = new Deferred<Text>(test.space());
-        answerer.answer(SPELL, count -> kept);
-        var asker = near().attach("asker");
-        var begun = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        handler.answer(SPELL, count -> kept);
+        var requester = near().attach("asker");
+        var begun = requester.ask(handler.address(), SPELL, new Count(1), SECOND);
         test.crank();
         var answers = new ArrayList<Promise<Text>>();
         test.run(() -> {
-            answers.add(heard(asker.ask(answerer.address(), SPELL, new Count(2), SECOND)));
+            answers.add(heard(requester.ask(handler.address(), SPELL, new Count(2), SECOND)));
             arrive();
-            answerer.close();
+            handler.close();
         });
-        String expected = asker.address() + " asked " + answerer.address()
+        String expected = requester.address() + " asked " + handler.address()
                 + " for spell: left before it answered: it has left the bus";
         assertThat(refusalOf(begun)).isEqualTo(expected);
         assertThat(refusalOf(answers.getFirst())).isEqualTo(expected);
@@ -70,32 +70,32 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void questionsThatWait_areRejectedAtOnce_whenTheSpaceOfTheAnswererIsClosed() {
+    void requestsThatWait_areRejectedAtOnce_whenTheSpaceOfTheHandlerIsClosed() {
         var other = ActorSpace.create(SpaceSettings.named("other").withHandCrank());
-        var answerer = far().attach("speller");
-        other.execute(() -> answerer.answer(SPELL, count -> new Deferred<>()));
+        var handler = far().attach("speller");
+        other.execute(() -> handler.answer(SPELL, count -> new Deferred<>()));
         other.crank();
-        var asker = near().attach("asker");
-        var begun = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        var requester = near().attach("asker");
+        var begun = requester.ask(handler.address(), SPELL, new Count(1), SECOND);
         test.crank();
         other.crank();
         assertThat(begun.isDone()).isFalse();
         other.close();
         assertThat(refusalOf(begun)).endsWith("left before it answered: space other was closed");
-        var later = asker.ask(answerer.address(), SPELL, new Count(2), SECOND);
+        var later = requester.ask(handler.address(), SPELL, new Count(2), SECOND);
         assertThat(refusalOf(later)).contains("it does not answer that");
         assertThat(take(losses)).hasSize(2).allMatch(Loss.Undeliverable.class::isInstance);
     }
 
     @Test
-    void questionsOfAnAskerThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
-        var answerer = far().attach("speller");
+    void requestsOfARequesterThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
+        var handler = far().attach("speller");
         var kept = new Deferred<Text>(test.space());
-        answerer.answer(SPELL, count -> kept);
-        var asker = near().attach("asker");
-        var answer = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        handler.answer(SPELL, count -> kept);
+        var requester = near().attach("asker");
+        var answer = requester.ask(handler.address(), SPELL, new Count(1), SECOND);
         test.crank();
-        asker.close();
+        requester.close();
         assertThat(refusalOf(answer)).endsWith("for spell: the asker has left: it has left the bus");
         kept.resolve(new Text("for nobody"));
         test.crank();
@@ -103,26 +103,28 @@ class FaultContractTest extends BusContract {
     }
 
     @Test
-    void answererThatIsReplaced_answersUnderTheSameName() {
+    void handlerThatIsReplaced_answersUnderTheSameName() {
         var first = far().attach("speller");
         first.answer(SPELL, count -> Promise.of(new Text("first")));
-        var asker = near().attach("asker");
+        var requester = near().attach("asker");
         var address = first.address();
-        assertThat(test.get(asker.ask(address, SPELL, new Count(1), SECOND))).isEqualTo(new Text("first"));
+        assertThat(test.get(requester.ask(address, SPELL, new Count(1), SECOND)))
+                .isEqualTo(new Text("first"));
         first.close();
         far().attach("speller").answer(SPELL, count -> Promise.of(new Text("second")));
-        assertThat(test.get(asker.ask(address, SPELL, new Count(1), SECOND))).isEqualTo(new Text("second"));
+        assertThat(test.get(requester.ask(address, SPELL, new Count(1), SECOND)))
+                .isEqualTo(new Text("second"));
     }
 
     @Test
-    void answererWithTooManyQuestions_refusesTheNewest() {
-        var answerer = far().attach("speller");
-        answerer.answer(SPELL, BusContract::spelt);
-        var asker = near().attach("asker");
+    void handlerWithTooManyRequests_refusesTheNewest() {
+        var handler = far().attach("speller");
+        handler.answer(SPELL, BusContract::spelt);
+        var requester = near().attach("asker");
         var answers = new ArrayList<Promise<Text>>();
         test.run(() -> {
             for (int i = 0; i <= CAPACITY; i++) {
-                answers.add(heard(asker.ask(answerer.address(), SPELL, new Count(i), SECOND)));
+                answers.add(heard(requester.ask(handler.address(), SPELL, new Count(i), SECOND)));
             }
             arrive();
         });
@@ -134,20 +136,20 @@ class FaultContractTest extends BusContract {
         assertThat(theOnlyLoss()).isInstanceOf(Loss.Undeliverable.class);
     }
 
-    /** The asker of one from another node may have given up long ago. */
+    /** A request from another node is evicted, because its requester may have cancelled unnoticed. */
     @Test
-    void answererThatNeverAnswers_refusesTheOldestOfAnotherNode_elseTheNewest_whenItHasBegunTooMany() {
+    void handlerThatNeverAnswers_refusesTheOldestOfAnotherNode_elseTheNewest_whenItHasBegunTooMany() {
         boolean apart = !near().node().equals(far().node());
-        var answerer = far().attach("speller");
+        var handler = far().attach("speller");
         var kept = new ArrayList<Deferred<Text>>();
-        answerer.answer(SPELL, count -> {
+        handler.answer(SPELL, count -> {
             kept.add(new Deferred<>(test.space()));
             return kept.getLast();
         });
-        var asker = near().attach("asker");
+        var requester = near().attach("asker");
         var answers = new ArrayList<Promise<Text>>();
         for (int i = 0; i <= CAPACITY; i++) {
-            answers.add(heard(asker.ask(answerer.address(), SPELL, new Count(i), SECOND)));
+            answers.add(heard(requester.ask(handler.address(), SPELL, new Count(i), SECOND)));
             test.crank();
         }
         assertThat(refusalOf(apart ? answers.removeFirst() : answers.removeLast()))
@@ -161,17 +163,17 @@ class FaultContractTest extends BusContract {
         if (apart) {
             assertThat(theOnlyLoss()).isInstanceOf(Loss.Late.class);
         }
-        var next = asker.ask(answerer.address(), SPELL, new Count(5), SECOND);
+        var next = requester.ask(handler.address(), SPELL, new Count(5), SECOND);
         test.crank();
         kept.getLast().resolve(new Text("next"));
         assertThat(test.get(next)).isEqualTo(new Text("next"));
     }
 
     @Test
-    void questionThatIsCancelled_findsItsAnswerLate() {
-        var answerer = far().attach("speller");
-        answerer.answer(SPELL, BusContract::spelt);
-        var answer = near().attach("asker").ask(answerer.address(), SPELL, new Count(1), SECOND);
+    void requestThatIsCancelled_findsItsAnswerLate() {
+        var handler = far().attach("speller");
+        handler.answer(SPELL, BusContract::spelt);
+        var answer = near().attach("asker").ask(handler.address(), SPELL, new Count(1), SECOND);
         answer.cancel();
         test.crank();
         assertThat(theOnlyLoss())

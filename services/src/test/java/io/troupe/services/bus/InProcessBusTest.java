@@ -34,15 +34,15 @@ class InProcessBusTest {
         assertThat(losses).isEmpty();
     }
 
-    /** Values as they come from code that knows no types. */
+    /** Values from code without type checks (unchecked casts). */
     @Test
     @SuppressWarnings({"unchecked", "rawtypes", "NullAway"})
     void valueThatIsRefused_leavesTheTypeOfItsTopicOpen() {
         var port = bus.attach("a");
-        Topic counts = new Topic<>("open", Count.class);
+        BusTopic counts = new BusTopic<>("open", Count.class);
         assertThatThrownBy(() -> port.publish(counts, new Text("no count"))).isInstanceOf(ClassCastException.class);
         assertThatThrownBy(() -> port.publish(counts, null)).isInstanceOf(NullPointerException.class);
-        bus.attach("b").publish(new Topic<>("open", Text.class), new Text("a text"));
+        bus.attach("b").publish(new BusTopic<>("open", Text.class), new Text("a text"));
     }
 
     @Test
@@ -86,45 +86,45 @@ class InProcessBusTest {
     }
 
     @Test
-    void question_isRejectedAtOnce_whenTheSpaceOfItsAskerIsClosed() {
+    void request_isRejectedAtOnce_whenTheSpaceOfItsRequesterIsClosed() {
         var unheard = new ArrayList<Throwable>();
-        var askers = ActorSpace.create(
+        var requesters = ActorSpace.create(
                 SpaceSettings.named("askers").withHandCrank().withOnError((where, error) -> unheard.add(error)));
-        var answerer = bus.attach("answerer");
-        answerer.answer(BusContract.SPELL, count -> new Deferred<>());
-        var asker = bus.attach("asker");
+        var handler = bus.attach("answerer");
+        handler.answer(BusContract.SPELL, count -> new Deferred<>());
+        var requester = bus.attach("asker");
         var answers = new ArrayList<Promise<Text>>();
-        askers.execute(
-                () -> answers.add(asker.ask(answerer.address(), BusContract.SPELL, new Count(1), BusContract.SECOND)));
-        askers.crank();
+        requesters.execute(() ->
+                answers.add(requester.ask(handler.address(), BusContract.SPELL, new Count(1), BusContract.SECOND)));
+        requesters.crank();
         test.crank();
-        askers.close();
+        requesters.close();
         assertThat(answers.getFirst().error())
                 .hasMessage("robots/asker asked robots/answerer for spell: the space of the asker was closed");
         assertThat(unheard).containsExactly(answers.getFirst().error());
-        answerer.close();
+        handler.close();
         assertThat(losses).as("the answerer has forgotten it").isEmpty();
     }
 
     @Test
-    void questionsWhoseAskersHaveGivenUp_makeRoomAtTheirAnswerer() {
+    void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler() {
         var small = InProcessBus.open(
                 "small",
                 BusSettings.on(test.space()).withCapacity(BusContract.CAPACITY).withObserver(losses::add));
-        var answerer = small.attach("answerer");
-        answerer.answer(BusContract.SPELL, count -> new Deferred<>());
-        var asker = small.attach("asker");
+        var handler = small.attach("answerer");
+        handler.answer(BusContract.SPELL, count -> new Deferred<>());
+        var requester = small.attach("asker");
         for (int round = 0; round < 3; round++) {
             List<Promise<Text>> answers = new ArrayList<>();
             for (int i = 0; i < BusContract.CAPACITY; i++) {
-                answers.add(asker.ask(answerer.address(), BusContract.SPELL, new Count(i), BusContract.SECOND));
+                answers.add(requester.ask(handler.address(), BusContract.SPELL, new Count(i), BusContract.SECOND));
             }
             test.crank();
             assertThat(answers).noneMatch(Promise::isDone);
-            var tooMany = asker.ask(answerer.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
+            var tooMany = requester.ask(handler.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
             assertThat(test.error(tooMany)).hasMessageEndingWith("4 questions for spell are being answered");
             answers.removeFirst().cancel();
-            var instead = asker.ask(answerer.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
+            var instead = requester.ask(handler.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
             test.crank();
             assertThat(instead.isDone()).as("the cancelled one has made room").isFalse();
             answers.add(instead);
@@ -138,15 +138,15 @@ class InProcessBusTest {
     }
 
     @Test
-    void questionsThatAreCancelled_areNotKeptUntilTheirLimit() {
-        var answerer = bus.attach("answerer");
-        answerer.answer(BusContract.SPELL, count -> new Deferred<>());
-        var asker = bus.attach("asker");
+    void requestsThatAreCancelled_areNotKeptUntilTheirLimit() {
+        var handler = bus.attach("answerer");
+        handler.answer(BusContract.SPELL, count -> new Deferred<>());
+        var requester = bus.attach("asker");
         var questions = new ArrayList<WeakReference<Count>>();
         for (int i = 0; i < 20; i++) {
-            var question = new Count(i);
-            questions.add(new WeakReference<>(question));
-            var answer = asker.ask(answerer.address(), BusContract.SPELL, question, Duration.ofDays(1));
+            var request = new Count(i);
+            questions.add(new WeakReference<>(request));
+            var answer = requester.ask(handler.address(), BusContract.SPELL, request, Duration.ofDays(1));
             test.crank();
             answer.cancel();
         }
@@ -166,7 +166,7 @@ class InProcessBusTest {
         var publisher = bus.attach("publisher");
         var subscriber = bus.attach("subscriber");
         var other = bus.attach("other");
-        var ofText = new Topic<>(BusContract.COUNTS.name(), Text.class);
+        var ofText = new BusTopic<>(BusContract.COUNTS.name(), Text.class);
         publisher.publish(BusContract.COUNTS, new Count(1));
         publisher.publish(BusContract.COUNTS, new Count(2));
         subscriber.subscribe(BusContract.COUNTS, (count, from) -> {}).close();
@@ -195,7 +195,7 @@ class InProcessBusTest {
         var answers = new ArrayList<Promise<Text>>();
         logged(() -> {
             for (int round = 0; round < 3; round++) {
-                for (int i = 0; i < 2; i++) { // the second is one too many
+                for (int i = 0; i < 2; i++) { // the second exceeds the capacity
                     port.publish(BusContract.COUNTS, new Count(10 * round + i));
                     var answer = port.ask(port.address(), BusContract.SPELL, new Count(i), BusContract.SECOND);
                     answers.add(BusContract.heard(answer));
@@ -220,7 +220,7 @@ class InProcessBusTest {
             }
 
             @Override
-            public void passed(Message message) {
+            public void passed(BusMessage message) {
                 throw new IllegalStateException("broken");
             }
         }));

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Ports, actors and spaces that come and go. */
+/** Ports, actors and spaces that are opened and closed. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class LifeContractTest extends BusContract {
@@ -57,7 +57,7 @@ class LifeContractTest extends BusContract {
     }
 
     @Test
-    void actorThatHasStopped_hearsNothingAnyMore() {
+    void actorThatHasStopped_receivesNothingAnyMore() {
         var heard = new ArrayList<Integer>();
         var listener = test.spawn(Listener.class, () -> new ListenerActor(heard));
         var port = far().attach("a");
@@ -77,7 +77,7 @@ class LifeContractTest extends BusContract {
     }
 
     @Test
-    void actorThatStopsWithValuesOnTheirWay_isMissedWithTheNextValue_andAllAreTold() {
+    void actorThatStopsWithValuesOnTheirWay_isMissedWithTheNextValue_andAllAreReported() {
         var heard = new ArrayList<Integer>();
         var listener = test.spawn(Listener.class, () -> new ListenerActor(heard));
         var port = near().attach("a");
@@ -98,7 +98,7 @@ class LifeContractTest extends BusContract {
     }
 
     @Test
-    void otherSpace_hearsOnItsOwnThread_andHasItsOwnClock() {
+    void otherSpace_receivesOnItsThread_andHasItsClock() {
         var other = new TestSpace();
         var port = far().attach("a");
         var heard = new ArrayList<Integer>();
@@ -113,9 +113,9 @@ class LifeContractTest extends BusContract {
         assertThat(heard).containsExactly(1);
         var hanging = far().attach("hanging");
         hanging.answer(SPELL, count -> new Deferred<>());
-        var asker = near().attach("asker");
+        var requester = near().attach("asker");
         var answers = new ArrayList<Promise<Text>>();
-        other.run(() -> answers.add(heard(asker.ask(hanging.address(), SPELL, new Count(1), SECOND))));
+        other.run(() -> answers.add(heard(requester.ask(hanging.address(), SPELL, new Count(1), SECOND))));
         test.advance(SECOND.multipliedBy(2));
         assertThat(answers.getFirst().isDone()).isFalse();
         other.advance(SECOND.multipliedBy(2));
@@ -152,10 +152,10 @@ class LifeContractTest extends BusContract {
 
     @Test
     void busThatIsClosed_rejectsWhatWaits_andTakesNobody() {
-        var answerer = far().attach("speller");
-        answerer.answer(SPELL, count -> new Deferred<>());
-        var asker = near().attach("asker");
-        var answer = asker.ask(answerer.address(), SPELL, new Count(1), SECOND);
+        var handler = far().attach("speller");
+        handler.answer(SPELL, count -> new Deferred<>());
+        var requester = near().attach("asker");
+        var answer = requester.ask(handler.address(), SPELL, new Count(1), SECOND);
         test.crank();
         near().close();
         assertThat(refusalOf(answer)).contains("the bus " + near().node() + " is closed");

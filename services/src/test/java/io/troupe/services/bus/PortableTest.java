@@ -66,10 +66,10 @@ class PortableTest {
 
     record OfLeaky(Leaky leaky) {}
 
-    private final Detacher detacher = new Detacher();
+    private final RecordCopier copier = new RecordCopier();
 
     private static void assertRefused(Class<? extends Record> type, String path, String componentType, String why) {
-        assertThatThrownBy(() -> new Topic<>("t", type))
+        assertThatThrownBy(() -> new BusTopic<>("t", type))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("topic t: values of " + type.getName() + " cannot leave a process because of "
                         + path + " of type " + componentType + ": ")
@@ -78,8 +78,8 @@ class PortableTest {
 
     @Test
     void valuesAllTheWayDown_areAccepted_evenRecursiveOnes() {
-        assertThat(new Topic<>("t", Everything.class).type()).isEqualTo(Everything.class);
-        assertThat(new Topic<>("t", Shape.Many.class).name()).isEqualTo("t");
+        assertThat(new BusTopic<>("t", Everything.class).type()).isEqualTo(Everything.class);
+        assertThat(new BusTopic<>("t", Shape.Many.class).name()).isEqualTo("t");
     }
 
     @Test
@@ -101,37 +101,38 @@ class PortableTest {
     }
 
     @Test
-    void operation_checksQuestionAndAnswer() {
+    void operation_checksRequestAndAnswer() {
         assertThatThrownBy(() -> new Operation<>("o", Plain.class, OfArray.class, Operation.Kind.DATA))
                 .hasMessageStartingWith("operation o: values of " + OfArray.class.getName());
         assertThatThrownBy(() -> new Operation<>("o", OfArray.class, Plain.class, Operation.Kind.DATA))
                 .hasMessageStartingWith("operation o: values of " + OfArray.class.getName());
         assertThatThrownBy(() -> new Operation<>(" ", Plain.class, Plain.class, Operation.Kind.DATA))
                 .hasMessage("the name of an operation is blank");
-        assertThatThrownBy(() -> new Topic<>("", Plain.class)).hasMessage("the name of a topic is blank");
+        assertThatThrownBy(() -> new BusTopic<>("", Plain.class)).hasMessage("the name of a topic is blank");
     }
 
     @Test
     void recordsOfTheBusItself_canLeave() {
-        assertThat(new Topic<>("a", Address.class).type()).isEqualTo(Address.class);
-        assertThat(new Topic<>("f", Message.Failure.Failed.class).type()).isEqualTo(Message.Failure.Failed.class);
+        assertThat(new BusTopic<>("a", Address.class).type()).isEqualTo(Address.class);
+        assertThat(new BusTopic<>("f", BusMessage.Failure.Failed.class).type())
+                .isEqualTo(BusMessage.Failure.Failed.class);
     }
 
-    // ---- taking out what can change
+    // ---- defensive copies
 
     @Test
     void valueWithoutContainers_isNotCopied() {
         var plain = new Plain(1, "a");
-        assertThat(detacher.detached(plain)).isSameAs(plain);
+        assertThat(copier.copy(plain)).isSameAs(plain);
         var immutable = new Shape.Many(List.of(new Shape.Circle(1), new Shape.Many(List.of())));
-        assertThat(detacher.detached(immutable)).isSameAs(immutable);
+        assertThat(copier.copy(immutable)).isSameAs(immutable);
     }
 
     @Test
     void listsAtAnyDepth_areCopied() {
         var inner = new ArrayList<Shape>(List.of(new Shape.Circle(1)));
         var value = new Shape.Many(List.of(new Shape.Many(inner)));
-        var copy = detacher.detached(value);
+        var copy = copier.copy(value);
         assertThat(copy).isEqualTo(value);
         inner.clear();
         assertThat(copy).isEqualTo(new Shape.Many(List.of(new Shape.Many(List.of(new Shape.Circle(1))))));
@@ -148,7 +149,7 @@ class PortableTest {
         for (String name : List.of("z", "a", "m", "b")) {
             lists.put(name, new ArrayList<>(List.of(1)));
         }
-        var copy = detacher.detached(new Named(lists));
+        var copy = copier.copy(new Named(lists));
         lists.values().forEach(List::clear);
         lists.clear();
         assertThat(copy.lists().keySet()).containsExactly("z", "a", "m", "b");
@@ -160,26 +161,25 @@ class PortableTest {
 
     @Test
     void nullInAList_isRefused_byItsPlace() {
-        assertThatThrownBy(() -> detacher.detached(new Texts(Arrays.asList("a", null))))
+        assertThatThrownBy(() -> copier.copy(new Texts(Arrays.asList("a", null))))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("a value of " + Texts.class.getName()
                         + " cannot leave the process: a list in it has null at 1, expected values, and no null in lists and"
                         + " maps, in at most 500 levels of records, lists and maps");
-        assertThat(detacher.detached(new Texts(Collections.emptyList())).texts())
-                .isEmpty();
+        assertThat(copier.copy(new Texts(Collections.emptyList())).texts()).isEmpty();
     }
 
     @Test
     void nullInAMap_isRefused_asAKeyAndAsAValue() {
         var values = new LinkedHashMap<String, List<Integer>>();
         values.put("left", null);
-        assertThatThrownBy(() -> detacher.detached(new Named(values)))
+        assertThatThrownBy(() -> copier.copy(new Named(values)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageStartingWith("a value of " + Named.class.getName()
                         + " cannot leave the process: a map in it has null for \"left\", expected values");
         var keys = new LinkedHashMap<String, List<Integer>>();
         keys.put(null, List.of());
-        assertThatThrownBy(() -> detacher.detached(new Named(keys)))
+        assertThatThrownBy(() -> copier.copy(new Named(keys)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("a map in it has the key null");
     }
@@ -211,7 +211,7 @@ class PortableTest {
             shape = new Shape.Many(List.of(shape));
         }
         for (Record deep : List.of(links(200_000), new Tree.Root(tree), (Shape.Many) shape)) {
-            assertThatThrownBy(() -> detacher.detached(deep))
+            assertThatThrownBy(() -> copier.copy(deep))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessageStartingWith("a value of " + deep.getClass().getName()
                             + " cannot leave the process: it is nested deeper than 500 levels, expected");
@@ -221,13 +221,13 @@ class PortableTest {
 
     @Test
     void copierAndCodec_takeTheSameDepth() {
-        var deepest = links(Portable.MOST_LEVELS);
-        assertThat(detacher.detached(deepest)).isSameAs(deepest);
-        var message = new DataMessage(
-                new Address("a", "b"), new Message.Purpose.Publication("links"), 1, detacher.detached(deepest));
-        assertThat(((DataMessage) RecordCodec.decode(RecordCodec.encode(message))).payload())
+        var deepest = links(Portable.MAX_LEVELS);
+        assertThat(copier.copy(deepest)).isSameAs(deepest);
+        var message = new BusMessage.Data(
+                new Address("a", "b"), new BusMessage.Purpose.Publication("links"), 1, copier.copy(deepest));
+        assertThat(((BusMessage.Data) RecordCodec.decode(RecordCodec.encode(message))).payload())
                 .isEqualTo(deepest);
-        assertThatThrownBy(() -> detacher.detached(links(Portable.MOST_LEVELS + 1)))
+        assertThatThrownBy(() -> copier.copy(links(Portable.MAX_LEVELS + 1)))
                 .isInstanceOf(IllegalArgumentException.class);
     }
 

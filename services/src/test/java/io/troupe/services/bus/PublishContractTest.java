@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Publish and subscribe, on every bus. */
+/** Publish and subscribe, on every kind of bus. */
 @ParameterizedClass
 @EnumSource(BusContract.Wiring.class)
 class PublishContractTest extends BusContract {
@@ -39,7 +39,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriber_hearsWhatIsPublishedFromThenOn_andNothingAfterItHasClosed() {
+    void subscriber_receivesWhatIsPublishedFromThenOn_andNothingAfterItHasClosed() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Integer>();
         publisher.publish(COUNTS, new Count(1));
@@ -54,7 +54,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriptionThatIsClosed_tellsHowManyValuesItDoesNotHear() {
+    void subscriptionThatIsClosed_reportsHowManyValuesItDidNotReceive() {
         var publisher = near().attach("publisher");
         var subscription = far().attach("a").subscribe(COUNTS, (count, from) -> {
             throw new AssertionError("it has closed");
@@ -75,7 +75,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void value_thatItsPublisherChangesLater_isHeardAsItWas() {
+    void value_thatItsPublisherChangesLater_isReceivedAsItWas() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Ranges>();
         far().attach("a").subscribe(RANGES, (ranges, from) -> heard.add(ranges));
@@ -90,7 +90,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriberThatIsTooSlow_losesTheOldest_andTheObserverHearsOfEach() {
+    void subscriberThatIsTooSlow_losesTheOldest_andTheObserverIsNotifiedOfEach() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Integer>();
         var slow = far().attach("slow");
@@ -116,7 +116,7 @@ class PublishContractTest extends BusContract {
     }
 
     @Test
-    void subscriberThatThrows_isToldToTheObserver_andTheOthersHearTheValue() {
+    void subscriberThatThrows_isReportedToTheObserver_andTheOthersReceiveTheValue() {
         var publisher = near().attach("publisher");
         var heard = new ArrayList<Integer>();
         var broken = far().attach("broken");
@@ -146,7 +146,7 @@ class PublishContractTest extends BusContract {
     void topic_withTwoTypes_isRefused_andNamesBoth() {
         var port = near().attach("a");
         port.subscribe(COUNTS, (count, from) -> {});
-        assertThatThrownBy(() -> port.publish(new Topic<>("counts", Text.class), new Text("1")))
+        assertThatThrownBy(() -> port.publish(new BusTopic<>("counts", Text.class), new Text("1")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining(
                         "topic counts is of " + Count.class.getName() + " and of " + Text.class.getName());
@@ -159,7 +159,7 @@ class PublishContractTest extends BusContract {
         assertThat(take(passed).stream()
                         .filter(each -> each.from().equals(publisher.address()))
                         .distinct())
-                .extracting(Message::sequence)
+                .extracting(BusMessage::sequence)
                 .containsExactly(1L, 2L, 3L);
         test.crank();
     }

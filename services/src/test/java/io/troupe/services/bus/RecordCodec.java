@@ -18,7 +18,8 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes records of values to bytes, component by component, and reads them back: proof that nothing else is in them.
+ * Encodes records of values to bytes, component by component, and decodes them: shows that messages contain nothing
+ * else.
  */
 final class RecordCodec {
     private RecordCodec() {}
@@ -44,7 +45,7 @@ final class RecordCodec {
         }
     }
 
-    /** @param level how many others it is inside of: as many as a value may have, and the message around it */
+    /** @param level the nesting depth: at most that of a value plus one for the message around it */
     private static void write(@Nullable Object value, DataOutputStream out, int level)
             throws IOException, ReflectiveOperationException {
         checkLevel(level);
@@ -90,9 +91,9 @@ final class RecordCodec {
     }
 
     private static void checkLevel(int level) {
-        if (level > Portable.MOST_LEVELS + 1) { // plain values are inside of the last level
+        if (level > Portable.MAX_LEVELS + 1) { // scalars are one level deeper than the last record
             throw new IllegalArgumentException(
-                    "a message is nested deeper than " + Portable.MOST_LEVELS + " levels and its value");
+                    "a message is nested deeper than " + Portable.MAX_LEVELS + " levels and its value");
         }
     }
 

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.function.LongConsumer;
 
 /**
- * Repeats a test that looks for what happens rarely: a little in every build, or for a third of
- * {@code -Dsoak.minutes=10} each of the three that there are. Begins with the round {@code -Dsoak.first=17}.
+ * Repeats a test that looks for rare failures: a few rounds in every build, or for a third of {@code -Dsoak.minutes=10}
+ * for each of the three soak tests. Starts with the round {@code -Dsoak.first=17}.
  */
 public final class Soak {
     private static final long MINUTES = Long.getLong("soak.minutes", 0);
@@ -14,7 +14,7 @@ public final class Soak {
 
     private Soak() {}
 
-    /** Runs so many rounds at least, and says in an error which one it was. */
+    /** Runs at least this many rounds; an error names the round in which it occurred. */
     public static void rounds(int atLeast, LongConsumer round) {
         long end =
                 System.nanoTime() + Duration.ofMinutes(MINUTES).dividedBy(TESTS).toNanos();

@@ -7,7 +7,7 @@ import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 
-/** What there is to say only of nodes that exchange bytes. */
+/** Behaviour that is specific to two nodes that exchange bytes. */
 class TwoNodesTest extends BusContract {
     TwoNodesTest() {
         super(Wiring.TWO_NODES);
@@ -22,7 +22,7 @@ class TwoNodesTest extends BusContract {
     }
 
     @Test
-    void wayThatFails_rejectsTheQuestion_andIsToldForAPublication() {
+    void transportThatFails_rejectsTheRequest_andIsReportedForAPublication() {
         var broken = new BusNode("broken", settings(), new Transport() {
             @Override
             public boolean reaches(String node) {
@@ -30,12 +30,12 @@ class TwoNodesTest extends BusContract {
             }
 
             @Override
-            public void send(String node, Message message) {
+            public void send(String node, BusMessage message) {
                 throw new IllegalStateException("cable cut");
             }
 
             @Override
-            public void broadcast(Message publication) {
+            public void broadcast(BusMessage publication) {
                 throw new IllegalStateException("cable cut");
             }
 
@@ -53,7 +53,7 @@ class TwoNodesTest extends BusContract {
 
     @Test
     void answerThatCannotBeSent_isFollowedByARefusal() {
-        var sent = new ArrayList<Message>();
+        var sent = new ArrayList<BusMessage>();
         var node = new BusNode("far-away", settings(), new Transport() {
             @Override
             public boolean reaches(String node) {
@@ -61,29 +61,29 @@ class TwoNodesTest extends BusContract {
             }
 
             @Override
-            public void send(String node, Message message) {
-                if (message.purpose() instanceof Message.Purpose.Answer) {
+            public void send(String node, BusMessage message) {
+                if (message.purpose() instanceof BusMessage.Purpose.Reply) {
                     throw new StackOverflowError("in the codec");
                 }
                 sent.add(message);
             }
 
             @Override
-            public void broadcast(Message publication) {}
+            public void broadcast(BusMessage publication) {}
 
             @Override
             public void close() {}
         });
-        var answerer = node.attach("a");
-        answerer.answer(SPELL, BusContract::spelt);
-        var asker = new Address("near", "b");
-        node.receive(new DataMessage(
-                asker, new Message.Purpose.Question(answerer.address(), SPELL.name()), 7, new Count(1)));
+        var handler = node.attach("a");
+        handler.answer(SPELL, BusContract::spelt);
+        var requester = new Address("near", "b");
+        node.receive(new BusMessage.Data(
+                requester, new BusMessage.Purpose.Request(handler.address(), SPELL.name()), 7, new Count(1)));
         test.crank();
         assertThat(sent)
                 .singleElement()
-                .satisfies(refusal ->
-                        assertThat(refusal.purpose()).isEqualTo(new Message.Purpose.Refusal(asker, SPELL.name(), 7)));
+                .satisfies(rejection -> assertThat(rejection.purpose())
+                        .isEqualTo(new BusMessage.Purpose.Rejection(requester, SPELL.name(), 7)));
         assertThat(sent.getFirst().payload())
                 .asString()
                 .contains("the answer could not be sent: the way from node far-away to node near failed");
@@ -92,8 +92,8 @@ class TwoNodesTest extends BusContract {
     }
 
     @Test
-    void replyToAnotherQuestionOfThatNumber_settlesNothing() {
-        var sent = new ArrayList<Message>();
+    void replyToAnotherRequestOfThatNumber_settlesNothing() {
+        var sent = new ArrayList<BusMessage>();
         var node = new BusNode("near", settings(), new Transport() {
             @Override
             public boolean reaches(String node) {
@@ -101,45 +101,45 @@ class TwoNodesTest extends BusContract {
             }
 
             @Override
-            public void send(String node, Message message) {
+            public void send(String node, BusMessage message) {
                 sent.add(message);
             }
 
             @Override
-            public void broadcast(Message publication) {}
+            public void broadcast(BusMessage publication) {}
 
             @Override
             public void close() {}
         });
-        var asker = node.attach("a");
+        var requester = node.attach("a");
         var asked = new Address("far", "b");
-        var answer = heard(asker.ask(asked, SPELL, new Count(1), SECOND));
+        var answer = heard(requester.ask(asked, SPELL, new Count(1), SECOND));
         long number = sent.getFirst().sequence();
-        var ofAnother = new Message.Purpose.Answer(asker.address(), SPELL.name(), number);
-        node.receive(new DataMessage(new Address("far", "c"), ofAnother, 1, new Text("c")));
-        var ofAnotherOperation = new Message.Purpose.Answer(asker.address(), START.name(), number);
-        node.receive(new DataMessage(asked, ofAnotherOperation, 2, new Text("started")));
+        var ofAnother = new BusMessage.Purpose.Reply(requester.address(), SPELL.name(), number);
+        node.receive(new BusMessage.Data(new Address("far", "c"), ofAnother, 1, new Text("c")));
+        var ofAnotherOperation = new BusMessage.Purpose.Reply(requester.address(), START.name(), number);
+        node.receive(new BusMessage.Data(asked, ofAnotherOperation, 2, new Text("started")));
         assertThat(answer.isDone()).isFalse();
         assertThat(take(losses)).hasSize(2).allMatch(Loss.Late.class::isInstance);
-        node.receive(new DataMessage(asked, ofAnother, 3, new Text("b")));
+        node.receive(new BusMessage.Data(asked, ofAnother, 3, new Text("b")));
         assertThat(test.get(answer)).isEqualTo(new Text("b"));
         node.close();
     }
 
     @Test
-    void questionsWhoseAskersHaveGivenUp_makeRoomAtTheirAnswerer_theOldestFirst() {
-        var answerer = far().attach("a");
+    void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler_theOldestFirst() {
+        var handler = far().attach("a");
         var kept = new ArrayList<Deferred<Text>>();
-        answerer.answer(SPELL, count -> {
+        handler.answer(SPELL, count -> {
             kept.add(new Deferred<>(test.space()));
             return kept.getLast();
         });
         var here = far().attach("near-by");
-        var ownAnswer = heard(here.ask(answerer.address(), SPELL, new Count(0), SECOND.multipliedBy(100)));
-        var asker = near().attach("b");
+        var ownAnswer = heard(here.ask(handler.address(), SPELL, new Count(0), SECOND.multipliedBy(100)));
+        var requester = near().attach("b");
         for (int round = 0; round < 3; round++) {
             for (int i = 0; i < CAPACITY - 1; i++) {
-                var unanswered = heard(asker.ask(answerer.address(), SPELL, new Count(i), SECOND));
+                var unanswered = heard(requester.ask(handler.address(), SPELL, new Count(i), SECOND));
                 test.crank();
                 assertThat(unanswered.isDone()).isFalse();
                 test.advance(SECOND);
@@ -147,8 +147,8 @@ class TwoNodesTest extends BusContract {
             }
         }
         assertThat(kept).hasSize(1 + 3 * (CAPACITY - 1));
-        take(losses); // six that were refused to make room, and the refusals, which are late
-        var answer = heard(asker.ask(answerer.address(), SPELL, new Count(7), SECOND));
+        take(losses); // six requests rejected to make room, and the refusals, which are late
+        var answer = heard(requester.ask(handler.address(), SPELL, new Count(7), SECOND));
         test.crank();
         take(losses);
         kept.forEach(each -> each.resolve(new Text("at last")));

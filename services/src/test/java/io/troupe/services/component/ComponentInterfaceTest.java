@@ -9,11 +9,13 @@ import io.troupe.services.broker.ProviderException;
 import io.troupe.services.bus.Address;
 import io.troupe.services.bus.BusPort;
 import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.bus.InProcessBus;
 import io.troupe.services.bus.Operation;
 import io.troupe.services.bus.RemoteFailure;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Buffering.OverflowPolicy;
+import io.troupe.services.component.Buffering.WhenFull;
 import io.troupe.services.component.ScriptedComponent.Number;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -427,7 +429,7 @@ class ComponentInterfaceTest {
             public List<ApplicationData<?>> toApplication(String output) {
                 return output.equals("bad")
                         ? List.of(new ApplicationData<>(
-                                new Topic<>("other", Unfit.class), new Unfit(Collections.singletonList(null))))
+                                new BusTopic<>("other", Unfit.class), new Unfit(Collections.singletonList(null))))
                         : super.toApplication(output);
             }
         };

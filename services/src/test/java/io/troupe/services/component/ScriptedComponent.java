@@ -2,7 +2,7 @@ package io.troupe.services.component;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -13,8 +13,8 @@ final class ScriptedComponent {
     /** A value of the application. */
     record Number(int value) {}
 
-    static final Topic<Number> IN = new Topic<>("counter/in", Number.class);
-    static final Topic<Number> OUT = new Topic<>("counter/out", Number.class);
+    static final BusTopic<Number> IN = new BusTopic<>("counter/in", Number.class);
+    static final BusTopic<Number> OUT = new BusTopic<>("counter/out", Number.class);
 
     final List<String> calls = new ArrayList<>();
     final List<ComponentCommunication.Signals<? super String>> runs = new ArrayList<>();

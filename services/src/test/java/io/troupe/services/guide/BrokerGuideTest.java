@@ -25,9 +25,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** The samples of docs/guide/07-components-bus-broker.md that are about the broker, run. */
+/** Compiles and runs the broker samples of docs/guide/07-components-bus-broker.md. */
 class BrokerGuideTest {
-    /** A component that does nothing but say so. */
+    /** A component that only records its calls. */
     private static final class Camera implements Provider {
         private final List<String> shown;
 
@@ -208,7 +208,7 @@ class BrokerGuideTest {
             var compass = services.connect(Compass.class, Need.ofService("captain", "compass"));
             compass.actor().heading().then(degrees -> show(degrees));
             test.crank();
-            assertThat(test.get(compass.actor().heading())).isEqualTo(90.0); // 0, 30, 60, and there it stops
+            assertThat(test.get(compass.actor().heading())).isEqualTo(90.0); // headings 0, 30, 60 and 90; then it stops
             assertThat(test.get(broker.registered()))
                     .extracting(ServiceRecord::health)
                     .containsOnly(io.troupe.services.broker.Health.WELL);

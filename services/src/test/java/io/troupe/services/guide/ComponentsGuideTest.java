@@ -16,8 +16,8 @@ import io.troupe.services.bus.Address;
 import io.troupe.services.bus.Bus;
 import io.troupe.services.bus.BusPort;
 import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.bus.InProcessBus;
-import io.troupe.services.bus.Topic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
@@ -52,8 +52,8 @@ class ComponentsGuideTest {
 
     record Label(String text) {}
 
-    static final Topic<Temperature> TEMPERATURE = new Topic<>("hall/temperature", Temperature.class);
-    static final Topic<Label> LABEL = new Topic<>("hall/label", Label.class);
+    static final BusTopic<Temperature> TEMPERATURE = new BusTopic<>("hall/temperature", Temperature.class);
+    static final BusTopic<Label> LABEL = new BusTopic<>("hall/label", Label.class);
 
     /** A third-party package with its own data format and a callback. */
     private static final class Thermometer {

@@ -1,7 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.Component;
 import java.time.Duration;
 import java.util.ArrayDeque;
@@ -42,7 +42,7 @@ public record ApplicationPlan(
      *
      * @param <T> the type of both topics
      */
-    public record Wire<T extends Record>(Topic<T> from, Topic<T> to) {
+    public record Wire<T extends Record>(BusTopic<T> from, BusTopic<T> to) {
         @Override
         public String toString() {
             return from.name() + " -> " + to.name();
@@ -113,15 +113,15 @@ public record ApplicationPlan(
     }
 
     /** All topics of all components. */
-    List<Topic<?>> topics() {
+    List<BusTopic<?>> topics() {
         return components.values().stream()
                 .flatMap(each -> Stream.concat(each.subscribes().stream(), each.publishes().stream()))
-                .<Topic<?>>map(topic -> topic)
+                .<BusTopic<?>>map(topic -> topic)
                 .distinct()
                 .toList();
     }
 
-    private static String owner(Topic<?> topic) {
+    private static String owner(BusTopic<?> topic) {
         int slash = topic.name().indexOf('/');
         return slash < 0 ? topic.name() : topic.name().substring(0, slash);
     }
@@ -131,7 +131,7 @@ public record ApplicationPlan(
      *
      * @throws IllegalArgumentException if they are already connected, or if the wire would close a cycle
      */
-    public <T extends Record> ApplicationPlan connecting(Topic<T> from, Topic<T> to) {
+    public <T extends Record> ApplicationPlan connecting(BusTopic<T> from, BusTopic<T> to) {
         var wire = new Wire<>(from, to);
         if (wires.contains(wire)) {
             throw new IllegalArgumentException(wire + " is there already, expected it once");
@@ -146,10 +146,10 @@ public record ApplicationPlan(
      * @throws IllegalArgumentException if a value sent over this wire would return to it over the others
      */
     static void checkAcyclic(Wire<?> wire, Collection<? extends Wire<?>> others) {
-        Set<Topic<?>> reached = new LinkedHashSet<>(Set.of(wire.to()));
-        Deque<Topic<?>> open = new ArrayDeque<>(reached);
+        Set<BusTopic<?>> reached = new LinkedHashSet<>(Set.of(wire.to()));
+        Deque<BusTopic<?>> open = new ArrayDeque<>(reached);
         while (!open.isEmpty()) {
-            Topic<?> at = open.remove();
+            BusTopic<?> at = open.remove();
             if (at.equals(wire.from())) {
                 throw new IllegalArgumentException(
                         "over " + wire + " values would go round in a circle, expected wires that end somewhere");

@@ -3,6 +3,7 @@ package io.troupe.services.component.application;
 import io.troupe.services.broker.Need;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.application.LineTokens.Token;
 import io.troupe.services.component.kinds.ArgumentException;
@@ -180,10 +181,10 @@ public final class ApplicationReader {
     }
 
     private void connect(LineTokens tokens) {
-        Topic<?> from = topic(tokens);
+        BusTopic<?> from = topic(tokens);
         tokens.expect("to");
         Token target = tokens.next("a topic");
-        Topic<?> to = topic(tokens, target);
+        BusTopic<?> to = topic(tokens, target);
         Wire<?> wire = TopicWiring.wire(from, to)
                 .orElseThrow(() -> tokens.error(
                         target,
@@ -200,12 +201,12 @@ public final class ApplicationReader {
         return plan.connecting(wire.from(), wire.to());
     }
 
-    private Topic<?> topic(LineTokens tokens) {
+    private BusTopic<?> topic(LineTokens tokens) {
         return topic(tokens, tokens.next("a topic"));
     }
 
-    private Topic<?> topic(LineTokens tokens, Token name) {
-        List<Topic<?>> topics = plan.topics();
+    private BusTopic<?> topic(LineTokens tokens, Token name) {
+        List<BusTopic<?>> topics = plan.topics();
         for (var topic : topics) {
             if (topic.name().equals(name.text())) {
                 return topic;
@@ -214,7 +215,8 @@ public final class ApplicationReader {
         throw tokens.error(
                 name,
                 "no component above has a topic \"" + name.text() + "\"; "
-                        + Hints.of(name.text(), topics.stream().map(Topic::name).toList()));
+                        + Hints.of(
+                                name.text(), topics.stream().map(BusTopic::name).toList()));
     }
 
     private void replace(LineTokens tokens) {

@@ -2,7 +2,7 @@ package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
 import io.troupe.services.bus.BusPort;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.ArrayList;
@@ -98,21 +98,21 @@ final class TopicWiring {
         return wires;
     }
 
-    private List<Topic<?>> allTopics(Function<Component<?, ?>, List<Topic<?>>> topics) {
+    private List<BusTopic<?>> allTopics(Function<Component<?, ?>, List<BusTopic<?>>> topics) {
         return components.values().stream()
                 .flatMap(component -> topics.apply(component).stream())
-                .<Topic<?>>map(topic -> topic)
+                .<BusTopic<?>>map(topic -> topic)
                 .toList();
     }
 
-    private static List<Topic<?>> topicsOf(String owner, Collection<Topic<?>> topics) {
+    private static List<BusTopic<?>> topicsOf(String owner, Collection<BusTopic<?>> topics) {
         return topics.stream()
                 .filter(topic -> topic.name().startsWith(owner + "/"))
-                .<Topic<?>>map(topic -> topic)
+                .<BusTopic<?>>map(topic -> topic)
                 .toList();
     }
 
-    private static void connect(List<Wire<?>> wires, List<Topic<?>> from, List<Topic<?>> to) {
+    private static void connect(List<Wire<?>> wires, List<BusTopic<?>> from, List<BusTopic<?>> to) {
         for (var source : from) {
             for (var target : to) {
                 if (lastName(source).equals(lastName(target))) {
@@ -122,14 +122,14 @@ final class TopicWiring {
         }
     }
 
-    private static String lastName(Topic<?> topic) {
+    private static String lastName(BusTopic<?> topic) {
         return topic.name().substring(topic.name().indexOf('/') + 1);
     }
 
     /** A wire between two topics; empty if their types differ. */
-    static <T extends Record> Optional<Wire<?>> wire(Topic<T> from, Topic<?> to) {
+    static <T extends Record> Optional<Wire<?>> wire(BusTopic<T> from, BusTopic<?> to) {
         return from.type().equals(to.type())
-                ? Optional.of(new Wire<>(from, new Topic<>(to.name(), from.type())))
+                ? Optional.of(new Wire<>(from, new BusTopic<>(to.name(), from.type())))
                 : Optional.empty();
     }
 

@@ -9,7 +9,7 @@ import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
@@ -70,7 +70,7 @@ public final class BehaviourComponent {
             List<String> capabilities,
             Set<Sense> senses,
             Supplier<? extends Behaviour> law) {
-        List<Topic<?>> subscribes = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
+        List<BusTopic<?>> subscribes = new ArrayList<>(List.of(RobotTopics.position(name), RobotTopics.sonar(name)));
         if (senses.contains(Sense.BLOBS)) {
             subscribes.add(RobotTopics.blobs(name));
         }

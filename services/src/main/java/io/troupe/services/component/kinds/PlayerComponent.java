@@ -8,6 +8,7 @@ import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.bus.Topic;
 import io.troupe.services.component.ApplicationData;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.Conversion;
@@ -91,8 +92,8 @@ public final class PlayerComponent {
 
     public static Component<?, ?> of(Settings settings) {
         Map<Integer, String> names = new LinkedHashMap<>();
-        List<Topic<?>> subscribes = new ArrayList<>();
-        List<Topic<?>> publishes = new ArrayList<>();
+        List<BusTopic<?>> subscribes = new ArrayList<>();
+        List<BusTopic<?>> publishes = new ArrayList<>();
         for (int number : settings.robots()) {
             String robot = "robot" + number;
             names.put(number - 1, robot);

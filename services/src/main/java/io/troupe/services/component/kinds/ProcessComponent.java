@@ -1,6 +1,6 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;
@@ -73,12 +73,12 @@ public final class ProcessComponent {
                 Buffering.STREAM);
     }
 
-    static Topic<TextLine> input(String name) {
-        return new Topic<>(name + "/in", TextLine.class);
+    static BusTopic<TextLine> input(String name) {
+        return new BusTopic<>(name + "/in", TextLine.class);
     }
 
-    static Topic<TextLine> output(String name) {
-        return new Topic<>(name + "/out", TextLine.class);
+    static BusTopic<TextLine> output(String name) {
+        return new BusTopic<>(name + "/out", TextLine.class);
     }
 
     private record LinesConversion(String name) implements Conversion<String, String> {

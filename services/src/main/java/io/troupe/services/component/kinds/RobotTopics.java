@@ -2,7 +2,7 @@ package io.troupe.services.component.kinds;
 
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.bus.Topic;
+import io.troupe.services.bus.BusTopic;
 import java.util.List;
 
 /**
@@ -49,27 +49,27 @@ public final class RobotTopics {
 
     private RobotTopics() {}
 
-    public static Topic<SonarReading> sonar(String owner) {
-        return new Topic<>(owner + "/sonar", SonarReading.class);
+    public static BusTopic<SonarReading> sonar(String owner) {
+        return new BusTopic<>(owner + "/sonar", SonarReading.class);
     }
 
-    public static Topic<PositionReading> position(String owner) {
-        return new Topic<>(owner + "/position", PositionReading.class);
+    public static BusTopic<PositionReading> position(String owner) {
+        return new BusTopic<>(owner + "/position", PositionReading.class);
     }
 
-    public static Topic<BlobsReading> blobs(String owner) {
-        return new Topic<>(owner + "/blobs", BlobsReading.class);
+    public static BusTopic<BlobsReading> blobs(String owner) {
+        return new BusTopic<>(owner + "/blobs", BlobsReading.class);
     }
 
-    public static Topic<LaserReading> laser(String owner) {
-        return new Topic<>(owner + "/laser", LaserReading.class);
+    public static BusTopic<LaserReading> laser(String owner) {
+        return new BusTopic<>(owner + "/laser", LaserReading.class);
     }
 
-    public static Topic<Velocity> velocity(String owner) {
-        return new Topic<>(owner + "/velocity", Velocity.class);
+    public static BusTopic<Velocity> velocity(String owner) {
+        return new BusTopic<>(owner + "/velocity", Velocity.class);
     }
 
-    public static Topic<ColourSeen> colours(String owner) {
-        return new Topic<>(owner + "/colours", ColourSeen.class);
+    public static BusTopic<ColourSeen> colours(String owner) {
+        return new BusTopic<>(owner + "/colours", ColourSeen.class);
     }
 }

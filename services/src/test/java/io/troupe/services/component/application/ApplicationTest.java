@@ -9,8 +9,8 @@ import io.troupe.services.broker.BrokerSettings;
 import io.troupe.services.broker.MissingServiceException;
 import io.troupe.services.broker.ServiceBroker;
 import io.troupe.services.bus.BusSettings;
+import io.troupe.services.bus.BusTopic;
 import io.troupe.services.bus.InProcessBus;
-import io.troupe.services.bus.Topic;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.DataConversion;
@@ -335,7 +335,7 @@ class ApplicationTest {
     }
 
     /** Subscribes to a topic and collects its values. */
-    private <T extends Record> List<T> listenTo(Topic<T> topic) {
+    private <T extends Record> List<T> listenTo(BusTopic<T> topic) {
         List<T> heard = new ArrayList<>();
         test.run(() -> bus.attach("listener").subscribe(topic, (value, from) -> heard.add(value)));
         return heard;

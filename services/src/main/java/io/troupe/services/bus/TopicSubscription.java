@@ -2,26 +2,26 @@ package io.troupe.services.bus;
 
 import java.util.List;
 
-/** One subscription. */
-final class Hearing<T extends Record> extends Inlet implements BusPort.Subscription {
-    final Topic<T> topic;
+/** A port's subscription to one topic, with the queue of its values. */
+final class TopicSubscription<T extends Record> extends InboundQueue implements BusPort.Subscription {
+    final BusTopic<T> topic;
     private final BusPort.Subscriber<? super T> subscriber;
     private long dropped; // guarded by this
 
-    Hearing(Port port, Topic<T> topic, BusPort.Subscriber<? super T> subscriber) {
+    TopicSubscription(Port port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
         super(port, port.address() + " hears " + topic.name());
         this.topic = topic;
         this.subscriber = subscriber;
     }
 
     @Override
-    void handle(Message message) {
+    void handle(BusMessage message) {
         try {
-            subscriber.hear(topic.type().cast(message.payload()), message.from());
+            subscriber.receive(topic.type().cast(message.payload()), message.from());
             node.counters.delivered.increment();
         } catch (Throwable thrown) {
             node.counters.failed.increment();
-            node.telling.lost(new Loss.SubscriberFailed(port.address(), message, thrown));
+            node.notifier.lost(new Loss.SubscriberFailed(port.address(), message, thrown));
         }
     }
 
@@ -36,20 +36,20 @@ final class Hearing<T extends Record> extends Inlet implements BusPort.Subscript
     }
 
     @Override
-    void overflow(Message message) {
+    void overflow(BusMessage message) {
         long soFar;
         synchronized (this) {
             soFar = ++dropped;
         }
         node.counters.dropped.increment();
-        node.telling.lost(new Loss.Dropped(port.address(), message, soFar));
+        node.notifier.lost(new Loss.Dropped(port.address(), message, soFar));
     }
 
     @Override
-    void leftOver(List<Message> rest, String why) {
+    void discard(List<BusMessage> rest, String why) {
         if (!rest.isEmpty()) {
             node.counters.discarded.add(rest.size());
-            node.telling.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
+            node.notifier.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
         }
     }
 

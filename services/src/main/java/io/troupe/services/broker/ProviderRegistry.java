@@ -17,17 +17,17 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** Who is registered, in order. On the broker's space. */
-final class Roster {
-    private static final int MOST_LISTED = 20; // in a message
+/** The registry: all providers in the order of registration. Used on the broker's space. */
+final class ProviderRegistry {
+    private static final int MOST_LISTED = 20; // in an error message
 
     private final List<Registration> all = new ArrayList<>();
-    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not yet stopped
-    private final Set<Address> reserved = new HashSet<>(); // by those that are being started in another's place
+    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
+    private final Set<Address> reserved = new HashSet<>(); // for replacements that are being started
 
-    void add(Registration it) {
-        checkFree(it.address, null);
-        all.add(it);
+    void add(Registration registration) {
+        checkFree(registration.address, null);
+        all.add(registration);
     }
 
     void checkFree(Address address, @Nullable Address butFor) {
@@ -40,46 +40,50 @@ final class Roster {
         }
     }
 
-    void reserve(Registration it) {
-        reserved.add(it.address);
+    void reserve(Registration registration) {
+        reserved.add(registration.address);
     }
 
     void free(Address address) {
         reserved.remove(address);
     }
 
-    /** Puts one in another's place, or at the end if that is gone. The other may run until it is {@link #forget}ten. */
-    void put(Registration it, Registration old) {
+    /**
+     * Puts a provider in the position of the old one, or at the end if that was removed. The old one may run until
+     * {@link #forget} is called.
+     */
+    void put(Registration registration, Registration old) {
         int place = all.indexOf(old);
         if (place >= 0) {
-            all.set(place, it);
+            all.set(place, registration);
             leaving.add(old);
         } else {
-            all.add(it);
+            all.add(registration);
         }
     }
 
-    /** It is withdrawn, and may run until it is {@link #forget}ten. */
-    void remove(Registration it) {
-        all.remove(it);
-        leaving.add(it);
+    /** Removes a withdrawn provider. It may run until {@link #forget} is called. */
+    void remove(Registration registration) {
+        all.remove(registration);
+        leaving.add(registration);
     }
 
-    void forget(Registration it) {
-        leaving.remove(it);
+    void forget(Registration registration) {
+        leaving.remove(registration);
     }
 
     /**
-     * Those that have lost their place and may still run, with its address or its provider: it is started after them.
+     * Withdrawn or replaced providers that may still run and have the same address or the same provider object. They
+     * must stop before the given one is started.
      */
-    List<Registration> predecessors(Registration it) {
+    List<Registration> predecessors(Registration registration) {
         return leaving.stream()
-                .filter(each -> each.address.equals(it.address) || each.provider == it.provider)
+                .filter(each -> each.address.equals(registration.address) || each.provider == registration.provider)
                 .toList();
     }
 
-    boolean has(Registration it) {
-        return all.contains(it);
+    boolean has(Registration registration) {
+        return all.contains(registration);
     }
 
     Optional<Registration> at(Address address) {
@@ -108,9 +112,9 @@ final class Roster {
     }
 
     /**
-     * What a need is told that nobody meets.
+     * The error for a need that no provider can meet.
      *
-     * @param tried why those that were tried do not run
+     * @param tried the providers that could not be started, with the reason
      */
     MissingServiceException missing(Need need, Map<Registration, Throwable> tried) {
         var text = new StringBuilder("\"" + need.by() + "\" needs " + what(need));
@@ -128,24 +132,24 @@ final class Roster {
             String why = listed(these, each -> each + " (" + reason(each, tried.get(each)) + ")");
             text.append(", which is offered, but runs nowhere: ").append(why).append("; registered: ");
         }
-        text.append(all.isEmpty() ? "nothing" : listed(all, Roster::show));
+        text.append(all.isEmpty() ? "nothing" : listed(all, ProviderRegistry::show));
         var missing = new MissingServiceException(need, Reasons.oneLine(text.toString()));
         tried.values().stream().limit(MOST_LISTED).forEach(missing::addSuppressed);
         return missing;
     }
 
-    /** The first of them, and how many more there are. */
+    /** The first of them, and the number of others. */
     private static String listed(List<Registration> some, Function<Registration, String> words) {
         String first = some.stream().limit(MOST_LISTED).map(words).collect(Collectors.joining(", "));
         return some.size() <= MOST_LISTED ? first : first + " and " + (some.size() - MOST_LISTED) + " more";
     }
 
-    private static String reason(Registration it, @Nullable Throwable tried) {
-        Throwable why = tried != null ? tried : it.why;
-        return why == null ? words(it.health) : Reasons.of(why);
+    private static String reason(Registration registration, @Nullable Throwable tried) {
+        Throwable why = tried != null ? tried : registration.why;
+        return why == null ? words(registration.health) : Reasons.of(why);
     }
 
-    /** What a need is told when nothing is started any more. */
+    /** The error for a need while the broker is shutting down. */
     static MissingServiceException closing(Need need) {
         return new MissingServiceException(
                 need,
@@ -176,9 +180,10 @@ final class Roster {
                                 .toList());
     }
 
-    private static String show(Registration it) {
-        String capabilities = it.capabilities.isEmpty() ? "" : String.join(", ", it.capabilities) + "; ";
-        return it.service + " (" + capabilities + words(it.health) + ")";
+    private static String show(Registration registration) {
+        String capabilities =
+                registration.capabilities.isEmpty() ? "" : String.join(", ", registration.capabilities) + "; ";
+        return registration.service + " (" + capabilities + words(registration.health) + ")";
     }
 
     private static String words(Health health) {

@@ -2,6 +2,7 @@ package io.troupe.services.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Topic;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayDeque;
 import java.util.List;
@@ -9,59 +10,62 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages that wait before one subscriber or one answerer, and their way to its space.
+ * The queue of messages to one subscriber or one request handler, and their delivery on its space.
  *
- * <p><b>Threads.</b> Any thread offers and ends; {@link #handle} runs on the space, on behalf of the actor, that made
- * the inlet. <b>Order.</b> First in, first out.
+ * <p><b>Threads.</b> Any thread calls {@link #offer} and {@link #end}; {@link #handle} runs on the space, and on behalf
+ * of the actor, that created the queue. <b>Order.</b> First in, first out.
  */
-abstract class Inlet {
-    private static final int BATCH = 8; // so few that a space's other callbacks, and its mails, have their turns
+abstract class InboundQueue {
+    private static final int BATCH = 8; // small, to limit the delay of the space's other callbacks and messages
 
     final BusNode node;
     final Port port;
     private final int capacity;
     private final ActorSpace space;
-    private final io.troupe.actor.Topic<Inlet> door; // brings a signal to the space; tells when the actor is gone
-    private final ArrayDeque<Message> waiting = new ArrayDeque<>(); // guarded by this
-    private boolean signalled; // guarded by this: the space is going to look
-    private volatile @Nullable String ended; // written under this: why
+    private final Topic<InboundQueue> wakeUps; // wakes the space; shows whether the actor still exists
+    private final ArrayDeque<BusMessage> waiting = new ArrayDeque<>(); // guarded by this
+    private boolean signalled; // guarded by this: a drain is scheduled on the space
+    private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
 
-    Inlet(Port port, String name) {
+    InboundQueue(Port port, String name) {
         this.port = port;
         this.node = port.node;
         this.capacity = node.settings.capacity();
         ActorSpace here = ActorSpace.current();
         this.space = here == null ? node.settings.space() : here;
-        this.door = io.troupe.actor.Topic.of(space, name);
+        this.wakeUps = Topic.of(space, name);
     }
 
-    /** Begins to hear; not in the constructor, because other threads learn of this inlet here. */
+    /** Starts delivery. Not in the constructor, because this publishes the queue to other threads. */
     final void open() {
-        door.subscribe(new Signal());
+        wakeUps.subscribe(new Signal());
         Promise<@Nullable Void> closed = space.whenClosed();
         watch = closed;
         closed.toCompletableFuture().thenRun(() -> end("space " + space + " was closed"));
     }
 
-    /** Deals with one message, on the space. */
-    abstract void handle(Message message);
+    /** Handles one message, on the space. */
+    abstract void handle(BusMessage message);
 
-    /** There are as many as may wait: says which of both goes, and deals with that one outside the lock. */
+    /**
+     * Overflow policy: true to drop the oldest message, false to reject the newest. {@link #overflow} handles that
+     * message, outside the lock.
+     */
     abstract boolean dropsOldest();
 
-    abstract void overflow(Message message);
+    abstract void overflow(BusMessage message);
 
-    /** It has ended with these waiting; called once. */
-    abstract void leftOver(List<Message> rest, String why);
+    /** Called once, with the messages still queued at the end. */
+    abstract void discard(List<BusMessage> rest, String why);
 
     /**
      * Queues a message.
      *
-     * @return null, or why it will not be heard here
+     * @return null, or the reason why this queue has ended
      */
-    final @Nullable String offer(Message message) {
-        Message tooMany = null;
+    final @Nullable String offer(BusMessage message) {
+        BusMessage tooMany = null;
         boolean signal;
         synchronized (this) {
             if (ended != null) {
@@ -77,10 +81,10 @@ abstract class Inlet {
             signal = !signalled;
             signalled = true;
         }
-        if (signal) { // first: what follows may throw
+        if (signal) { // before overflow(), which may throw
             signal();
         } else {
-            isOver(); // the actor may have stopped with the signal on its way, and would never look
+            hasEnded(); // the actor may have stopped before the scheduled drain, which then never runs
         }
         if (tooMany != null) {
             overflow(tooMany);
@@ -88,18 +92,18 @@ abstract class Inlet {
         return null;
     }
 
-    /** A message is in the queue; under the lock. */
+    /** Called under the lock when a message has been queued. */
     void accepted() {}
 
     private void signal() {
-        if (door.publish(this) == 0) {
+        if (wakeUps.publish(this) == 0) {
             end("the actor that listened has stopped");
         }
     }
 
     private void drain() {
         for (int count = 0; count < BATCH; count++) {
-            Message next;
+            BusMessage next;
             synchronized (this) {
                 next = waiting.poll();
                 if (next == null) {
@@ -112,8 +116,8 @@ abstract class Inlet {
         signal();
     }
 
-    /** What it throws is reported by the space, and the others have their turn. */
-    private void handleOne(Message next) {
+    /** If it throws, the space reports the exception, and the remaining messages are still delivered. */
+    private void handleOne(BusMessage next) {
         boolean returned = false;
         try {
             handle(next);
@@ -125,9 +129,9 @@ abstract class Inlet {
         }
     }
 
-    /** Whether nothing will be heard here any more. */
-    final boolean isOver() {
-        if (ended == null && door.subscribers() == 0) {
+    /** Returns whether delivery has ended, also because the actor has stopped. */
+    final boolean hasEnded() {
+        if (ended == null && wakeUps.subscribers() == 0) {
             end("the actor that listened has stopped");
         }
         return ended != null;
@@ -137,9 +141,9 @@ abstract class Inlet {
         return ended;
     }
 
-    /** Ends it; what waits is lost. */
+    /** Ends delivery; the messages still queued are passed to {@link #discard}. */
     final void end(String why) {
-        List<Message> rest;
+        List<BusMessage> rest;
         synchronized (this) {
             if (ended != null) {
                 return;
@@ -153,13 +157,13 @@ abstract class Inlet {
             watching.cancel();
         }
         port.forget(this);
-        leftOver(rest, why);
+        discard(rest, why);
     }
 
-    private final class Signal implements Callback<Inlet> {
+    private final class Signal implements Callback<InboundQueue> {
         @Override
-        public void accept(@Nullable Inlet inlet, @Nullable Throwable error) {
-            Objects.requireNonNull(inlet).drain();
+        public void accept(@Nullable InboundQueue queue, @Nullable Throwable error) {
+            Objects.requireNonNull(queue).drain();
         }
 
         @Override

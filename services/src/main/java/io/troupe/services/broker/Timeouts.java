@@ -9,16 +9,16 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Asks providers, and does not wait for ever. On the broker's space. */
-final class Limits {
-    /** The broker's timers. */
+/** Calls providers with a time limit. Runs on the broker's space. */
+final class Timeouts {
+    /** The timers of the broker's actor. */
     interface Timers {
         Timer after(Duration delay, Runnable task);
     }
 
     private final Timers timers;
 
-    Limits(Timers timers) {
+    Timeouts(Timers timers) {
         this.timers = timers;
     }
 
@@ -27,18 +27,19 @@ final class Limits {
     }
 
     /**
-     * Asks.
+     * Calls a provider.
      *
-     * @param late hears of an answer, or an error, that came after the limit
-     * @return settled as the answer is; rejected with an overdue {@link ProviderException} when the limit is over first
+     * @param late receives an answer (null) or an error that came after the limit
+     * @return settled like the provider's answer; rejected with an overdue {@link ProviderException} if the limit is
+     *     over first
      */
-    Promise<@Nullable Void> ask(
-            Supplier<? extends @Nullable Promise<?>> question,
+    Promise<@Nullable Void> call(
+            Supplier<? extends @Nullable Promise<?>> call,
             Duration limit,
             String overdue,
             Consumer<@Nullable Throwable> late) {
         var outcome = new Deferred<@Nullable Void>();
-        Promise<?> answer = answerOf(question);
+        Promise<?> answer = answerOf(call);
         Timer timer = timers.after(
                 limit, () -> outcome.reject(ProviderException.overdue(overdue + " within " + limit, null)));
         answer.handle((value, error) -> {
@@ -51,10 +52,10 @@ final class Limits {
         return outcome;
     }
 
-    private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> question) {
+    private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> call) {
         try {
-            return Objects.requireNonNull(question.get(), "it answered null, expected a promise");
-        } catch (Throwable thrown) { // a provider's code, whose failure is its answer
+            return Objects.requireNonNull(call.get(), "it answered null, expected a promise");
+        } catch (Throwable thrown) { // an exception from a provider counts as its answer
             return Promise.failed(thrown);
         }
     }

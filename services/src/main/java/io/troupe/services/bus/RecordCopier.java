@@ -18,46 +18,50 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Takes out of a value what its sender could still change: its lists and maps. Refuses what cannot leave a process
- * although its type can: null in a list or a map, and what is nested too deep.
+ * Copies a record so that its sender can no longer change it: lists and maps are replaced by immutable copies. Rejects
+ * values that cannot leave the process although their type can: null in a list or a map, or too many levels of nesting.
  *
- * <p><b>Cost.</b> Nothing for a record that has no lists, maps or records of its own type, at any depth; else
- * reflection on those that have.
+ * <p><b>Cost.</b> None for a record type that contains, at any depth, no list, no map and no nested record of the same
+ * type. Otherwise reflection on the records that contain them.
  */
-final class Detacher {
-    /** How a record is taken apart and put together; null for one that needs neither. */
+final class RecordCopier {
+    /** Accessors and constructor of a record type that has to be copied. */
     private record Plan(List<Method> accessors, Constructor<?> constructor) {}
 
     private final Map<Class<?>, Optional<Plan>> plans = new ConcurrentHashMap<>();
 
-    /** @throws IllegalArgumentException if it cannot leave the process; the text names its type and says why */
-    <T extends Record> T detached(T value) {
+    /**
+     * Returns the value itself if it needs no copy.
+     *
+     * @throws IllegalArgumentException if it cannot leave the process; the message names its type and the reason
+     */
+    <T extends Record> T copy(T value) {
         if (planOf(value.getClass()) == null) {
             return value;
         }
-        @SuppressWarnings("unchecked") // made by the value's own constructor
-        T copy = (T) new Walk(value.getClass()).copyOfRecord(value, 1);
+        @SuppressWarnings("unchecked") // the constructor of the value's class made it
+        T copy = (T) new Copying(value.getClass()).copyOfRecord(value, 1);
         return copy;
     }
 
     private @Nullable Plan planOf(Class<?> type) {
         var known = plans.get(type);
         if (known == null) {
-            known = mustBeWalked(type, new HashSet<>()) ? Optional.of(plan(type)) : Optional.empty();
+            known = mayNeedCopy(type, new HashSet<>()) ? Optional.of(plan(type)) : Optional.empty();
             plans.put(type, known);
         }
         return known.orElse(null);
     }
 
-    /** Through one value. */
-    private final class Walk {
+    /** The copying of one value. */
+    private final class Copying {
         private final Class<?> root;
 
-        Walk(Class<?> root) {
+        Copying(Class<?> root) {
             this.root = root;
         }
 
-        /** @param level how many values it is inside of, itself included */
+        /** @param level the nesting depth of the value; the root has level 1 */
         Object copyOfRecord(Record value, int level) {
             Plan plan = planOf(value.getClass());
             if (plan == null) {
@@ -91,8 +95,8 @@ final class Detacher {
         }
 
         private int checked(int level) {
-            if (level > Portable.MOST_LEVELS) {
-                throw refusal("it is nested deeper than " + Portable.MOST_LEVELS + " levels");
+            if (level > Portable.MAX_LEVELS) {
+                throw rejection("it is nested deeper than " + Portable.MAX_LEVELS + " levels");
             }
             return level;
         }
@@ -101,13 +105,13 @@ final class Detacher {
             return optional.map(value -> copyOf(value, level + 1));
         }
 
-        /** An immutable list of the platform is its own copy, if its elements are. */
+        /** An immutable list of the JDK is returned as it is if its elements need no copy. */
         private List<?> copyOfList(List<?> list, int level) {
             var copy = new ArrayList<Object>(list.size());
             boolean changed = false;
             for (Object each : list) {
                 if (each == null) {
-                    throw refusal("a list in it has null at " + copy.size());
+                    throw rejection("a list in it has null at " + copy.size());
                 }
                 Object part = copyOf(each, level + 1);
                 copy.add(part);
@@ -117,31 +121,35 @@ final class Detacher {
         }
 
         private Map<?, ?> copyOfMap(Map<?, ?> map, int level) {
-            var copy = new LinkedHashMap<Object, Object>(); // keeps the order
+            var copy = new LinkedHashMap<Object, Object>(); // keeps the iteration order
             for (Map.Entry<?, ?> entry : map.entrySet()) {
                 Object key = entry.getKey();
                 Object value = entry.getValue();
                 if (key == null) {
-                    throw refusal("a map in it has the key null");
+                    throw rejection("a map in it has the key null");
                 }
                 if (value == null) {
-                    throw refusal("a map in it has null for \"" + key + "\"");
+                    throw rejection("a map in it has null for \"" + key + "\"");
                 }
                 copy.put(key, copyOf(value, level + 1));
             }
             return Collections.unmodifiableMap(copy);
         }
 
-        private IllegalArgumentException refusal(String why) {
+        private IllegalArgumentException rejection(String why) {
             return new IllegalArgumentException("a value of " + root.getName()
                     + " cannot leave the process: " + why
                     + ", expected values, and no null in lists and maps, in at most "
-                    + Portable.MOST_LEVELS + " levels of records, lists and maps");
+                    + Portable.MAX_LEVELS + " levels of records, lists and maps");
         }
     }
 
-    /** @param inside the types that this one is a part of */
-    private static boolean mustBeWalked(Type type, Set<Type> inside) {
+    /**
+     * Returns whether values of the type may need a copy.
+     *
+     * @param inside the types that contain this one
+     */
+    private static boolean mayNeedCopy(Type type, Set<Type> inside) {
         if (type instanceof ParameterizedType) {
             return true; // List, Map or Optional: see Portable
         }
@@ -149,12 +157,12 @@ final class Detacher {
             return false;
         }
         if (!inside.add(plain)) {
-            return true; // a value may be as deep as it likes
+            return true; // recursive type: a value may have any depth
         }
         boolean must = plain.isRecord()
                 ? Arrays.stream(plain.getRecordComponents())
-                        .anyMatch(each -> mustBeWalked(each.getGenericType(), inside))
-                : Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> mustBeWalked(each, inside));
+                        .anyMatch(each -> mayNeedCopy(each.getGenericType(), inside))
+                : Arrays.stream(plain.getPermittedSubclasses()).anyMatch(each -> mayNeedCopy(each, inside));
         inside.remove(plain);
         return must;
     }
@@ -164,7 +172,7 @@ final class Detacher {
         var accessors = new ArrayList<Method>();
         try {
             for (RecordComponent component : components) {
-                accessors.add(opened(component.getAccessor()));
+                accessors.add(accessible(component.getAccessor()));
             }
             var constructor = type.getDeclaredConstructor(
                     Arrays.stream(components).map(RecordComponent::getType).toArray(Class<?>[]::new));
@@ -175,8 +183,8 @@ final class Detacher {
         }
     }
 
-    private static Method opened(Method accessor) {
-        accessor.setAccessible(true); // a record's own class need not be public
+    private static Method accessible(Method accessor) {
+        accessor.setAccessible(true); // the class of the record need not be public
         return accessor;
     }
 }

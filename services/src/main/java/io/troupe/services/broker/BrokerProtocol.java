@@ -6,9 +6,9 @@ import io.troupe.services.bus.Address;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** The broker as an actor; see {@link Broker}. */
-interface Registry {
-    Promise<ServiceRecord> register(Registration it);
+/** The broker's actor interface; see {@link Broker}. */
+interface BrokerProtocol {
+    Promise<ServiceRecord> register(Registration registration);
 
     Promise<@Nullable Void> withdraw(Address provider);
 
@@ -20,8 +20,9 @@ interface Registry {
 
     Promise<ServiceRecord> require(Need need);
 
-    /** @param line leads to the user's space, and is cancelled when the user has stopped */
-    Promise<ServiceRecord> connect(Need need, Broker.Connection connection, Callback<Users.Told> line);
+    /** @param callback runs the listener on the client's space; cancelled when the client's actor has stopped */
+    Promise<ServiceRecord> connect(
+            Need need, Broker.Connection connection, Callback<ConnectedClients.Notification> callback);
 
     Promise<@Nullable Void> disconnect(Broker.Connection connection);
 

@@ -2,18 +2,18 @@ package io.troupe.services.broker;
 
 import io.troupe.actor.ActorSpace;
 
-/** Tells the observer, whose failures are none of the broker's. */
-final class Events {
+/** Notifies the observer; its exceptions never reach the broker. */
+final class EventPublisher {
     private final BrokerObserver observer;
     private final ActorSpace space;
 
-    /** @param space where it is reported what the observer throws */
-    Events(BrokerObserver observer, ActorSpace space) {
+    /** @param space reports the observer's exceptions */
+    EventPublisher(BrokerObserver observer, ActorSpace space) {
         this.observer = observer;
         this.space = space;
     }
 
-    void tell(BrokerEvent event) {
+    void publish(BrokerEvent event) {
         try {
             observer.on(event);
         } catch (RuntimeException | Error thrown) {

@@ -10,28 +10,31 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
-/** The actor behind a connection. */
-interface Caller {
+/** The actor of a connection: queues calls and sends them to the current provider. */
+interface CallDispatcher {
     void tell(Call call);
 
     Promise<@Nullable Object> ask(Call call);
 
-    /** The caller does not wait for the answer to that call any more. */
-    Promise<@Nullable Void> giveUp(Call call);
+    /** The caller no longer waits for the answer to that call. */
+    Promise<@Nullable Void> cancel(Call call);
 
     /**
-     * Takes a callback that the next call passes on: as an argument of this message it has got its way back to its
-     * reader.
+     * Takes over a callback that the next call passes on. As an argument of this message, the callback is bound to the
+     * caller's space.
      */
-    void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into);
+    void bind(@Nullable Callback<@Nullable Object> callback, BoundCallback into);
 
-    /** Stands for a callback among the arguments of a call, until the caller's actor has taken it. */
-    final class Adopted {
+    /**
+     * Placeholder for a callback among the arguments of a call, until the connection's actor has taken over the
+     * callback.
+     */
+    final class BoundCallback {
         @Nullable
-        Callback<@Nullable Object> callback; // set and read on the connection's space only
+        Callback<@Nullable Object> callback; // accessed on the connection's space only
     }
 
-    /** A method, and its arguments with {@link Adopted} in the place of callbacks. Equal to nothing but itself. */
+    /** A method and its arguments, with {@link BoundCallback} in place of callbacks. Compared by identity. */
     final class Call {
         final Method method;
         private final List<@Nullable Object> arguments;
@@ -46,7 +49,7 @@ interface Caller {
         @Nullable
         Object[] toInvoke() {
             return arguments.stream()
-                    .map(each -> each instanceof Adopted adopted ? adopted.callback : each)
+                    .map(each -> each instanceof BoundCallback bound ? bound.callback : each)
                     .toArray();
         }
 
@@ -54,8 +57,8 @@ interface Caller {
             return answer == null;
         }
 
-        /** Whether it was cancelled, or nobody waits for its answer any more. */
-        boolean wasGivenUp() {
+        /** Returns whether the call was cancelled, or its answer has no listener any more. */
+        boolean isCancelled() {
             return answer != null && answer.isAbandoned();
         }
 
@@ -66,15 +69,15 @@ interface Caller {
     }
 
     /**
-     * What a caller is given at once: settled as the connection answers. When the caller cancels it, or sets it a time
-     * limit that passes while nobody else waits, the connection learns of that.
+     * The promise that a caller gets at once; settled by the connection's answer. If the caller cancels it, or if its
+     * time limit passes and it has no other listener, the connection is notified.
      */
     final class Answer extends Promise<@Nullable Object> {
         private final ActorSpace home;
         private final Method method;
         private final boolean madeOutside;
         private @Nullable Promise<@Nullable Object> asked;
-        private Runnable giveUp = () -> {};
+        private Runnable onCancel = () -> {};
 
         private Answer(ActorSpace home, Method method) {
             this.home = home;
@@ -82,14 +85,14 @@ interface Caller {
             this.madeOutside = ActorSpace.current() != home;
         }
 
-        /** Asks the connection. */
+        /** Sends the request to the connection. */
         static Promise<@Nullable Object> ask(
-                Caller caller, ActorSpace home, Method method, List<@Nullable Object> arguments) {
+                CallDispatcher dispatcher, ActorSpace home, Method method, List<@Nullable Object> arguments) {
             var answer = new Answer(home, method);
             var call = new Call(method, arguments, answer);
-            Promise<@Nullable Object> asked = caller.ask(call);
+            Promise<@Nullable Object> asked = dispatcher.ask(call);
             answer.asked = asked;
-            answer.giveUp = () -> caller.giveUp(call).exceptionally(closed -> null);
+            answer.onCancel = () -> dispatcher.cancel(call).exceptionally(closed -> null);
             answer.follow(asked);
             return answer;
         }
@@ -103,7 +106,7 @@ interface Caller {
             if (asked != null) {
                 asked.cancel(); // skipped if it has not begun
             }
-            giveUp.run();
+            onCancel.run();
         }
 
         @Override

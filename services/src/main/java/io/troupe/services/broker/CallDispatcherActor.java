@@ -5,6 +5,7 @@ import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Timer;
 import java.lang.reflect.InvocationTargetException;
 import java.time.Duration;
 import java.util.HashMap;
@@ -15,23 +16,25 @@ import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
-/** Sends calls to whoever provides the service now, and keeps those that wait and those that have no answer yet. */
-final class CallerActor extends Actor implements Caller, Broker.Connection {
+/**
+ * Sends calls to the current provider. Keeps the calls that are queued for a provider, and those without an answer yet.
+ */
+final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.Connection {
     private final ActorServices services;
     private final Class<?> type;
     private final Need need;
     private final ConnectionSettings settings;
     private final Deferred<ServiceRecord> first;
-    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order in which they came
+    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
     private final Map<Call, PendingCall> underWay = new LinkedHashMap<>();
     private ActorProvider.@Nullable Running current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
-    private @Nullable Events events;
-    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches =
-            new HashMap<>(); // of those that have not ended
+    private @Nullable EventPublisher events;
+    // of instances that have not ended
+    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches = new HashMap<>();
 
-    CallerActor(
+    CallDispatcherActor(
             ActorServices services,
             Class<?> type,
             Need need,
@@ -46,7 +49,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     @Override
     protected void started() {
-        events = new Events(services.observer(), space());
+        events = new EventPublisher(services.observer(), space());
         services.broker().connect(need, this).handle((provider, error) -> {
             if (error != null) {
                 noProvider = Reasons.of(error);
@@ -56,7 +59,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         });
     }
 
-    // ---- whom to call
+    // ---- the current provider
 
     @Override
     public void use(ServiceRecord provider) {
@@ -67,9 +70,10 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
             noProvider = provider.provider() + " has ended, or is not an actor that was published in this process";
         } else if (!type.isInstance(next.proxy())) {
             current = null;
-            mismatch = new IllegalArgumentException("\"" + need.by() + "\" calls " + Roster.what(need) + " as "
-                    + type.getName() + ", and its provider " + provider.provider() + " is a "
-                    + interfacesOf(next.proxy()));
+            mismatch =
+                    new IllegalArgumentException("\"" + need.by() + "\" calls " + ProviderRegistry.what(need) + " as "
+                            + type.getName() + ", and its provider " + provider.provider() + " is a "
+                            + interfacesOf(next.proxy()));
             refuseAllWaiting(mismatch);
         } else {
             watch(next);
@@ -133,16 +137,16 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     @Override
-    public void adopt(@Nullable Callback<@Nullable Object> callback, Adopted into) {
+    public void bind(@Nullable Callback<@Nullable Object> callback, BoundCallback into) {
         into.callback = callback;
     }
 
     @Override
-    public Promise<@Nullable Void> giveUp(Call call) {
+    public Promise<@Nullable Void> cancel(Call call) {
         PendingCall waited = waiting.remove(call);
-        PendingCall givenUp = waited == null ? underWay.remove(call) : waited;
-        if (givenUp != null) {
-            givenUp.giveUp();
+        PendingCall cancelled = waited == null ? underWay.remove(call) : waited;
+        if (cancelled != null) {
+            cancelled.cancel();
         }
         return Promise.done();
     }
@@ -164,7 +168,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         }
     }
 
-    /** It may have ended a moment ago, which this actor has not heard yet. */
+    /** Returns whether the provider can be called. Its end may already be known before this actor is notified. */
     private boolean canSend() {
         return current != null && !current.hasEnded();
     }
@@ -178,7 +182,7 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
     }
 
     private void send(PendingCall call) {
-        if (call.call.wasGivenUp()) {
+        if (call.call.isCancelled()) {
             call.reject(new CancellationException(call + " was given up by its caller before it was sent"));
             return;
         }
@@ -208,8 +212,8 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
         if (underWay.remove(call.call) == null) {
-            if (!(error instanceof ActorStoppedException) && !call.wasGivenUp()) { // which are no answers
-                events().tell(new BrokerEvent.Late(call.receiver(), call.toString(), error));
+            if (!(error instanceof ActorStoppedException) && !call.isCancelled()) { // neither is an answer
+                events().publish(new BrokerEvent.Late(call.receiver(), call.toString(), error));
             }
         } else if (error == null) {
             call.resolve(value);
@@ -231,7 +235,9 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
 
     private ServiceCallException notSent(PendingCall call, String what) {
         return new ServiceCallException(
-                call + " of \"" + need.by() + "\", which needs " + Roster.what(need) + ", " + what, false, null);
+                call + " of \"" + need.by() + "\", which needs " + ProviderRegistry.what(need) + ", " + what,
+                false,
+                null);
     }
 
     private void refuseAllWaiting(Throwable why) {
@@ -240,14 +246,14 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
         }
     }
 
-    /** Nobody has got it. */
+    /** Rejects a call that was not sent to any provider. */
     private void refuse(PendingCall call, Throwable why) {
         if (!call.reject(why)) {
-            events().tell(new BrokerEvent.Undelivered(need, call.toString(), why));
+            events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
         }
     }
 
-    private Events events() {
+    private EventPublisher events() {
         return Objects.requireNonNull(events);
     }
 
@@ -267,5 +273,75 @@ final class CallerActor extends Actor implements Caller, Broker.Connection {
                     null));
         }
         services.broker().disconnect(this);
+    }
+
+    /** A call that is queued or waits for its answer. Used on the connection's space. */
+    private static final class PendingCall {
+        final CallDispatcher.Call call;
+        private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
+        ActorProvider.@Nullable Running sentTo;
+
+        @Nullable
+        Promise<?> sent; // the provider's promise
+
+        private boolean cancelled;
+
+        @Nullable
+        Timer limit;
+
+        PendingCall(CallDispatcher.Call call, @Nullable Deferred<@Nullable Object> answer) {
+            this.call = call;
+            this.answer = answer;
+        }
+
+        void resolve(@Nullable Object value) {
+            cancelLimit();
+            if (answer != null) {
+                answer.resolve(value);
+            }
+        }
+
+        /** Rejects the call. Returns false for a one-way call, whose error has to be reported in another way. */
+        boolean reject(Throwable error) {
+            cancelLimit();
+            if (answer == null) {
+                return false;
+            }
+            answer.reject(error);
+            return true;
+        }
+
+        /** Cancels the call: a provider that has not begun it does not execute it. */
+        void cancel() {
+            cancelled = true;
+            cancelLimit();
+            if (sent != null) {
+                sent.cancel();
+            }
+        }
+
+        boolean isCancelled() {
+            return cancelled;
+        }
+
+        void cancelLimit() {
+            if (limit != null) {
+                limit.cancel();
+                limit = null;
+            }
+        }
+
+        String receiver() {
+            return sentTo == null ? "nobody" : sentTo.address().toString();
+        }
+
+        boolean receiverHasEnded() {
+            return sentTo != null && sentTo.hasEnded();
+        }
+
+        @Override
+        public String toString() {
+            return call.toString();
+        }
     }
 }

@@ -15,23 +15,23 @@ import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Stands for a provider: hands every call to the connection's actor. On the caller's thread. */
-final class Relay implements InvocationHandler {
+/** The proxy for a provider: sends every call to the connection's actor. Runs on the caller's thread. */
+final class ServiceProxy implements InvocationHandler {
     private final Class<?> type;
     private final Need need;
     private final ActorSpace space;
-    private final Caller caller;
+    private final CallDispatcher dispatcher;
 
-    private Relay(Class<?> type, Need need, ActorSpace space, Caller caller) {
+    private ServiceProxy(Class<?> type, Need need, ActorSpace space, CallDispatcher dispatcher) {
         this.type = type;
         this.space = space;
         this.need = need;
-        this.caller = caller;
+        this.dispatcher = dispatcher;
     }
 
-    static <A> A of(Class<A> type, Need need, ActorSpace space, Caller caller) {
+    static <A> A of(Class<A> type, Need need, ActorSpace space, CallDispatcher dispatcher) {
         return type.cast(Proxy.newProxyInstance(
-                type.getClassLoader(), new Class<?>[] {type}, new Relay(type, need, space, caller)));
+                type.getClassLoader(), new Class<?>[] {type}, new ServiceProxy(type, need, space, dispatcher)));
     }
 
     static void check(Class<?> type) {
@@ -70,11 +70,11 @@ final class Relay implements InvocationHandler {
             return inherited(method).bindTo(self).invokeWithArguments(arguments);
         }
         method.setAccessible(true); // the interface need not be public
-        var taken = adopted(method, arguments);
+        var taken = boundArguments(method, arguments);
         if (method.getReturnType() == Promise.class) {
-            return Caller.Answer.ask(caller, space, method, taken);
+            return CallDispatcher.Answer.ask(dispatcher, space, method, taken);
         }
-        caller.tell(new Caller.Call(method, taken, null));
+        dispatcher.tell(new CallDispatcher.Call(method, taken, null));
         return null;
     }
 
@@ -83,14 +83,14 @@ final class Relay implements InvocationHandler {
         return MethodHandles.privateLookupIn(owner, MethodHandles.lookup()).unreflectSpecial(method, owner);
     }
 
-    @SuppressWarnings("unchecked") // what it is sent is what its method declares
-    private List<@Nullable Object> adopted(Method method, @Nullable Object[] arguments) {
+    @SuppressWarnings("unchecked") // the method declares the type of its callback
+    private List<@Nullable Object> boundArguments(Method method, @Nullable Object[] arguments) {
         List<@Nullable Object> all = new ArrayList<>(arguments.length);
         for (int i = 0; i < arguments.length; i++) {
             Object argument = arguments[i];
             if (method.getParameterTypes()[i] == Callback.class && argument instanceof Callback<?> callback) {
-                var place = new Caller.Adopted();
-                caller.adopt((Callback<@Nullable Object>) callback, place);
+                var place = new CallDispatcher.BoundCallback();
+                dispatcher.bind((Callback<@Nullable Object>) callback, place);
                 argument = place;
             }
             all.add(argument);

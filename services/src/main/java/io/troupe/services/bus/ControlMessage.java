@@ -1,4 +1,0 @@
-package io.troupe.services.bus;
-
-/** Manages a service: invokes it, terminates it, asks for its health. */
-public record ControlMessage(Address from, Purpose purpose, long sequence, Record payload) implements Message {}
