@@ -5,7 +5,7 @@ import java.util.Objects;
 import java.util.RandomAccess;
 import java.util.function.IntFunction;
 
-/** A list of what is made each time it is asked for; it cannot be changed. */
+/** An unmodifiable list that computes each element on every access. */
 final class OnDemand<T> extends AbstractList<T> implements RandomAccess {
     private final int size;
     private final IntFunction<T> make;

@@ -2,7 +2,7 @@ package io.troupe.petri.drawing;
 
 import io.troupe.petri.ReachabilityGraph.State;
 
-/** Writes one reachability graph for Graphviz: the markings are s0, s1, .. in the order of the graph. */
+/** Writes one reachability graph as DOT: the markings are s0, s1, .. in the order of the graph. */
 final class GraphDot {
     private final GraphContent content;
     private final StringBuilder dot = new StringBuilder();

@@ -6,10 +6,11 @@ import java.util.List;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
 /**
- * Writes a reachability graph too large for names as dots in rows, one row for each distance from the initial marking.
+ * Writes a reachability graph that is too large for labels as dots in rows, one row for each distance from the initial
+ * marking.
  *
- * <p>Only the edges to the next row take part in the layout: the others, bent and in another colour, would pull it
- * apart.
+ * <p>Only the edges to the next row take part in the layout. The others, which are bent and in another colour, would
+ * distort it.
  */
 final class GraphMapSvg {
     private static final double FONT_PX = 12;
@@ -52,7 +53,10 @@ final class GraphMapSvg {
         svg = new Svg(size, content.graph.toString(), FONT_PX);
     }
 
-    /** The graph is in breadth-first order, so the first edge into a marking comes from the row above. */
+    /**
+     * The distance of each marking. The graph is in breadth-first order, so the first edge into a marking comes from
+     * the row above.
+     */
     private int[] distances() {
         var found = new int[content.states.size()];
         for (var edge : content.edges) {
@@ -75,7 +79,7 @@ final class GraphMapSvg {
     }
 
     String write() {
-        // back first, path last: what matters more lies on top
+        // backward edges first and the path last, which then lies on top
         content.edges.stream().filter(edge -> !isForward(edge)).forEach(edge -> edge(edge, Colours.BACK));
         content.edges.stream()
                 .filter(edge -> isForward(edge) && !edge.onPath())
@@ -109,8 +113,8 @@ final class GraphMapSvg {
     }
 
     /**
-     * A curve that leaves the straight way by a tenth, so that edges there and back stay apart; a loop from a marking
-     * to itself.
+     * A curve that deviates from the straight line by a tenth, so that edges in both directions stay apart; a loop for
+     * an edge from a marking to itself.
      */
     private Svg.Curve bent(GraphContent.Edge edge) {
         var from = centres[edge.from()];
@@ -129,7 +133,7 @@ final class GraphMapSvg {
         return new Svg.Curve(towards(from, bend), bend, bend, towards(to, bend));
     }
 
-    /** Where the way from the centre of a dot to another point leaves the dot. */
+    /** The point where the line from the centre of a dot to another point leaves the dot. */
     private static Point towards(Point centre, Point other) {
         var dx = other.x() - centre.x();
         var dy = other.y() - centre.y();

@@ -4,7 +4,7 @@ import io.troupe.petri.ReachabilityGraph.State;
 import java.util.List;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
-/** Lays out and writes a reachability graph that is small enough to name all markings and edges. */
+/** Lays out and writes a reachability graph that is small enough to label all markings and edges. */
 final class GraphSvg {
     private static final double FONT_PX = 12;
     private static final double EDGE_FONT_PX = 11;

@@ -20,7 +20,7 @@ import org.eclipse.elk.graph.util.ElkGraphUtil;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where everything of a {@link Sketch} goes, by the layered algorithm of the Eclipse Layout Kernel.
+ * Positions everything in a {@link Sketch} by the layered algorithm of the Eclipse Layout Kernel.
  *
  * <p><b>Order.</b> The same sketch gets the same layout: the algorithm's random numbers have a fixed seed.
  */
@@ -29,11 +29,12 @@ final class Layout {
     private static final double ASPECT_RATIO = 1.6;
 
     /**
-     * Among many long arcs the best placement takes a minute for 250 nodes; a good one, Brandes and Köpf's, does not.
+     * The most nodes for the best node placement, which takes a minute for 250 nodes with many long arcs; larger graphs
+     * use that of Brandes and Köpf, which is good and fast.
      */
     private static final int MOST_EXACT_NODES = 90;
 
-    /** What a label says does not matter here, but ELK passes over empty ones. */
+    /** Any text: it has no effect here, but ELK ignores empty labels. */
     private static final String TEXT = "label";
 
     private final Size size;
@@ -46,7 +47,7 @@ final class Layout {
     }
 
     static Layout of(Sketch sketch) {
-        // ELK's options can be read only after its registry has found them; it finds them once
+        // makes ELK's registry find its options, which is needed once before they are read
         LayoutMetaDataService.getInstance(Layout.class.getClassLoader());
         var graph = ElkGraphUtil.createGraph();
         configure(graph, sketch.style, sketch.nodes.size());
@@ -120,22 +121,22 @@ final class Layout {
                                 edge.getLabels().get(0).getY()));
     }
 
-    /** Of the whole drawing, with a margin. */
+    /** The size of the whole drawing, with a margin. */
     Size size() {
         return size;
     }
 
-    /** The upper left corner. */
+    /** The upper left corner of a node. */
     Point node(int number) {
         return nodes.get(number);
     }
 
-    /** From the border of the one node's rectangle to that of the other. */
+    /** The points of an edge, from the border of one node's rectangle to that of the other. */
     List<Point> route(int edge) {
         return routes.get(edge);
     }
 
-    /** The upper left corner of the edge's label, if it has one. */
+    /** The upper left corner of an edge's label, if it has one. */
     @Nullable
     Point label(int edge) {
         return labels.get(edge);

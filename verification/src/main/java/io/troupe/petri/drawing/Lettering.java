@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How much room text needs. The reader's fonts are not known here, so the estimate is that of a wide sans-serif: text
- * may be narrower, and hardly ever wider.
+ * Estimates the size of text. The viewer's fonts are unknown, so the estimate is that of a wide sans-serif font: text
+ * may be narrower, but is hardly ever wider.
  */
 final class Lettering {
     /** The fonts that the drawings ask for. */
@@ -29,7 +29,7 @@ final class Lettering {
         return text.codePoints().mapToDouble(Lettering::ems).sum() * fontPx;
     }
 
-    /** Puts words on as few lines of {@code widthPx} as they fit; a longer word gets a line of its own. */
+    /** Breaks words into as few lines of {@code widthPx} as possible; a longer word gets a separate line. */
     static List<String> wrapped(List<String> words, double fontPx, double widthPx) {
         var lines = new ArrayList<String>();
         for (var word : words) {

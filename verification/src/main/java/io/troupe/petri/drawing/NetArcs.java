@@ -8,7 +8,7 @@ import java.util.Set;
 
 /** Writes the arcs of a net. */
 final class NetArcs {
-    /** An arc as it is drawn. */
+    /** An arc to draw. */
     record Drawn(Transition transition, Place place, boolean input, int weight) {
         String from() {
             return input ? place.name() : transition.name();
@@ -29,7 +29,7 @@ final class NetArcs {
         this.highlighted = highlighted;
     }
 
-    /** In the order of the edges of the layout. */
+    /** Writes the arcs, which are in the order of the layout's edges. */
     void write(List<Drawn> arcs) {
         // coloured arcs last, so that they lie on top
         for (var coloured : List.of(false, true)) {
@@ -67,10 +67,7 @@ final class NetArcs {
                 coloured ? Colours.PATH : Colours.LINE);
     }
 
-    /**
-     * The layout ends an arc at the square around the circle: it goes on, in the direction it has, until it meets the
-     * circle.
-     */
+    /** Extends the end of an arc to the circle: the layout ends it at the square around the circle. */
     private static Point ontoCircle(Point end, Point before, Point centre) {
         if (before.y() == end.y()) {
             var dy = end.y() - centre.y();

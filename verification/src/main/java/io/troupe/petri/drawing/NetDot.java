@@ -6,7 +6,7 @@ import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
 import java.util.Set;
 
-/** Writes one net for Graphviz: places are p0, p1, .., transitions t0, t1, .. in the order of the net. */
+/** Writes one net as DOT: places are p0, p1, .., transitions t0, t1, .. in the order of the net. */
 final class NetDot {
     private static final int MOST_DOTS = 4;
 

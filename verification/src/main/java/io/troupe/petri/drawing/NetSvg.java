@@ -23,7 +23,7 @@ final class NetSvg {
     private static final double LEGEND_PX = 30;
     private static final double SAMPLE_PX = 14;
     private static final int MOST_DOTS = 4;
-    /** Up to so many nodes, one long chain is the clearest. */
+    /** The most nodes of a net that is drawn as one long chain, which is the clearest layout for small nets. */
     private static final int FEW_NODES = 24;
     /** Width over height of a large net, unless it is drawn in rows. */
     private static final double MOST_SHAPE = 3;
@@ -62,7 +62,7 @@ final class NetSvg {
         svg = new Svg(size, net + " in " + marking, FONT_PX);
     }
 
-    /** A small net as one chain; a large one breadth first or, where that would be a long strip, in rows. */
+    /** Lays out a small net as one chain, and a large one breadth first or, if that is too long and flat, in rows. */
     private Layout layout() {
         if (net.places().size() + net.transitions().size() <= FEW_NODES) {
             return Layout.of(sketch(false, CycleBreakingStrategy.DEPTH_FIRST));
@@ -114,7 +114,7 @@ final class NetSvg {
         return svg.end();
     }
 
-    /** Below the net: a sample of each tint. */
+    /** Draws a sample of each fill below the net. */
     private void legend() {
         var middle = layout.size().height() + LEGEND_PX / 2 - MARGIN_PX / 2;
         for (var i = 0; i < components.size(); i++) {
@@ -151,7 +151,7 @@ final class NetSvg {
         return tints.getOrDefault(place, tokens > 0 ? Colours.MARKED_FILL : "white");
     }
 
-    /** The tint that all places around a transition have, or grey. */
+    /** The fill that all places around a transition share, or grey. */
     private String fill(Transition transition) {
         if (highlighted.contains(transition)) {
             return Colours.PATH_FILL;

@@ -8,7 +8,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 
-/* Every two components that call each other, by themselves. Of pairs whose nets are alike one is searched. */
+/**
+ * Checks every two components that call each other separately from the rest. Of several pairs with the same net only
+ * one is searched.
+ */
 final class PairCheck {
     private final Wiring wiring;
     private final SearchLimits limits;
@@ -33,7 +36,7 @@ final class PairCheck {
         return List.copyOf(results);
     }
 
-    /** How many nets were searched. */
+    /** The number of nets that were searched. */
     int searched() {
         return searched.size();
     }

@@ -10,12 +10,12 @@ import java.util.List;
 /**
  * Collects the states of a {@link Protocol}.
  *
- * <p><b>Role.</b> From {@link Protocol#of}; goes on with {@link #in}.
+ * <p><b>Role.</b> From {@link Protocol#of}; continue with {@link #in}.
  *
- * <p><b>Threads.</b> For one thread.
+ * <p><b>Threads.</b> Not thread-safe.
  *
- * <p><b>Errors.</b> A bad name throws {@link IllegalArgumentException} at once; what needs the whole declaration is
- * told by {@link #build}.
+ * <p><b>Errors.</b> An illegal name throws {@link IllegalArgumentException} at once; {@link #build} throws it for
+ * errors that need the whole declaration.
  */
 public final class ProtocolBuilder {
     private final String name;
@@ -28,7 +28,7 @@ public final class ProtocolBuilder {
     }
 
     /**
-     * Declares a state and the ways out of it: one is what happens next, several are a choice.
+     * Declares a state and the ways out of it: one way is the next step, several are a choice.
      *
      * <p>For example {@code in("ready", provides("setValues").then("loaded"), stops())}.
      */
@@ -78,7 +78,7 @@ public final class ProtocolBuilder {
         Names.requireWord("protocol " + name + ": the " + what, word);
     }
 
-    /** The protocol, checked. */
+    /** Checks the declaration and builds the protocol. */
     public Protocol build() {
         require(!states.isEmpty(), "there are no states; expected 1 or more");
         for (var step : steps) {

@@ -17,16 +17,16 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/* The graph of some components of a wiring, and what can go wrong in it. */
+/** Finds the dead markings and blocks in the graph of some components of a wiring. */
 final class Search {
-    /** Enough to see what is wrong; the figures count them all. */
+    /** Enough to see what is wrong; the figures count all of them. */
     private static final int MAX_STORIES = 16;
 
     private final WiringNet net;
     private final ReachabilityGraph graph;
     private final Stories stories;
 
-    /** The graph is that of {@code net}, or of one that differs from it in names only. */
+    /** Creates a search of the graph of {@code net}, or of a net that differs from it in names only. */
     Search(Wiring wiring, WiringNet net, ReachabilityGraph graph) {
         this.net = net;
         this.graph = graph;
@@ -37,7 +37,7 @@ final class Search {
         return Figures.of(net.net(), graph);
     }
 
-    /** Of the dead markings, nearest first. */
+    /** The stories of the dead markings, nearest first. */
     List<Story> deadlocks() {
         return graph.dead().stream()
                 .limit(MAX_STORIES)
@@ -45,7 +45,7 @@ final class Search {
                 .toList();
     }
 
-    /** Of these dead markings, in their order. */
+    /** The stories of these dead markings, in their order. */
     List<Story> deadlocks(List<DeadlockSearch.Deadlock> dead) {
         return dead.stream()
                 .limit(MAX_STORIES)
@@ -54,8 +54,8 @@ final class Search {
     }
 
     /**
-     * Of the nearest markings from which a component never takes a step again, whatever the others do. Empty for a part
-     * of a graph: what lies beyond the limit might help.
+     * The stories of the nearest markings from which a component never takes a step again, whatever the others do.
+     * Empty for an incomplete graph: markings beyond the limit might lead to such a step.
      */
     List<Story> blocks() {
         if (!graph.isComplete()) {
@@ -80,7 +80,7 @@ final class Search {
         return withCircles(told);
     }
 
-    /** Of the losses after which a component never takes a step again. */
+    /** The stories of the losses after which a component never takes a step again. */
     List<Story> blocks(List<ProgressSearch.Loss> losses) {
         var told = new LinkedHashMap<Set<String>, Story>();
         for (var loss : losses) {
@@ -95,7 +95,10 @@ final class Search {
         return told.values().stream().limit(MAX_STORIES).toList();
     }
 
-    /** Without those who wait alone before they come to stand in a circle, which explains more. */
+    /**
+     * Leaves out stories of components that wait without a circle but are in the circle of another story, which
+     * explains more.
+     */
     private static List<Story> withCircles(List<Story> told) {
         var explained = told.stream()
                 .flatMap(story -> story.circle().stream())
@@ -117,7 +120,7 @@ final class Search {
         return stuck;
     }
 
-    /** For each component the markings from which some way leads to a step of it. */
+    /** By component: the markings from which a firing sequence leads to a step of it. */
     private Map<String, boolean[]> moves() {
         var size = graph.size();
         var states = graph.states();
@@ -128,7 +131,7 @@ final class Search {
                         .map(component -> requireNonNull(moves.get(component)))
                         .toList())
                 .toList();
-        // The edges by their targets: those to marking i are sources[starts[i]] up to sources[starts[i + 1]].
+        // The edges by target: those to marking i are sources[starts[i]] up to sources[starts[i + 1]].
         var starts = new int[size + 2];
         for (var state : states) {
             state.successors().forEach(edge -> starts[edge.target().index() + 2]++);

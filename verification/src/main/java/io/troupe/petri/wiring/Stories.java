@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/* Tells a marking in which components cannot go on. */
+/** Explains markings in which components cannot go on, as {@link Story}s. */
 final class Stories {
     private final Wiring wiring;
     private final WiringNet net;
@@ -27,7 +27,7 @@ final class Stories {
         this.net = net;
     }
 
-    /** Of the components {@code stuck}, which never take a step again after {@code marking}. */
+    /** The story of a marking after which the components {@code stuck} never take a step again. */
     Story tell(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
         var waits = waits(marking, stuck);
         var circle = circle(waits);
@@ -66,7 +66,7 @@ final class Stories {
         return waits;
     }
 
-    /** A component that stands in a state and has no step of its own. */
+    /** The wait of a component that is in a state without an enabled step. */
     private Wait idle(String component, String state, Map<String, String> at, Map<String, Step.Requests> asking) {
         var offers = wiring.protocol(component).out(state).stream()
                 .filter(Step.Provides.class::isInstance)
@@ -79,8 +79,9 @@ final class Stories {
     }
 
     /**
-     * Those that can get to the call without another answer of the component, as who took a fork can get to putting it
-     * down; all that make the call if there are none. The others wait for the component, so it does not wait for them.
+     * The callers that can get to the call without another answer of the component: one that holds a fork can get to
+     * putting it down. If there are none, all that make the call. The other callers wait for the component, so it does
+     * not wait for them.
      */
     private List<String> callers(
             String component, String call, Map<String, String> at, Map<String, Step.Requests> asking) {
@@ -98,7 +99,7 @@ final class Stories {
         }
         var start = asked != null ? asked.to() : state;
         if (start == null) {
-            return true; // it is being served, or serves
+            return true; // it is being served, or serves a call
         }
         var seen = new HashSet<>(Set.of(start));
         var ahead = new ArrayDeque<>(seen);
@@ -117,7 +118,7 @@ final class Stories {
         return false;
     }
 
-    /** The shortest circle, among those one with the most calls that were made. */
+    /** A shortest circle; of several, one with the most calls that were made. */
     private static List<Wait> circle(Map<String, Wait> waits) {
         return waits.keySet().stream()
                 .map(start -> circle(start, waits))
@@ -160,7 +161,7 @@ final class Stories {
         return circle;
     }
 
-    /** The components whose last step was to stop. */
+    /** The components whose last step was a stop. */
     private Set<String> stopped(List<Transition> trace) {
         var stopped = new HashSet<String>();
         for (var transition : trace) {

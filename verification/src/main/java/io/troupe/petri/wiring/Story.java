@@ -5,13 +5,13 @@ import java.util.List;
 /**
  * How components come to wait for each other for ever.
  *
- * @param sentence what is wrong at the end, for example "player stops; robot waits for player.setValues, which nobody
- *     will answer"
- * @param firings a way from the start to there, in the words of the declaration
- * @param isShortest whether no way to this marking, or to this kind of block, is shorter
- * @param waits what each component that cannot go on waits for; in a dead marking these are all of them
- * @param circle those of {@code waits} in which each waits for the next one and the last for the first; empty if those
- *     that wait depend on a component that goes on, but never does what they wait for
+ * @param sentence the final state, for example "player stops; robot waits for player.setValues, which nobody will
+ *     answer"
+ * @param firings a firing sequence from the start to that state, in the words of the declaration
+ * @param isShortest whether no other sequence to this marking, or to this kind of block, is shorter
+ * @param waits by component that cannot go on: what it waits for; in a dead marking these are all components
+ * @param circle those of {@code waits} in which each waits for the next one and the last for the first; empty if the
+ *     waiting components depend on one that goes on, but never does what they wait for
  */
 public record Story(String sentence, List<String> firings, boolean isShortest, List<Wait> waits, List<Wait> circle) {
     public Story {
@@ -20,7 +20,7 @@ public record Story(String sentence, List<String> firings, boolean isShortest, L
         circle = List.copyOf(circle);
     }
 
-    /** The sentence, the steps one per line, and the waits; a {@code *} marks those in the circle. */
+    /** The sentence, the steps one per line, and the waits; {@code *} marks those in the circle. */
     @Override
     public String toString() {
         var text = new StringBuilder(sentence);

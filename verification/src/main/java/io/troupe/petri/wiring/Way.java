@@ -3,10 +3,10 @@ package io.troupe.petri.wiring;
 import static java.util.Objects.requireNonNull;
 
 /**
- * A way out of a state of a {@link Protocol}: what happens, and the state after it.
+ * A way out of a state of a {@link Protocol}: a step, and the state after it.
  *
  * <p><b>Role.</b> Made by {@link Protocol#does}, {@link Protocol#requests}, {@link Protocol#provides} and
- * {@link Protocol#stops}, and handed to {@link ProtocolBuilder#in}.
+ * {@link Protocol#stops}; argument of {@link ProtocolBuilder#in}.
  *
  * <p><b>Threads.</b> Immutable.
  */
@@ -28,7 +28,7 @@ public final class Way {
         this.to = to;
     }
 
-    /** A way whose end is still missing. */
+    /** A way whose target state is still missing. */
     public static final class Open {
         private final Kind kind;
         private final String what;
@@ -38,13 +38,13 @@ public final class Way {
             this.what = requireNonNull(what, "what");
         }
 
-        /** Leads to {@code state}. */
+        /** Sets the target state. */
         public Way then(String state) {
             return new Way(kind, what, requireNonNull(state, "state"));
         }
     }
 
-    /** As a step out of {@code state}; a stop leads to {@code first}. */
+    /** This way as a step out of {@code state}; a stop leads to {@code first}. */
     Step from(String state, String first) {
         return switch (kind) {
             case DOES -> new Step.Does(state, what, to);

@@ -15,16 +15,16 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/*
- * The net of some components of a wiring. What they call or offer outside of these stays a private transition, as if it
- * were answered, or called, at any time. Names of places and transitions are sentences, so that a firing sequence can
- * be read.
+/**
+ * The net of some components of a wiring. A call from or to a component outside of these stays a private transition, as
+ * if it were made, or answered, at any time. The names of places and transitions are sentences, so that a firing
+ * sequence can be read.
  */
 final class WiringNet {
-    /** Who takes part in a transition, and for whom it is a stop. */
+    /** The components that take part in a transition, and those that stop in it. */
     record Event(Set<String> who, Set<String> stopping) {}
 
-    /** Whose place it is, and, if it waits there for an answer, the request. */
+    /** The component of a place, and, if it waits for an answer there, the request. */
     sealed interface Spot {
         String component();
 
@@ -71,7 +71,7 @@ final class WiringNet {
         return net;
     }
 
-    /** As the net here calls it: the transition may be of one that differs from it in names only. */
+    /** The name in this net of a transition, which may be of a net that differs from it in names only. */
     String name(Transition transition) {
         return net.transitions().get(transition.index()).name();
     }
