@@ -29,7 +29,7 @@ final class KontraktorContender implements Contender {
     }
 
     /** The actor; not final, since its proxy is a subclass. */
-    @SuppressWarnings("serial") // Kontraktor's actors are serializable; nobody serializes this one
+    @SuppressWarnings("serial") // Kontraktor's actors are serializable, but are never serialized here
     public static class Counter extends Actor<Counter> {
         private @Nullable Counter partner;
         private @Nullable Finish finish;
@@ -126,7 +126,7 @@ final class KontraktorContender implements Contender {
         finish.await();
     }
 
-    /** Its await() polls; a latch is the quicker way to wait outside. */
+    /** Waits by a latch, which is faster than Kontraktor's polling {@code await()}. */
     @Override
     public void askOnce(int asks) throws Exception {
         for (int i = 0; i < asks; i++) {

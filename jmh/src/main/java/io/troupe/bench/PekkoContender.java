@@ -69,7 +69,7 @@ final class PekkoContender implements Contender {
 
     private record Clear() implements Guardian {}
 
-    /** Only a parent can make anonymous actors. */
+    /** Only a parent can create anonymous actors. */
     private Behavior<Guardian> guardian() {
         return Behaviors.setup(context -> Behaviors.receiveMessage(message -> {
             switch (message) {

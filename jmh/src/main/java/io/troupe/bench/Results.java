@@ -6,10 +6,10 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was measured.
+ * The results of a comparison.
  *
  * @param turns by workload and contender, one turn for each round
- * @param retainedBytes what an actor keeps of the heap, by contender; empty when nobody was asked to make actors
+ * @param retainedBytes the bytes of the heap that an actor retains, by contender; empty if no workload creates actors
  */
 record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double> retainedBytes) {
     Quartiles nanos(Workload workload, String contender) {
@@ -29,7 +29,7 @@ record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double>
                 .toList());
     }
 
-    /** Bytes an actor keeps, where the workload makes actors. */
+    /** The bytes that an actor retains, for a workload that creates actors. */
     @Nullable
     Double retained(Workload workload, String contender) {
         return workload == Workload.CREATE ? retainedBytes.get(contender) : null;

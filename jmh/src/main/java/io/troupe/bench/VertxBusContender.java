@@ -83,8 +83,8 @@ final class VertxBusContender implements Contender {
     }
 
     /**
-     * What {@code create} makes: a counter that hears of nothing but its beginning, so that each has one address, as
-     * each has one mailbox elsewhere.
+     * The actor of the workload {@code create}: a counter that handles only its first message. So each has one address,
+     * as each has one mailbox in other libraries.
      */
     private final class Beginner extends VerticleBase {
         private final String address;

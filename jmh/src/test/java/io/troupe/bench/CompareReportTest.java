@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class CompareReportTest {
-    /** Each round is twice the limit of that round, whatever the machine did meanwhile. */
+    /** Each round is twice the limit of that round, although the machine's speed changes between rounds. */
     private final Results results = new Results(
             new EnumMap<>(Map.of(
                     Workload.ASK_ONCE,
@@ -35,7 +35,7 @@ class CompareReportTest {
         return new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
     }
 
-    /** The middle one allocates so many bytes, the others less and more. */
+    /** The turn in the middle allocates {@code bytes}, the others less and more. */
     private static List<Turn> turns(double bytes, double... nanos) {
         return DoubleStream.of(nanos)
                 .mapToObj(each -> new Turn(each, bytes + Math.signum(each - nanos[1])))

@@ -11,7 +11,7 @@ class RetainedTest {
 
     private final List<byte[]> kept = new ArrayList<>();
 
-    /** As much is garbage; large, so that what other tests leave behind in this JVM is little beside it. */
+    /** Also produces as much garbage; large, so that garbage of other tests in this JVM does not matter. */
     private void create() {
         for (int i = 0; i < Retained.ACTORS; i++) {
             kept.add(new byte[BYTES]);
