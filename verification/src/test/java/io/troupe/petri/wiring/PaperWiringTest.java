@@ -51,7 +51,7 @@ class PaperWiringTest {
         assertThat(names.orElseThrow()).containsEntry("all stop", "Tstop");
     }
 
-    /** The check of the two tests above can fail. */
+    /** Shows that the comparison of the two tests above can fail. */
     @Test
     void isomorphism_ofNetsThatDiffer_isNotFound() {
         var paper = PaperNets.uncorrected(Reading.A);

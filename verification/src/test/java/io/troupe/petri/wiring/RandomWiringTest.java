@@ -28,11 +28,11 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
-/** Random wirings, checked by way of the net and by playing the declarations directly. */
+/** Random wirings, checked through the net and by executing the declarations directly. */
 class RandomWiringTest {
     private static final int WIRINGS = 200;
 
-    /** What a component is doing: in a state, waiting for an answer, being served, or serving a call. */
+    /** The status of a component: in a state, waiting for an answer, being served, or serving a call. */
     private record Status(String phase, String at, String target, String to) {
         static Status in(String state) {
             return new Status("in", state, "", "");
@@ -104,7 +104,7 @@ class RandomWiringTest {
         out.putIfAbsent(way.toString(), way);
     }
 
-    /** The first way of each state leads to the next one, so that all can be reached. */
+    /** The first way of each state leads to the next one, so that all are reachable. */
     private static int target(Map<String, Way> out, int state, int states, Random random) {
         return out.isEmpty() ? (state + 1) % states : random.nextInt(states);
     }
@@ -167,7 +167,7 @@ class RandomWiringTest {
         moves.add(new Move(Set.of(component), next));
     }
 
-    /** All that can be reached, with the moves out of it. */
+    /** All reachable statuses, with the moves out of each. */
     private static Map<Map<String, Status>, List<Move>> play(Wiring wiring) {
         Map<String, Status> start = new HashMap<>();
         wiring.components().forEach(c -> start.put(c, Status.in("s0")));
@@ -236,7 +236,10 @@ class RandomWiringTest {
         assertThat(kinds.values()).as("%s", kinds).allMatch(number -> number > 10);
     }
 
-    /** The searches by stubborn sets and the full graph tell the same: all dead markings, and who can be blocked. */
+    /**
+     * The searches by stubborn sets and the full graph agree: on all dead markings, and on the components that can be
+     * blocked.
+     */
     @Test
     void reducedSearches_ofRandomWirings_agreeWithTheFullGraph() {
         var withDead = 0;
@@ -273,7 +276,7 @@ class RandomWiringTest {
         assertThat(withBlocks).isGreaterThan(30);
     }
 
-    /** Of each terminal component of the full graph those that never take a step in it, where there are some. */
+    /** For each terminal component of the full graph: the components that never take a step in it, if there are any. */
     private static Set<Set<String>> stuckInTheEnd(WiringNet net, ReachabilityGraph graph) {
         var all = new HashSet<Set<String>>();
         for (var end : Liveness.of(graph).terminalComponents()) {
@@ -288,7 +291,7 @@ class RandomWiringTest {
         return all;
     }
 
-    /** In a deadlock all wait, and each in the circle waits for the next. */
+    /** In a deadlock all components wait, and each one in the circle waits for the next. */
     private static void requireCircle(Story story, int components) {
         assertThat(story.waits()).hasSize(components);
         var circle = story.circle();

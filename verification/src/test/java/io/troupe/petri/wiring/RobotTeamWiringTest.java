@@ -101,7 +101,7 @@ class RobotTeamWiringTest {
         });
     }
 
-    /** A clock beside them makes the graph no larger for the search, and the block no smaller. */
+    /** An independent clock makes the full graph larger, but neither the graph of the search nor the block. */
     @Test
     void block_beyondTheFullGraph_isToldWithAWay() {
         var clock = Protocol.of("clock")
@@ -162,7 +162,7 @@ class RobotTeamWiringTest {
         assertThat(result.toString()).contains("(cancelled)");
     }
 
-    /** Too little for the second search by stubborn sets, which opens loops, but enough for the first one. */
+    /** The limit is too low for the second search by stubborn sets, which enlarges loops, but enough for the first. */
     @Test
     void noDeadMarking_withoutAWordOnBlocks_isNotCalledProved() {
         var ticking = Protocol.of("clock")

@@ -33,7 +33,7 @@ class WiringCheckTest {
                 .build();
     }
 
-    /** Takes a token when its neighbour hands one over, or hands one over itself. */
+    /** Takes a token when its neighbour passes one on, or passes one on itself. */
     private static Protocol neighbour() {
         return Protocol.of("neighbour")
                 .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
@@ -91,9 +91,8 @@ class WiringCheckTest {
         assertThat(result.figures().isComplete()).isTrue();
         assertThat(result.figures().neverReached()).isEmpty();
         assertThat(result.pairs()).hasSize(6).allMatch(PairResult::isFree);
-        // Each robot is idle, informed, planned or waits for one of the two calls: 5^6 when the planner is ready; while
-        // it
-        // serves one of them, before or after its step, with either call, the other five: 4 * 6 * 5^5.
+        // Each robot is idle, informed, planned or waits for one of the two calls: 5^6 when the planner is ready;
+        // while it serves one of them, before or after its step, with either call, the other five: 4 * 6 * 5^5.
         assertThat(result.figures().markings()).isEqualTo(15_625 + 4 * 6 * 3_125);
     }
 
@@ -135,7 +134,10 @@ class WiringCheckTest {
         return table.build();
     }
 
-    /** Each holds its left fork. Fork 2 may be put down by its neighbours 1 and 2, but only 2 has it. */
+    /**
+     * Each philosopher holds the left fork. By protocol, fork 2 may be put down by its neighbours 1 and 2, but only 2
+     * holds it.
+     */
     @Test
     void philosophers_storyTellsWhoHoldsWhichForkAndStarsTheWholeCircle() {
         var story = ((Deadlock) WiringCheck.check(philosophers(3))).story();
