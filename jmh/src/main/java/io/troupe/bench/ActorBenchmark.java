@@ -55,8 +55,7 @@ public class ActorBenchmark {
     }
 
     private static final class PlainCounter implements Counter {
-        private final Consumer<Integer> listener =
-                this::heard; // made once, so that all measured bytes are the library's
+        private final Consumer<Integer> listener = this::heard; // made once, so that all bytes are the library's
         private @Nullable Counter partner;
         private @Nullable Deferred<Integer> end;
         private int left;

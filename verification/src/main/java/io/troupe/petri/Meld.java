@@ -6,11 +6,11 @@ import static java.util.Objects.requireNonNull;
  * Binds a request of one component to an offer of another, and names the places and transitions that this adds. "Meld"
  * is the paper's word for it.
  *
- * <p>{@code request} takes tokens from places of its own component and puts tokens on others; {@code offer} does the
- * same in another component. Melding replaces them by four steps. First the requestor asks ({@code asking}: the
- * request's input places to {@code waiting}). Then both sides step together ({@code accept}: {@code waiting} and the
- * offer's input places to {@code pending} and {@code before}). The offer fires alone ({@code before} to {@code after}).
- * Both step together again ({@code answer}: {@code pending} and {@code after} to the output places of both).
+ * <p>{@code request} takes tokens from places of one component and puts tokens on others; {@code offer} does the same
+ * in another component. Melding replaces them by four steps. First the requestor asks ({@code asking}: the request's
+ * input places to {@code waiting}). Then both sides step together ({@code accept}: {@code waiting} and the offer's
+ * input places to {@code pending} and {@code before}). The offer fires alone ({@code before} to {@code after}). Both
+ * step together again ({@code answer}: {@code pending} and {@code after} to the output places of both).
  *
  * <p><b>Source.</b> Section 5.5 of the paper; close to the composition of components by Craig and Zuberek (2007).
  *

@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 /**
  * The limits of a search over markings, its cancellation and its progress reports.
  *
- * <p><b>Threads.</b> The search calls {@code cancelled} and {@code report} on its own thread. To cancel it from another
- * thread, let {@code cancelled} read a volatile value, for example {@code AtomicBoolean::get}.
+ * <p><b>Threads.</b> The search calls {@code cancelled} and {@code report} on the thread that runs it. To cancel it
+ * from another thread, let {@code cancelled} read a volatile value, for example {@code AtomicBoolean::get}.
  *
  * <p><b>Errors.</b> An exception thrown by {@code cancelled} or {@code report} ends the search and is thrown to its
  * caller.

@@ -144,8 +144,7 @@ class SamplesTest {
         for (Path source : Repository.javaSources()) {
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }
-        for (String script :
-                List.of("pom.xml", "build.gradle.kts")) { // the README's instructions on how to depend on Troupe
+        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
             Path source = Repository.root().resolve("docs/examples/consumer").resolve(script);
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }

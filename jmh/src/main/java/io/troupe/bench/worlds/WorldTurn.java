@@ -13,10 +13,7 @@ record WorldTurn(double factor, double bytesPerStep) {
     /** In a field, because looking it up allocates. */
     private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
 
-    /**
-     * Calls grow until one takes this part of a turn: then the overhead of a call matters little, and a turn has many
-     * calls.
-     */
+    /** Calls grow until this part of the turn is over: so a call has little overhead, and a turn has many calls. */
     private static final int GROWTH = 16;
 
     /** The number of calls in a turn of the expected length. */

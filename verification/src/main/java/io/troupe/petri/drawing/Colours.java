@@ -2,7 +2,7 @@ package io.troupe.petri.drawing;
 
 import java.util.List;
 
-/** The colours of both kinds of drawing; they can be told apart in greyscale and by colour-blind readers. */
+/** The colours of both kinds of drawing; they can be distinguished in greyscale and by colour-blind readers. */
 final class Colours {
     static final String LINE = "#333333";
     static final String FAINT = "#9a9a9a";
