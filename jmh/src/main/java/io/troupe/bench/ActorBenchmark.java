@@ -55,7 +55,7 @@ public class ActorBenchmark {
     }
 
     private static final class PlainCounter implements Counter {
-        private final Consumer<Integer> listener = this::heard; // made once, so that all bytes are the library's
+        private final Consumer<Integer> listener = this::onAnswer; // made once, so that all bytes are the library's
         private @Nullable Counter partner;
         private @Nullable Deferred<Integer> end;
         private int left;
@@ -88,7 +88,7 @@ public class ActorBenchmark {
             Objects.requireNonNull(partner).sum().then(listener);
         }
 
-        private void heard(int answer) {
+        private void onAnswer(int answer) {
             if (--left == 0) {
                 Objects.requireNonNull(end).resolve(answer);
             } else {

@@ -53,7 +53,7 @@ public final class CompareActors {
                 results.turns().put(workload, compare(workload, pipes));
             }
             if (options.workloads().contains(Workload.CREATE)) {
-                weigh(pipes);
+                measureRetained(pipes);
             }
         } finally {
             for (ContenderPipe pipe : pipes) {
@@ -76,8 +76,8 @@ public final class CompareActors {
         }
     }
 
-    private Map<String, List<Turn>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
-        Map<String, List<Turn>> turns = new LinkedHashMap<>();
+    private Map<String, List<TurnResult>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
+        Map<String, List<TurnResult>> turns = new LinkedHashMap<>();
         Map<ContenderPipe, Integer> operations = new LinkedHashMap<>();
         for (ContenderPipe pipe : List.copyOf(pipes)) {
             progress(workload.label() + ": warming up " + pipe.name());
@@ -98,7 +98,7 @@ public final class CompareActors {
     }
 
     /** Measures the retained bytes. Runs after all the turns, because it collects garbage many times. */
-    private void weigh(List<ContenderPipe> pipes) throws IOException {
+    private void measureRetained(List<ContenderPipe> pipes) throws IOException {
         for (ContenderPipe pipe : List.copyOf(pipes)) {
             progress("retained bytes: " + pipe.name());
             attempt(pipe, pipes, () -> results.retainedBytes().put(pipe.name(), pipe.retainedBytes()));

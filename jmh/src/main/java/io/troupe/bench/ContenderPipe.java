@@ -52,8 +52,8 @@ final class ContenderPipe implements AutoCloseable {
         return Integer.parseInt(ask("warm " + workload.label() + " " + millis));
     }
 
-    Turn turn(Workload workload, int operations) throws IOException {
-        return Turn.parse(ask("turn " + workload.label() + " " + operations));
+    TurnResult turn(Workload workload, int operations) throws IOException {
+        return TurnResult.parse(ask("turn " + workload.label() + " " + operations));
     }
 
     /** The bytes of the heap that an actor retains. */

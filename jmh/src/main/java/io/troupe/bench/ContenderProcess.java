@@ -7,8 +7,8 @@ import java.nio.charset.StandardCharsets;
 
 /**
  * The main class of a contender's JVM. It reads requests from standard input: {@code warm <workload> <millis>},
- * answered by a turn's number of operations; {@code turn <workload> <operations>}, answered by a {@link Turn}; and
- * {@code retained}, answered by bytes per actor. It exits at the end of its input.
+ * answered by a turn's number of operations; {@code turn <workload> <operations>}, answered by a {@link TurnResult};
+ * and {@code retained}, answered by bytes per actor. It exits at the end of its input.
  */
 final class ContenderProcess {
     private static final long TURN_NANOS = 30_000_000;
@@ -50,7 +50,7 @@ final class ContenderProcess {
                 case "turn" ->
                     turn(Workload.named(command[1]), Integer.parseInt(command[2]))
                             .line();
-                case "retained" -> Double.toString(Retained.bytesPerActor(contender));
+                case "retained" -> Double.toString(RetainedHeap.bytesPerActor(contender));
                 default ->
                     throw new IllegalArgumentException(
                             "a command is " + command[0] + ", expected warm, turn or retained");
@@ -76,7 +76,7 @@ final class ContenderProcess {
         }
     }
 
-    private Turn turn(Workload workload, int operations) throws Exception {
+    private TurnResult turn(Workload workload, int operations) throws Exception {
         workload.run(subject, Math.max(1, operations / 10)); // back to full speed before the clock starts
         return workload.run(subject, operations);
     }

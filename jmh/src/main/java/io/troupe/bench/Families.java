@@ -11,7 +11,7 @@ final class Families {
     /** The number of message types. */
     static final int TYPES = COPIES * Family.TYPES;
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final AtomicInteger busy = new AtomicInteger();
     private final List<Tally> tallies = new ArrayList<>();
     private final List<Family> families = new ArrayList<>();

@@ -19,7 +19,7 @@ final class Limit implements Contender {
     private static final Object ADD = new Object();
     private static final Object END = new Object();
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final MpscVarHandleArrayQueue<Object> inbox = new MpscVarHandleArrayQueue<>(SLOTS);
     private final List<Counter> created = new ArrayList<>();
     private final Thread thread;

@@ -26,7 +26,7 @@ final class PekkoContender implements Contender {
             }
             """;
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final ActorSystem<Guardian> system;
     private final ActorRef<Message> counter;
     private final ActorRef<Message> other;

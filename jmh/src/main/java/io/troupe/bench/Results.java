@@ -11,13 +11,15 @@ import org.jspecify.annotations.Nullable;
  * @param turns by workload and contender, one turn for each round
  * @param retainedBytes the bytes of the heap that an actor retains, by contender; empty if no workload creates actors
  */
-record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double> retainedBytes) {
+record Results(Map<Workload, Map<String, List<TurnResult>>> turns, Map<String, Double> retainedBytes) {
     Quartiles nanos(Workload workload, String contender) {
-        return Quartiles.of(of(workload, contender).stream().map(Turn::nanos).toList());
+        return Quartiles.of(
+                of(workload, contender).stream().map(TurnResult::nanos).toList());
     }
 
     Quartiles bytes(Workload workload, String contender) {
-        return Quartiles.of(of(workload, contender).stream().map(Turn::bytes).toList());
+        return Quartiles.of(
+                of(workload, contender).stream().map(TurnResult::bytes).toList());
     }
 
     /** The contender's time as a multiple of the limit's in the same round. */
@@ -35,7 +37,7 @@ record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double>
         return workload == Workload.CREATE ? retainedBytes.get(contender) : null;
     }
 
-    private List<Turn> of(Workload workload, String contender) {
+    private List<TurnResult> of(Workload workload, String contender) {
         var turns = turns().get(workload);
         var found = turns == null ? null : turns.get(contender);
         if (found == null) {

@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * {@code send} and {@code request}.
  */
 final class VertxBusContender implements Contender {
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final Vertx vertx = Vertx.vertx(new VertxOptions().setEventLoopPoolSize(1));
     private final EventBus bus = vertx.eventBus();
     private final Counter counter = new Counter("counter", "other");

@@ -60,7 +60,7 @@ enum Workload {
      * Runs and measures {@code operations} operations, in batches that bound the queue. Pauses and clearing up are not
      * measured.
      */
-    Turn run(Subject subject, int operations) throws Exception {
+    TurnResult run(Subject subject, int operations) throws Exception {
         long nanos = 0;
         long bytes = 0;
         int whole = whole(operations);
@@ -68,13 +68,13 @@ enum Workload {
             if (this == ASK_AFTER_SILENCE) {
                 Thread.sleep(SILENCE_MILLIS);
             }
-            long allocated = Turn.allocatedBytes();
+            long allocated = TurnResult.allocatedBytes();
             long start = System.nanoTime();
             body.run(subject, Math.min(left, batch));
             nanos += System.nanoTime() - start;
-            bytes += Turn.allocatedBytes() - allocated;
+            bytes += TurnResult.allocatedBytes() - allocated;
             subject.contender().clear();
         }
-        return new Turn((double) nanos / whole, (double) bytes / whole);
+        return new TurnResult((double) nanos / whole, (double) bytes / whole);
     }
 }

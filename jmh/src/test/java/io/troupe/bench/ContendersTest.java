@@ -19,7 +19,7 @@ class ContendersTest {
         try (var subject = new Subject(contender.start())) {
             subject.contender().wake();
             for (Workload workload : Workload.values()) {
-                Turn turn = workload.run(subject, workload == Workload.ASK_AFTER_SILENCE ? 1 : 30);
+                TurnResult turn = workload.run(subject, workload == Workload.ASK_AFTER_SILENCE ? 1 : 30);
                 assertThat(turn.nanos()).as(workload.label()).isPositive();
                 assertThat(turn.bytes()).as(workload.label()).isNotNegative();
             }

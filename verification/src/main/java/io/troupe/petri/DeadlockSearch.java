@@ -63,7 +63,7 @@ public final class DeadlockSearch {
      */
     public List<Deadlock> deadlocks() {
         var dead = visited.dead();
-        return new OnDemand<>(
+        return new ComputedList<>(
                 dead.size(),
                 i -> new Deadlock(dead.get(i).marking(), dead.get(i).shortestTrace()));
     }

@@ -21,7 +21,7 @@ import java.util.Optional;
  */
 public final class Liveness {
     /** The most components that {@link #summary} lists; an unbounded net can have a million. */
-    private static final int MOST_TOLD = 16;
+    private static final int MAX_LISTED = 16;
 
     private final ReachabilityGraph graph;
     private final List<TerminalComponent> components;
@@ -114,10 +114,10 @@ public final class Liveness {
         text.append("\n  terminal components").append(graph.isComplete() ? "" : " so far");
         text.append(": ").append(components.size());
         components.stream()
-                .limit(MOST_TOLD)
+                .limit(MAX_LISTED)
                 .forEach(component -> text.append("\n    ").append(component));
-        if (components.size() > MOST_TOLD) {
-            text.append("\n    and ").append(components.size() - MOST_TOLD).append(" more");
+        if (components.size() > MAX_LISTED) {
+            text.append("\n    and ").append(components.size() - MAX_LISTED).append(" more");
         }
         if (!graph.isComplete()) {
             text.append("\n  ").append(graph.openCount());

@@ -184,7 +184,7 @@ public final class ReachabilityGraph {
 
     /** All markings, nearest first. */
     public List<State> states() {
-        return new OnDemand<>(size(), State::new);
+        return new ComputedList<>(size(), State::new);
     }
 
     /**
@@ -205,7 +205,7 @@ public final class ReachabilityGraph {
      * The dead markings, in which no transition may fire, nearest first; if the graph is incomplete, there may be more.
      */
     public List<State> dead() {
-        return new OnDemand<>(found.dead.size(), i -> new State(found.dead.get(i)));
+        return new ComputedList<>(found.dead.size(), i -> new State(found.dead.get(i)));
     }
 
     /** Whether no reachable marking is dead. */

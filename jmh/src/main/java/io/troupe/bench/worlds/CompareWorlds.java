@@ -45,7 +45,7 @@ public final class CompareWorlds {
 
     private void run() throws IOException {
         agree();
-        weigh();
+        measureRetained();
         List<WorldPipe> pipes = new ArrayList<>();
         try {
             for (WorldKind kind : options.only()) {
@@ -82,7 +82,7 @@ public final class CompareWorlds {
     }
 
     /** Measures the retained bytes in a separate JVM. */
-    private void weigh() throws IOException {
+    private void measureRetained() throws IOException {
         try (var pipe = new WorldPipe(WorldKind.TROUPE)) {
             for (int robots : options.robots()) {
                 if (robots > 1) {

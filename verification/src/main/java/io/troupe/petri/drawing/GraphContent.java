@@ -108,8 +108,8 @@ final class GraphContent {
 
     String fill(State state) {
         if (isDead(state)) {
-            return Colours.DEAD_FILL;
+            return Palette.DEAD_FILL;
         }
-        return isOnPath(state) ? Colours.PATH_FILL : "white";
+        return isOnPath(state) ? Palette.PATH_FILL : "white";
     }
 }

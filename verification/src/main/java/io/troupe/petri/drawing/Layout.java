@@ -20,9 +20,9 @@ import org.eclipse.elk.graph.util.ElkGraphUtil;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Positions everything in a {@link Sketch} by the layered algorithm of the Eclipse Layout Kernel.
+ * Positions everything in a {@link LayoutGraph} by the layered algorithm of the Eclipse Layout Kernel.
  *
- * <p><b>Order.</b> The same sketch gets the same layout: the algorithm's random numbers have a fixed seed.
+ * <p><b>Order.</b> The same layoutGraph gets the same layout: the algorithm's random numbers have a fixed seed.
  */
 final class Layout {
     private static final int SEED = 1;
@@ -38,32 +38,32 @@ final class Layout {
     private static final String TEXT = "label";
 
     private final Size size;
-    private final List<Point> nodes = new ArrayList<>();
-    private final List<List<Point>> routes = new ArrayList<>();
-    private final List<@Nullable Point> labels = new ArrayList<>();
+    private final List<PixelPoint> nodes = new ArrayList<>();
+    private final List<List<PixelPoint>> routes = new ArrayList<>();
+    private final List<@Nullable PixelPoint> labels = new ArrayList<>();
 
     private Layout(Size size) {
         this.size = size;
     }
 
-    static Layout of(Sketch sketch) {
+    static Layout of(LayoutGraph layoutGraph) {
         // makes ELK's registry find its options, which is needed once before they are read
         LayoutMetaDataService.getInstance(Layout.class.getClassLoader());
         var graph = ElkGraphUtil.createGraph();
-        configure(graph, sketch.style, sketch.nodes.size());
-        var nodes = sketch.nodes.stream().map(node -> add(graph, node)).toList();
-        var edges = sketch.edges.stream()
+        configure(graph, layoutGraph.style, layoutGraph.nodes.size());
+        var nodes = layoutGraph.nodes.stream().map(node -> add(graph, node)).toList();
+        var edges = layoutGraph.edges.stream()
                 .map(edge -> add(nodes.get(edge.from()), nodes.get(edge.to()), edge.label()))
                 .toList();
         new LayeredLayoutProvider().layout(graph, new NullElkProgressMonitor());
 
         var layout = new Layout(new Size(graph.getWidth(), graph.getHeight()));
-        nodes.forEach(node -> layout.nodes.add(new Point(node.getX(), node.getY())));
+        nodes.forEach(node -> layout.nodes.add(new PixelPoint(node.getX(), node.getY())));
         edges.forEach(layout::read);
         return layout;
     }
 
-    private static void configure(ElkNode graph, Sketch.Style style, int nodes) {
+    private static void configure(ElkNode graph, LayoutGraph.Style style, int nodes) {
         graph.setProperty(LayeredOptions.RANDOM_SEED, SEED);
         graph.setProperty(LayeredOptions.DIRECTION, style.downwards() ? Direction.DOWN : Direction.RIGHT);
         graph.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
@@ -85,7 +85,7 @@ final class Layout {
         }
     }
 
-    private static ElkNode add(ElkNode graph, Sketch.Node sketched) {
+    private static ElkNode add(ElkNode graph, LayoutGraph.Node sketched) {
         var node = ElkGraphUtil.createNode(graph);
         node.setDimensions(sketched.size().width(), sketched.size().height());
         var caption = sketched.caption();
@@ -108,15 +108,15 @@ final class Layout {
 
     private void read(ElkEdge edge) {
         var section = edge.getSections().get(0);
-        var route = new ArrayList<Point>();
-        route.add(new Point(section.getStartX(), section.getStartY()));
-        section.getBendPoints().forEach(bend -> route.add(new Point(bend.getX(), bend.getY())));
-        route.add(new Point(section.getEndX(), section.getEndY()));
+        var route = new ArrayList<PixelPoint>();
+        route.add(new PixelPoint(section.getStartX(), section.getStartY()));
+        section.getBendPoints().forEach(bend -> route.add(new PixelPoint(bend.getX(), bend.getY())));
+        route.add(new PixelPoint(section.getEndX(), section.getEndY()));
         routes.add(List.copyOf(route));
         labels.add(
                 edge.getLabels().isEmpty()
                         ? null
-                        : new Point(
+                        : new PixelPoint(
                                 edge.getLabels().get(0).getX(),
                                 edge.getLabels().get(0).getY()));
     }
@@ -127,18 +127,18 @@ final class Layout {
     }
 
     /** The upper left corner of a node. */
-    Point node(int number) {
+    PixelPoint node(int number) {
         return nodes.get(number);
     }
 
     /** The points of an edge, from the border of one node's rectangle to that of the other. */
-    List<Point> route(int edge) {
+    List<PixelPoint> route(int edge) {
         return routes.get(edge);
     }
 
     /** The upper left corner of an edge's label, if it has one. */
     @Nullable
-    Point label(int edge) {
+    PixelPoint label(int edge) {
         return labels.get(edge);
     }
 }

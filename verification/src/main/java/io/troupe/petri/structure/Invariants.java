@@ -62,7 +62,7 @@ public final class Invariants {
 
     /** Computes the P-invariants until {@code cancelled} is true; it is called often, on the calling thread. */
     public static Found<Place> ofPlaces(PetriNet net, int maxRows, BooleanSupplier cancelled) {
-        var matrix = new Effects(net).onPlaces();
+        var matrix = new IncidenceMatrix(net).onPlaces();
         var search = new SemiPositive(matrix, net.transitions().size(), cancelled);
         return find(search, net.places(), Place::index, maxRows);
     }
@@ -82,7 +82,7 @@ public final class Invariants {
 
     /** Computes the T-invariants until {@code cancelled} is true; it is called often, on the calling thread. */
     public static Found<Transition> ofTransitions(PetriNet net, int maxRows, BooleanSupplier cancelled) {
-        var matrix = new Effects(net).ofTransitions();
+        var matrix = new IncidenceMatrix(net).ofTransitions();
         var search = new SemiPositive(matrix, net.places().size(), cancelled);
         return find(search, net.transitions(), Transition::index, maxRows);
     }

@@ -31,7 +31,7 @@ final class MinimalSetSearch {
     boolean run(long maxSteps) {
         try {
             return search(maxSteps);
-        } catch (Needs.OutOfTime cancelled) {
+        } catch (Needs.Cancelled end) {
             return false;
         }
     }
@@ -44,7 +44,7 @@ final class MinimalSetSearch {
             if (step == maxSteps) {
                 return false;
             }
-            needs.requireTime();
+            needs.requireNotCancelled();
             solve(open.pop());
         }
         return true;
@@ -137,7 +137,7 @@ final class MinimalSetSearch {
             if (kept.get(place)) {
                 continue;
             }
-            needs.requireTime();
+            needs.requireNotCancelled();
             var without = (BitSet) allowed.clone();
             without.clear(place);
             open.push(new Problem(without, (BitSet) kept.clone()));

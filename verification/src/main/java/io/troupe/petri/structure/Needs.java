@@ -21,7 +21,7 @@ final class Needs {
         this.cancelled = cancelled;
         net.places().forEach(place -> needs.add(new ArrayList<>()));
         for (var t : net.transitions()) {
-            requireTime();
+            requireNotCancelled();
             var helpers = places(siphons ? t.inputs() : t.outputs());
             places(siphons ? t.outputs() : t.inputs()).stream()
                     .filter(place -> !helpers.get(place))
@@ -33,7 +33,7 @@ final class Needs {
         return ofSiphons(net, () -> false);
     }
 
-    /** The needs of siphons. Every method throws {@link OutOfTime} once {@code cancelled} is true. */
+    /** The needs of siphons. Every method throws {@link Cancelled} once {@code cancelled} is true. */
     static Needs ofSiphons(PetriNet net, BooleanSupplier cancelled) {
         return new Needs(net, true, cancelled);
     }
@@ -42,23 +42,23 @@ final class Needs {
         return ofTraps(net, () -> false);
     }
 
-    /** The needs of traps. Every method throws {@link OutOfTime} once {@code cancelled} is true. */
+    /** The needs of traps. Every method throws {@link Cancelled} once {@code cancelled} is true. */
     static Needs ofTraps(PetriNet net, BooleanSupplier cancelled) {
         return new Needs(net, false, cancelled);
     }
 
     /** Ends a cancelled search; it is caught where the search began. */
-    static final class OutOfTime extends RuntimeException {
+    static final class Cancelled extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        OutOfTime() {
+        Cancelled() {
             super("cancelled", null, false, false);
         }
     }
 
-    void requireTime() {
+    void requireNotCancelled() {
         if (cancelled.getAsBoolean()) {
-            throw new OutOfTime();
+            throw new Cancelled();
         }
     }
 
@@ -83,7 +83,7 @@ final class Needs {
         var changed = true;
         while (changed) {
             changed = false;
-            requireTime();
+            requireNotCancelled();
             for (var place = set.nextSetBit(0); place >= 0; place = set.nextSetBit(place + 1)) {
                 if (!isMet(place, set)) {
                     set.clear(place);

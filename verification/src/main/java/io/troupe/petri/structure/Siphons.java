@@ -94,7 +94,7 @@ public final class Siphons {
         Needs needs;
         try {
             needs = made.get();
-        } catch (Needs.OutOfTime cancelled) {
+        } catch (Needs.Cancelled end) {
             return new MinimalSets(List.of(), false);
         }
         var search = new MinimalSetSearch(needs);

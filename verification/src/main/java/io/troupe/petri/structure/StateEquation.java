@@ -35,7 +35,7 @@ public final class StateEquation {
     private static final Duration FOR_EVER = Duration.ofDays(365);
 
     private final PetriNet net;
-    private final Effects effects;
+    private final IncidenceMatrix effects;
     private final Supplier<Duration> left;
 
     public StateEquation(PetriNet net) {
@@ -46,7 +46,7 @@ public final class StateEquation {
     StateEquation(PetriNet net, Supplier<Duration> left) {
         this.net = requireNonNull(net, "net");
         this.left = left;
-        this.effects = new Effects(net);
+        this.effects = new IncidenceMatrix(net);
     }
 
     /**
@@ -136,7 +136,7 @@ public final class StateEquation {
         return IntStream.rangeClosed(1, MAX_SCALE)
                 .mapToObj(scale -> scaled(result, scale)
                         .filter(scaled -> isUpperProof(place, scaled, scale))
-                        .map(scaled -> Math.floorDiv(Effects.initialSum(net, at -> scaled[at]), (long) scale)))
+                        .map(scaled -> Math.floorDiv(IncidenceMatrix.initialSum(net, at -> scaled[at]), (long) scale)))
                 .flatMap(Optional::stream)
                 .mapToLong(Long::longValue)
                 .findFirst();
@@ -145,7 +145,8 @@ public final class StateEquation {
     private boolean isUpperProof(Place place, long[] weights, int scale) {
         return weights[place.index()] >= scale
                 && IntStream.range(0, weights.length).allMatch(at -> weights[at] >= 0)
-                && effects.ofTransitions().stream().allMatch(effect -> Effects.sum(effect, at -> weights[at]) <= 0);
+                && effects.ofTransitions().stream()
+                        .allMatch(effect -> IncidenceMatrix.sum(effect, at -> weights[at]) <= 0);
     }
 
     /** The values times scale, if these are integers up to rounding errors. */

@@ -55,7 +55,7 @@ public record Figures(
     @Override
     public String toString() {
         var text = places + " places, " + transitions + " transitions, " + arcs + " arcs; " + markings + " markings"
-                + told(end) + ", " + edges + " edges, " + deadMarkings + " dead";
+                + endNote(end) + ", " + edges + " edges, " + deadMarkings + " dead";
         if (neverReached.isEmpty()) {
             return text;
         }
@@ -65,7 +65,7 @@ public record Figures(
                         : "; " + neverReached.size() + " places not reached so far");
     }
 
-    static String told(SearchEnd end) {
+    static String endNote(SearchEnd end) {
         return switch (end) {
             case COMPLETE -> "";
             case LIMIT -> " (stopped at this limit)";

@@ -49,7 +49,7 @@ final class PairCheck {
     private PairResult result(String one, String other) {
         var net = new WiringNet(wiring, new LinkedHashSet<>(List.of(one, other)));
         var graph = searched.computeIfAbsent(net.shape(), shape -> ReachabilityGraph.explore(net.net(), limits));
-        var search = new Search(wiring, net, graph);
+        var search = new WiringSearch(wiring, net, graph);
         var deadlocks = search.deadlocks();
         return new PairResult(one, other, search.figures(), deadlocks.isEmpty() ? search.blocks() : deadlocks);
     }

@@ -10,24 +10,24 @@ import java.util.List;
  *
  * @param one the component that was added to the wiring first
  * @param figures of the net of the two
- * @param stories of its dead markings, nearest first, at most 16; if there are none, how one of the two can wait for
- *     ever although the other goes on
+ * @param counterexamples of its dead markings, nearest first, at most 16; if there are none, how one of the two can
+ *     wait for ever although the other goes on
  */
-public record PairResult(String one, String other, Figures figures, List<Story> stories) {
+public record PairResult(String one, String other, Figures figures, List<Counterexample> counterexamples) {
     public PairResult {
-        stories = List.copyOf(stories);
+        counterexamples = List.copyOf(counterexamples);
     }
 
     /** Whether all markings of the pair were visited, and both components can go on from each of them. */
     public boolean isFree() {
-        return stories.isEmpty() && figures.isComplete();
+        return counterexamples.isEmpty() && figures.isComplete();
     }
 
-    /** The figures and the sentences of the stories. */
+    /** The figures and the sentences of the counterexamples. */
     @Override
     public String toString() {
         var text = new StringBuilder(one + " and " + other + ": " + figures);
-        stories.forEach(story -> text.append("\n  ").append(story.sentence()));
+        counterexamples.forEach(counterexample -> text.append("\n  ").append(counterexample.sentence()));
         return text.toString();
     }
 }

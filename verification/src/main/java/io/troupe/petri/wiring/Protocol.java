@@ -48,24 +48,24 @@ public final class Protocol {
         return new ProtocolBuilder(name);
     }
 
-    /** A private step; the label describes it in the stories. */
-    public static Way.Open does(String label) {
-        return new Way.Open(Way.Kind.DOES, label);
+    /** A private step; the label describes it in the counterexamples. */
+    public static Branch.Builder does(String label) {
+        return new Branch.Builder(Branch.Kind.DOES, label);
     }
 
     /** A call, written {@code component.call}; the component waits for its answer. */
-    public static Way.Open requests(String target) {
-        return new Way.Open(Way.Kind.REQUESTS, target);
+    public static Branch.Builder requests(String target) {
+        return new Branch.Builder(Branch.Kind.REQUESTS, target);
     }
 
     /** A call that other components may make while the component is in this state. */
-    public static Way.Open provides(String call) {
-        return new Way.Open(Way.Kind.PROVIDES, call);
+    public static Branch.Builder provides(String call) {
+        return new Branch.Builder(Branch.Kind.PROVIDES, call);
     }
 
     /** Allows the component to stop here: it goes back to its first state. */
-    public static Way stops() {
-        return new Way(Way.Kind.STOPS, "", "");
+    public static Branch stops() {
+        return new Branch(Branch.Kind.STOPS, "", "");
     }
 
     public String name() {

@@ -36,7 +36,7 @@ public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEn
     /** In one line. */
     @Override
     public String toString() {
-        return markings + " markings by stubborn sets" + Figures.told(end) + ", " + deadMarkings + " dead"
+        return markings + " markings by stubborn sets" + Figures.endNote(end) + ", " + deadMarkings + " dead"
                 + (isComplete() ? " and no others" : " so far")
                 + (showsBlocks ? ", enough to see blocks too" : "");
     }

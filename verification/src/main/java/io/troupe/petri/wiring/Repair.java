@@ -39,9 +39,10 @@ public record Repair(Wiring wiring, Map<String, List<String>> stops, WiringResul
             case WiringResult.Proved proved -> proved.toString();
             case WiringResult.DeadlockFree free -> free.toString();
             case WiringResult.Blocked blocked ->
-                "not proved, a component can wait for ever, " + blocked.story().sentence() + "; " + blocked.figures();
+                "not proved, a component can wait for ever, "
+                        + blocked.counterexample().sentence() + "; " + blocked.figures();
             case WiringResult.Deadlock deadlock ->
-                "not proved, can deadlock, " + deadlock.story().sentence() + "; " + deadlock.figures();
+                "not proved, can deadlock, " + deadlock.counterexample().sentence() + "; " + deadlock.figures();
             case WiringResult.Unknown unknown -> "not proved, " + unknown;
         };
         return "fuse the stops into one, taken together in the states " + new TreeMap<>(stops) + ": " + verdict;

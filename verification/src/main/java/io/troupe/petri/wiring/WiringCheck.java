@@ -27,7 +27,7 @@ import java.util.Optional;
  * }
  * }
  *
- * If this fails, its message is the story of the deadlock.
+ * If this fails, its message is the counterexample of the deadlock.
  *
  * <p><b>Threads.</b> Thread-safe.
  *
@@ -77,7 +77,7 @@ public final class WiringCheck {
         var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
         var isKnown = settled.isPresent() || !dead.isEmpty();
         var graph = ReachabilityGraph.explore(net.net(), isKnown ? limits.atMost(MAX_MARKINGS_IF_KNOWN) : limits);
-        var whole = new Search(wiring, net, graph);
+        var whole = new WiringSearch(wiring, net, graph);
         var figures = whole.figures();
         var reduced = settled.map(ReducedFigures::of).orElse(ReducedFigures.of(search));
         var deadlocks = dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead);

@@ -49,7 +49,7 @@ public sealed interface WiringResult {
     /**
      * All components can come to wait for ever.
      *
-     * @param stories of the dead markings, nearest first, at most 16
+     * @param counterexamples of the dead markings, nearest first, at most 16
      * @param causes the nearest ways in which a component begins to wait for ever while others may go on; empty if the
      *     search of all markings ended early
      * @param repair a synchronised stop; empty if no component stops, if they already stop together, or if it would
@@ -59,24 +59,24 @@ public sealed interface WiringResult {
             Figures figures,
             ReducedFigures reduced,
             List<PairResult> pairs,
-            List<Story> stories,
-            List<Story> causes,
+            List<Counterexample> counterexamples,
+            List<Counterexample> causes,
             Optional<Repair> repair)
             implements WiringResult {
         public Deadlock {
             pairs = List.copyOf(pairs);
-            stories = List.copyOf(stories);
+            counterexamples = List.copyOf(counterexamples);
             causes = List.copyOf(causes);
         }
 
-        /** The shortest story. */
-        public Story story() {
-            return stories.get(0);
+        /** The shortest counterexample. */
+        public Counterexample counterexample() {
+            return counterexamples.get(0);
         }
 
         @Override
         public String toString() {
-            return "can deadlock: " + figures + "; " + reduced + "\n" + story() + suspects(pairs)
+            return "can deadlock: " + figures + "; " + reduced + "\n" + counterexample() + suspects(pairs)
                     + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
         }
     }
@@ -84,7 +84,7 @@ public sealed interface WiringResult {
     /**
      * No reachable marking is dead, but a component can come to wait for ever while others go on.
      *
-     * @param stories ways to this; the nearest ones if the search of all markings is complete
+     * @param counterexamples ways to this; the nearest ones if the search of all markings is complete
      * @param repair a synchronised stop; empty if no component stops, if they already stop together, or if it would
      *     need more than 1000 combinations of states
      */
@@ -92,23 +92,23 @@ public sealed interface WiringResult {
             Figures figures,
             ReducedFigures reduced,
             List<PairResult> pairs,
-            List<Story> stories,
+            List<Counterexample> counterexamples,
             Optional<Repair> repair)
             implements WiringResult {
         public Blocked {
             pairs = List.copyOf(pairs);
-            stories = List.copyOf(stories);
+            counterexamples = List.copyOf(counterexamples);
         }
 
-        /** The first story. */
-        public Story story() {
-            return stories.get(0);
+        /** The first counterexample. */
+        public Counterexample counterexample() {
+            return counterexamples.get(0);
         }
 
         @Override
         public String toString() {
             return "a component can wait for ever: " + figures + (figures.isComplete() ? "" : "; " + reduced) + "\n"
-                    + story() + suspects(pairs)
+                    + counterexample() + suspects(pairs)
                     + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
         }
     }

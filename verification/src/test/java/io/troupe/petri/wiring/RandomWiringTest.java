@@ -66,13 +66,13 @@ class RandomWiringTest {
 
     private static Protocol protocol(int self, List<Integer> offers, Random random) {
         var states = 2 + random.nextInt(3);
-        var ways = new ArrayList<Map<String, Way>>();
+        var branches = new ArrayList<Map<String, Branch>>();
         var offered = new ArrayList<Integer>();
         for (var call = 0; call < offers.get(self); call++) {
             offered.add(random.nextInt(states));
         }
         for (var state = 0; state < states; state++) {
-            var out = new LinkedHashMap<String, Way>();
+            var out = new LinkedHashMap<String, Branch>();
             for (var call = 0; call < offered.size(); call++) {
                 if (offered.get(call) == state) {
                     add(out, provides("call" + call).then("s" + target(out, state, states, random)));
@@ -91,21 +91,21 @@ class RandomWiringTest {
             if (state > 0 && random.nextInt(4) == 0) {
                 add(out, stops());
             }
-            ways.add(out);
+            branches.add(out);
         }
         var builder = Protocol.of("c" + self);
         for (var state = 0; state < states; state++) {
-            builder.in("s" + state, ways.get(state).values().toArray(new Way[0]));
+            builder.in("s" + state, branches.get(state).values().toArray(new Branch[0]));
         }
         return builder.build();
     }
 
-    private static void add(Map<String, Way> out, Way way) {
-        out.putIfAbsent(way.toString(), way);
+    private static void add(Map<String, Branch> out, Branch branch) {
+        out.putIfAbsent(branch.toString(), branch);
     }
 
-    /** The first way of each state leads to the next one, so that all are reachable. */
-    private static int target(Map<String, Way> out, int state, int states, Random random) {
+    /** The first branch of each state leads to the next one, so that all are reachable. */
+    private static int target(Map<String, Branch> out, int state, int states, Random random) {
         return out.isEmpty() ? (state + 1) % states : random.nextInt(states);
     }
 
@@ -226,9 +226,9 @@ class RandomWiringTest {
                 assertThat(result).as("result of seed %d", seed).isInstanceOf(expected);
             }
             if (result instanceof Deadlock deadlock) {
-                deadlock.stories()
-                        .forEach(story ->
-                                requireCircle(story, wiring.components().size()));
+                deadlock.counterexamples()
+                        .forEach(counterexample -> requireCircle(
+                                counterexample, wiring.components().size()));
             }
             kinds.merge(result.getClass(), 1, Integer::sum);
         }
@@ -260,14 +260,14 @@ class RandomWiringTest {
                             .map(ReachabilityGraph.State::marking)
                             .toList());
             assertThat(progress.end()).as("seed %d", seed).isEqualTo(SearchEnd.COMPLETE);
-            var search = new Search(wiring, net, graph);
+            var search = new WiringSearch(wiring, net, graph);
             assertThat(search.blocks(progress.losses()).isEmpty())
                     .as("no blocks in seed %d", seed)
                     .isEqualTo(search.blocks().isEmpty());
             assertThat(search.blocks(progress.losses()))
                     .as("who is blocked in seed %d", seed)
-                    .extracting(
-                            story -> story.waits().stream().map(Wait::component).collect(Collectors.toSet()))
+                    .extracting(counterexample ->
+                            counterexample.waits().stream().map(Wait::component).collect(Collectors.toSet()))
                     .containsExactlyInAnyOrderElementsOf(stuckInTheEnd(net, graph));
             withDead += graph.dead().isEmpty() ? 0 : 1;
             withBlocks += graph.dead().isEmpty() && !search.blocks().isEmpty() ? 1 : 0;
@@ -292,9 +292,9 @@ class RandomWiringTest {
     }
 
     /** In a deadlock all components wait, and each one in the circle waits for the next. */
-    private static void requireCircle(Story story, int components) {
-        assertThat(story.waits()).hasSize(components);
-        var circle = story.circle();
+    private static void requireCircle(Counterexample counterexample, int components) {
+        assertThat(counterexample.waits()).hasSize(components);
+        var circle = counterexample.circle();
         assertThat(circle).isNotEmpty();
         for (var i = 0; i < circle.size(); i++) {
             assertThat(circle.get(i).on())

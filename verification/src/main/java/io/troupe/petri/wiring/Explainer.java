@@ -17,23 +17,23 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** Explains markings in which components cannot go on, as {@link Story}s. */
-final class Stories {
+/** Explains markings in which components cannot go on, as {@link Counterexample}s. */
+final class Explainer {
     private final Wiring wiring;
     private final WiringNet net;
 
-    Stories(Wiring wiring, WiringNet net) {
+    Explainer(Wiring wiring, WiringNet net) {
         this.wiring = wiring;
         this.net = net;
     }
 
-    /** The story of a marking after which the components {@code stuck} never take a step again. */
-    Story tell(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
+    /** The counterexample of a marking after which the components {@code stuck} never take a step again. */
+    Counterexample explain(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
         var waits = waits(marking, stuck);
         var circle = circle(waits);
-        var told = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
-        return new Story(
-                sentence(told, stopped(trace)),
+        var shown = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
+        return new Counterexample(
+                sentence(shown, stopped(trace)),
                 trace.stream().map(net::name).toList(),
                 isShortest,
                 List.copyOf(waits.values()),
@@ -44,10 +44,10 @@ final class Stories {
         var at = new LinkedHashMap<String, String>();
         var asking = new HashMap<String, Step.Requests>();
         for (var place : marking.marked()) {
-            switch (net.spot(place)) {
-                case WiringNet.Spot.At(var component, var where) -> at.put(component, where);
-                case WiringNet.Spot.Asking(var component, var request) -> asking.put(component, request);
-                case WiringNet.Spot.Serving serving -> {}
+            switch (net.componentState(place)) {
+                case WiringNet.ComponentState.At(var component, var where) -> at.put(component, where);
+                case WiringNet.ComponentState.Asking(var component, var request) -> asking.put(component, request);
+                case WiringNet.ComponentState.Serving serving -> {}
             }
         }
         var waits = new LinkedHashMap<String, Wait>();
@@ -172,23 +172,23 @@ final class Stories {
         return stopped;
     }
 
-    private static String sentence(List<Wait> told, Set<String> stopped) {
+    private static String sentence(List<Wait> shown, Set<String> stopped) {
         var parts = new ArrayList<String>();
-        told.stream()
+        shown.stream()
                 .filter(wait -> stopped.contains(wait.component()))
                 .forEach(wait -> parts.add(wait.component() + " stops"));
-        var allAsk = told.stream().allMatch(Wait.Answer.class::isInstance);
-        for (var wait : told) {
+        var allAsk = shown.stream().allMatch(Wait.Answer.class::isInstance);
+        for (var wait : shown) {
             switch (wait) {
                 case Wait.Answer answer -> parts.add(answer + (allAsk ? "" : ", which nobody will answer"));
                 case Wait.Call call -> {
-                    if (told.size() == 1 || !stopped.contains(call.component())) {
+                    if (shown.size() == 1 || !stopped.contains(call.component())) {
                         parts.add(call + ", which nobody will do");
                     }
                 }
                 case Wait.Stop stop -> parts.add(stop.toString());
             }
         }
-        return String.join("; ", parts) + (allAsk && told.size() > 1 ? ": all ask and nobody answers" : "");
+        return String.join("; ", parts) + (allAsk && shown.size() > 1 ? ": all ask and nobody answers" : "");
     }
 }

@@ -6,11 +6,11 @@ import java.util.RandomAccess;
 import java.util.function.IntFunction;
 
 /** An unmodifiable list that computes each element on every access. */
-final class OnDemand<T> extends AbstractList<T> implements RandomAccess {
+final class ComputedList<T> extends AbstractList<T> implements RandomAccess {
     private final int size;
     private final IntFunction<T> make;
 
-    OnDemand(int size, IntFunction<T> make) {
+    ComputedList(int size, IntFunction<T> make) {
         this.size = size;
         this.make = make;
     }

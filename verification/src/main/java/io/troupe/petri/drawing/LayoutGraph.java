@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
  * The input of a layout: the sizes of the nodes, and which of them are joined. Nodes and edges are identified by their
  * number, in the order in which they are added.
  */
-final class Sketch {
+final class LayoutGraph {
     /** The size of a node and of the text below it. */
     record Node(Size size, @Nullable Size caption) {}
 
@@ -37,7 +37,7 @@ final class Sketch {
     final List<Node> nodes = new ArrayList<>();
     final List<Edge> edges = new ArrayList<>();
 
-    Sketch(Style style) {
+    LayoutGraph(Style style) {
         this.style = style;
     }
 

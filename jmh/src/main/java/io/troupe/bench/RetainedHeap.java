@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Measures the heap that an idle actor retains after it has handled one message. */
-final class Retained {
+final class RetainedHeap {
     static final int ACTORS = 2_000;
     private static final int TRIALS = 5;
     private static final int COLLECTIONS = 4;
     private static final int PAUSE_MILLIS = 20;
 
-    private Retained() {}
+    private RetainedHeap() {}
 
     /**
      * Bytes per actor, the median of some trials. Small allocations of the contender meanwhile are divided by 2,000

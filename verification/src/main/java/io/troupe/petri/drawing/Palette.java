@@ -3,7 +3,7 @@ package io.troupe.petri.drawing;
 import java.util.List;
 
 /** The colours of both kinds of drawing; they can be distinguished in greyscale and by colour-blind readers. */
-final class Colours {
+final class Palette {
     static final String LINE = "#333333";
     static final String FAINT = "#9a9a9a";
     static final String BACK = "#8db3d9";
@@ -17,5 +17,5 @@ final class Colours {
     /** The fills of components. */
     static final List<String> TINTS = List.of("#fbd9a8", "#bfdcf5", "#c9e8bd", "#e6cdea", "#f2f0b0", "#d0d0d0");
 
-    private Colours() {}
+    private Palette() {}
 }

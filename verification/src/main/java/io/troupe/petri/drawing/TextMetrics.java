@@ -7,13 +7,13 @@ import java.util.List;
  * Estimates the size of text. The viewer's fonts are unknown, so the estimate is that of a wide sans-serif font: text
  * may be narrower, but is hardly ever wider.
  */
-final class Lettering {
+final class TextMetrics {
     /** The fonts that the drawings ask for. */
     static final String FONTS = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
     private static final double LINE = 1.2;
 
-    private Lettering() {}
+    private TextMetrics() {}
 
     static Size size(List<String> lines, double fontPx) {
         var width =
@@ -26,7 +26,7 @@ final class Lettering {
     }
 
     static double width(String text, double fontPx) {
-        return text.codePoints().mapToDouble(Lettering::ems).sum() * fontPx;
+        return text.codePoints().mapToDouble(TextMetrics::ems).sum() * fontPx;
     }
 
     /** Breaks words into as few lines of {@code widthPx} as possible; a longer word gets a separate line. */

@@ -9,7 +9,7 @@ import java.lang.management.ManagementFactory;
  * @param nanos time in nanoseconds
  * @param bytes the bytes that all threads of the contender's process allocated
  */
-record Turn(double nanos, double bytes) {
+record TurnResult(double nanos, double bytes) {
     /** In a field, because looking it up allocates. */
     private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
 
@@ -18,13 +18,13 @@ record Turn(double nanos, double bytes) {
         return nanos + " " + bytes;
     }
 
-    static Turn parse(String line) {
+    static TurnResult parse(String line) {
         String[] parts = line.split(" ");
         if (parts.length != 2) {
             throw new IllegalArgumentException(
                     "a turn is \"" + line + "\", expected nanoseconds and bytes per operation");
         }
-        return new Turn(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
+        return new TurnResult(Double.parseDouble(parts[0]), Double.parseDouble(parts[1]));
     }
 
     /** The heap bytes that all threads of this JVM have allocated so far. */

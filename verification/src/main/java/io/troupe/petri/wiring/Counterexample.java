@@ -13,8 +13,9 @@ import java.util.List;
  * @param circle those of {@code waits} in which each waits for the next one and the last for the first; empty if the
  *     waiting components depend on one that goes on, but never does what they wait for
  */
-public record Story(String sentence, List<String> firings, boolean isShortest, List<Wait> waits, List<Wait> circle) {
-    public Story {
+public record Counterexample(
+        String sentence, List<String> firings, boolean isShortest, List<Wait> waits, List<Wait> circle) {
+    public Counterexample {
         firings = List.copyOf(firings);
         waits = List.copyOf(waits);
         circle = List.copyOf(circle);

@@ -3,7 +3,7 @@ package io.troupe.bench;
 import java.util.concurrent.locks.LockSupport;
 
 /** Notifies the outside thread that the last message was handled, in the same way for all contenders. */
-final class Finish {
+final class CompletionLatch {
     private static final int SPINS = 500;
     private static final int NAP_NANOS = 10_000;
 

@@ -10,11 +10,11 @@ import java.util.TreeMap;
 import java.util.function.IntToLongFunction;
 
 /** The incidence matrix: by transition, the places whose tokens a firing changes, and by how many. */
-final class Effects {
+final class IncidenceMatrix {
     private final List<Map<Integer, Long>> ofTransitions = new ArrayList<>();
     private final List<Map<Integer, Long>> onPlaces = new ArrayList<>();
 
-    Effects(PetriNet net) {
+    IncidenceMatrix(PetriNet net) {
         net.places().forEach(place -> onPlaces.add(new TreeMap<>()));
         for (var t : net.transitions()) {
             var effect = effect(t);
