@@ -7,11 +7,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The checkout that the running test belongs to. */
+/** The checkout that contains the running test. */
 public final class Repository {
     private Repository() {}
 
-    /** The folder that holds the settings of the Gradle build, looked for from the working directory upwards. */
+    /** The root folder: the one with the settings of the Gradle build, searched from the working directory upwards. */
     public static Path root() {
         var start = Path.of("").toAbsolutePath();
         for (Path folder = start; folder != null; folder = folder.getParent()) {
@@ -22,7 +22,7 @@ public final class Repository {
         throw new IllegalStateException("no settings.gradle.kts in " + start + " or a folder above it");
     }
 
-    /** The folders of all modules, by name: those with a POM of their own. */
+    /** The folders of all modules, by name: those with a POM. */
     public static List<Path> modules() {
         try (var folders = Files.list(root())) {
             return folders.filter(folder -> Files.exists(folder.resolve("pom.xml")))

@@ -10,15 +10,15 @@ import java.util.TreeSet;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
-/** The tests that a page names as {@code `ClassTest.method`}, and those that there are. */
+/** The tests that a page names as {@code `ClassTest.method`}, and the tests that exist. */
 public final class TestMethods {
     private static final Pattern REFERENCE = Pattern.compile("`(\\w+Test)\\.(\\w+)`");
     private static final Pattern TEST_METHOD =
             Pattern.compile("@(?:Test|Property|ParameterizedTest)\\b(?:(?!\\bvoid\\b)[\\s\\S])*?\\bvoid (\\w+)\\(");
-    /** Quoted text between the annotation and the method may hold anything. */
+    /** Quoted text, which may contain anything between the annotation and the method. */
     private static final Pattern STRING = Pattern.compile("\"(?:[^\"\\\\\\n]|\\\\.)*\"");
 
-    /** A test by the simple name of its class. */
+    /** A test method, with the simple name of its class. */
     public record Reference(String type, String method) {
         private static Reference of(MatchResult match) {
             return new Reference(match.group(1), match.group(2));
@@ -32,12 +32,12 @@ public final class TestMethods {
 
     private TestMethods() {}
 
-    /** Those that a text names. */
+    /** The tests that a text names. */
     public static List<Reference> namedIn(String text) {
         return REFERENCE.matcher(text).results().map(Reference::of).toList();
     }
 
-    /** Those that a text names and that do not exist. */
+    /** The tests that a text names and that do not exist. */
     public static Set<String> missing(String text) throws IOException {
         Set<String> missing = new TreeSet<>();
         for (Reference reference : namedIn(text)) {

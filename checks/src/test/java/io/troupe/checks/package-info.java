@@ -1,4 +1,4 @@
-/** The repository as the checks see it: where it lies and which modules it has. */
+/** The repository as the checks use it: its location, its modules and its sources. */
 @NullMarked
 package io.troupe.checks;
 

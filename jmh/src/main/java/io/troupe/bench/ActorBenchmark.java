@@ -27,8 +27,8 @@ import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Typed calls against the plainest thing that does the same: a single-thread executor with {@code CompletableFuture}.
- * One operation is one message or one answer.
+ * Typed calls, compared with the simplest equivalent: a single-thread executor with {@code CompletableFuture}. One
+ * operation is one message or one answer.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -41,21 +41,21 @@ public class ActorBenchmark {
     private static final int ACTORS = 2_000;
     private static final Duration LONG = Duration.ofSeconds(30);
 
-    /** Counts what it is sent. */
+    /** Counts the messages that it receives. */
     public interface Counter {
         void add(int amount);
 
         Promise<Integer> sum();
 
-        /** Asks another counter so many times, one after the other. */
+        /** Asks another counter {@code times} times, one after the other. */
         Promise<Integer> askInTurn(Counter other, int times);
 
-        /** The same with listeners instead of a chain of promises; the deferred is resolved with the last answer. */
+        /** The same with listeners instead of a chain of promises; {@code last} is resolved with the last answer. */
         void askAndListen(Counter other, int times, Deferred<Integer> last);
     }
 
     private static final class PlainCounter implements Counter {
-        private final Consumer<Integer> listener = this::heard; // made once, so that all bytes are the library's
+        private final Consumer<Integer> listener = this::onAnswer; // made once, so that all bytes are the library's
         private @Nullable Counter partner;
         private @Nullable Deferred<Integer> end;
         private int left;
@@ -88,7 +88,7 @@ public class ActorBenchmark {
             Objects.requireNonNull(partner).sum().then(listener);
         }
 
-        private void heard(int answer) {
+        private void onAnswer(int answer) {
             if (--left == 0) {
                 Objects.requireNonNull(end).resolve(answer);
             } else {
@@ -151,7 +151,7 @@ public class ActorBenchmark {
                 .get(30, TimeUnit.SECONDS);
     }
 
-    /** A plain question: the caller listens, and nothing depends on its promise. */
+    /** A plain question: the caller registers a listener, and nothing depends on its promise. */
     @Benchmark
     @OperationsPerInvocation(MESSAGES)
     public int askAndListen_troupe() throws Exception {
@@ -181,7 +181,7 @@ public class ActorBenchmark {
                         executor);
     }
 
-    /** One operation is one actor: it is made, handles a message, answers one, and is stopped. */
+    /** One operation is one actor: it is created, handles a message, answers another, and is stopped. */
     @Benchmark
     @OperationsPerInvocation(ACTORS)
     public int createAskAndStop_troupe() throws Exception {

@@ -12,13 +12,13 @@ import java.util.Optional;
 import java.util.Random;
 
 /**
- * Troupe against its peers, and all of them against the limit.
+ * Compares Troupe with other actor libraries, and all of them with the limit.
  *
- * <p><b>Role.</b> Every contender has a JVM of its own, so that nobody's classes spoil another's compiled code; they
- * take turns of about 30 ms in random order while the others wait, so that all see the same machine. What counts is the
- * ratio to the limit in the same round.
+ * <p><b>Role.</b> Every contender runs in a separate JVM, so that its classes do not affect the compiled code of
+ * another. The contenders take turns of about 30 ms in random order while the others wait, so that all of them run
+ * under the same conditions. The result is the ratio to the limit in the same round.
  *
- * <p><b>Errors.</b> A contender that fails or hangs is named and left out.
+ * <p><b>Errors.</b> A contender that fails or hangs is reported and left out.
  */
 public final class CompareActors {
     private final CompareOptions options;
@@ -53,7 +53,7 @@ public final class CompareActors {
                 results.turns().put(workload, compare(workload, pipes));
             }
             if (options.workloads().contains(Workload.CREATE)) {
-                weigh(pipes);
+                measureRetained(pipes);
             }
         } finally {
             for (ContenderPipe pipe : pipes) {
@@ -76,8 +76,8 @@ public final class CompareActors {
         }
     }
 
-    private Map<String, List<Turn>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
-        Map<String, List<Turn>> turns = new LinkedHashMap<>();
+    private Map<String, List<TurnResult>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
+        Map<String, List<TurnResult>> turns = new LinkedHashMap<>();
         Map<ContenderPipe, Integer> operations = new LinkedHashMap<>();
         for (ContenderPipe pipe : List.copyOf(pipes)) {
             progress(workload.label() + ": warming up " + pipe.name());
@@ -97,8 +97,8 @@ public final class CompareActors {
         return turns;
     }
 
-    /** After all the turns, since it collects garbage again and again. */
-    private void weigh(List<ContenderPipe> pipes) throws IOException {
+    /** Measures the retained bytes. Runs after all the turns, because it collects garbage many times. */
+    private void measureRetained(List<ContenderPipe> pipes) throws IOException {
         for (ContenderPipe pipe : List.copyOf(pipes)) {
             progress("retained bytes: " + pipe.name());
             attempt(pipe, pipes, () -> results.retainedBytes().put(pipe.name(), pipe.retainedBytes()));
@@ -110,7 +110,7 @@ public final class CompareActors {
         void run() throws IOException;
     }
 
-    /** A contender that fails is out of the race; without the limit there is none. */
+    /** Drops a contender that fails; without the limit there is no comparison. */
     private static void attempt(ContenderPipe pipe, List<ContenderPipe> pipes, Attempt attempt) throws IOException {
         try {
             attempt.run();

@@ -4,9 +4,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Times and ratios as a drawing (SVG). The workloads without a ranking come last, say so, and have no colours. */
+/**
+ * Draws times and ratios as SVG. The workloads without a ranking come last, are marked as such, and have no colours.
+ */
 record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
-    /** What one contender needed in one workload, and as a multiple of the limit's in the same round. */
+    /**
+     * The times of one contender in one workload, in nanoseconds and as a multiple of the limit's in the same round.
+     */
     record Bar(Quartiles nanos, Quartiles ratio) {}
 
     private static final int COLUMNS = 2;
@@ -36,7 +40,8 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
     }
 
     /**
-     * A panel of bars for each workload, on a logarithmic scale; the thin line is from the lower to the upper quartile.
+     * The drawing: a panel of bars for each workload, on a logarithmic scale. The thin line is from the lower to the
+     * upper quartile.
      */
     String svg() {
         var panels = new StringBuilder();
@@ -67,7 +72,7 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
                 + CompareReport.format("</svg>%n");
     }
 
-    /** The finding: where our actors take the least time of all that are libraries. */
+    /** The result: in how many workloads our actors take the least time of all libraries. */
     private String title() {
         List<Workload> ranked =
                 bars.keySet().stream().filter(Workload::isRanked).toList();

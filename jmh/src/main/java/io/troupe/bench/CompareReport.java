@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The results as Markdown: a table of the workloads that compare, and one of those that show how soon a sleeping thread
- * runs.
+ * Formats the results as Markdown: a table of the workloads that are compared, and one of those that show how soon a
+ * sleeping thread runs.
  */
 record CompareReport(CompareOptions options, Results results) {
     static final String NOT_RANKED = "wake-up of a thread, not ranked";
@@ -14,7 +14,7 @@ record CompareReport(CompareOptions options, Results results) {
             |---|---|---|---|---|---|
             """;
 
-    /** Nanoseconds and ratios as median (lower quartile..upper quartile), bytes as median. */
+    /** The tables: nanoseconds and ratios as median (lower quartile..upper quartile), bytes as median. */
     String table() {
         var text = new StringBuilder();
         text.append(format(

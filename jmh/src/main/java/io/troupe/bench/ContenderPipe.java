@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
 /**
- * The coordinator's end of a {@link ContenderProcess}. Between two questions that process waits, and uses no processor.
+ * The coordinator's end of a {@link ContenderProcess}. Between two requests that process waits, and uses no processor.
  */
 final class ContenderPipe implements AutoCloseable {
     private static final int PATIENCE_SECONDS = 60;
@@ -30,7 +30,7 @@ final class ContenderPipe implements AutoCloseable {
                 java,
                 "-Xmx512m",
                 "-XX:+UseG1GC",
-                "-Dslf4j.internal.verbosity=ERROR", // Pekko without a logger is what we want
+                "-Dslf4j.internal.verbosity=ERROR", // Pekko is used without a logger on purpose
                 "-cp",
                 System.getProperty("java.class.path"),
                 ContenderProcess.class.getName(),
@@ -47,16 +47,16 @@ final class ContenderPipe implements AutoCloseable {
         return name;
     }
 
-    /** Warms up; gives how many operations fill a turn. */
+    /** Warms up; returns how many operations fill a turn. */
     int warm(Workload workload, int millis) throws IOException {
         return Integer.parseInt(ask("warm " + workload.label() + " " + millis));
     }
 
-    Turn turn(Workload workload, int operations) throws IOException {
-        return Turn.parse(ask("turn " + workload.label() + " " + operations));
+    TurnResult turn(Workload workload, int operations) throws IOException {
+        return TurnResult.parse(ask("turn " + workload.label() + " " + operations));
     }
 
-    /** How many bytes of the heap an actor keeps. */
+    /** The bytes of the heap that an actor retains. */
     double retainedBytes() throws IOException {
         return Double.parseDouble(ask("retained"));
     }
@@ -90,7 +90,7 @@ final class ContenderPipe implements AutoCloseable {
         }
     }
 
-    /** Ends the process, also one that hangs. */
+    /** Ends the process, even one that hangs. */
     @Override
     public void close() throws IOException {
         questions.close();

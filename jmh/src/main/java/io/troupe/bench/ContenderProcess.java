@@ -6,9 +6,9 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 
 /**
- * The main class of a contender's own JVM. It waits at its standard input for {@code warm <workload> <millis>},
- * answered by a turn's number of operations, {@code turn <workload> <operations>}, answered by a {@link Turn}, and
- * {@code retained}, answered by bytes per actor; the end of the input is the end of the process.
+ * The main class of a contender's JVM. It reads requests from standard input: {@code warm <workload> <millis>},
+ * answered by a turn's number of operations; {@code turn <workload> <operations>}, answered by a {@link TurnResult};
+ * and {@code retained}, answered by bytes per actor. It exits at the end of its input.
  */
 final class ContenderProcess {
     private static final long TURN_NANOS = 30_000_000;
@@ -24,7 +24,7 @@ final class ContenderProcess {
 
     public static void main(String[] args) throws Exception {
         PrintStream answers = System.out;
-        System.setOut(System.err); // what a library prints is no answer
+        System.setOut(System.err); // output of libraries must not mix with the answers
         int status = 1;
         try (var commands = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8))) {
             var process = new ContenderProcess(Contenders.named(args[0]).start());
@@ -37,7 +37,7 @@ final class ContenderProcess {
         } catch (Throwable failure) {
             failure.printStackTrace();
         } finally {
-            // whatever threads a library leaves behind: Kontraktor's timer would keep the JVM alive
+            // ends threads that a library leaves behind: Kontraktor's timer would keep the JVM alive
             Runtime.getRuntime().halt(status);
         }
     }
@@ -50,7 +50,7 @@ final class ContenderProcess {
                 case "turn" ->
                     turn(Workload.named(command[1]), Integer.parseInt(command[2]))
                             .line();
-                case "retained" -> Double.toString(Retained.bytesPerActor(contender));
+                case "retained" -> Double.toString(RetainedHeap.bytesPerActor(contender));
                 default ->
                     throw new IllegalArgumentException(
                             "a command is " + command[0] + ", expected warm, turn or retained");
@@ -60,7 +60,7 @@ final class ContenderProcess {
         }
     }
 
-    /** Runs more and more operations until one run fills a turn, and goes on until the time is over. */
+    /** Runs growing numbers of operations until one run fills a turn, and repeats that until the time is over. */
     private int warm(Workload workload, int millis) throws Exception {
         long end = System.nanoTime() + millis * 1_000_000L;
         int operations = workload.whole(1);
@@ -76,7 +76,7 @@ final class ContenderProcess {
         }
     }
 
-    private Turn turn(Workload workload, int operations) throws Exception {
+    private TurnResult turn(Workload workload, int operations) throws Exception {
         workload.run(subject, Math.max(1, operations / 10)); // back to full speed before the clock starts
         return workload.run(subject, operations);
     }

@@ -8,9 +8,9 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** The JDK's plain way: tasks on a single-thread executor, answers as {@code CompletableFuture}. */
+/** The plain JDK: tasks on a single-thread executor, answers as {@code CompletableFuture}. */
 final class ExecutorContender implements Contender {
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final ExecutorService executor =
             Executors.newSingleThreadExecutor(Thread.ofPlatform().daemon().factory());
     private final Counter counter = new Counter();

@@ -4,14 +4,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Twenty copies of a contender's {@link Family}: two hundred message types. */
+/** Twenty copies of a contender's {@link Family}: two hundred message types, for the workload {@code tellOfMany}. */
 final class Families {
     private static final int COPIES = 20;
 
-    /** How many message types there are. */
+    /** The number of message types. */
     static final int TYPES = COPIES * Family.TYPES;
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final AtomicInteger busy = new AtomicInteger();
     private final List<Tally> tallies = new ArrayList<>();
     private final List<Family> families = new ArrayList<>();
@@ -30,7 +30,10 @@ final class Families {
         }
     }
 
-    /** Sends so many messages of all types in turn, a multiple of {@link #TYPES}, and waits for the last one. */
+    /**
+     * Sends {@code messages}, a multiple of {@link #TYPES}, of all types in turn, and waits until the last one is
+     * handled.
+     */
     void tell(int messages) {
         finish.reset();
         busy.set(COPIES);
@@ -49,7 +52,7 @@ final class Families {
         return List.copyOf(families);
     }
 
-    /** What each actor has added up. */
+    /** The sum that each actor has added up. */
     List<Long> sums() {
         return tallies.stream().map(Tally::sum).toList();
     }

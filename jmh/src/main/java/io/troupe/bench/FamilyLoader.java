@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.lang.reflect.Constructor;
 import org.jspecify.annotations.Nullable;
 
-/** Makes a class and its nested classes once more, all else is shared. */
+/** Loads a class and its nested classes once more; all other classes are shared. See {@link Family} for the reason. */
 final class FamilyLoader extends ClassLoader {
     private final Class<?> original;
 

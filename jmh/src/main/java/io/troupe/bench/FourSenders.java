@@ -8,7 +8,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /**
- * Four threads that begin together and send a quarter each. They are kept from turn to turn, and parked between two.
+ * Four threads that start together and send a quarter of the messages each. They live through all turns, and park
+ * between two of them.
  */
 final class FourSenders implements Senders, AutoCloseable {
     private static final int COUNT = 4;
@@ -16,7 +17,7 @@ final class FourSenders implements Senders, AutoCloseable {
     private final ExecutorService threads = Executors.newFixedThreadPool(
             COUNT, Thread.ofPlatform().daemon().name("sender-", 1).factory());
 
-    /** Without it a thread that is done early could send the quarter of one that wakes late. */
+    /** Without it a thread that ends early could send the quarter of one that wakes late. */
     private final CyclicBarrier start = new CyclicBarrier(COUNT);
 
     @Override

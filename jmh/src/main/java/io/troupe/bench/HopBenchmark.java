@@ -18,9 +18,9 @@ import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.Warmup;
 
 /**
- * Where the time of a message between two actors of one thread goes: the floor is a ring of message objects and one
- * virtual call for each, with no actors, no owners, no failures and no other threads. Nobody who has message objects of
- * more than one kind can do with less.
+ * Shows where the time of a message between two actors of one thread goes. The floor is a ring of message objects and
+ * one virtual call for each, without actors, owners, failures and other threads. Any implementation with more than one
+ * class of message objects needs at least this time.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -74,7 +74,7 @@ public class HopBenchmark {
         }
     }
 
-    /** Other kinds of messages, so that the call is a virtual one. */
+    /** A further class of messages, so that the call is virtual. */
     private static final class Meet extends Entry {
         private final Player player;
         private final Player partner;
@@ -95,7 +95,7 @@ public class HopBenchmark {
         void run() {}
     }
 
-    /** What a proxy would be. */
+    /** The counterpart of a proxy. */
     private record Sender(Ring ring, Player player) implements Player {
         @Override
         public void meet(Player newPartner) {
@@ -126,7 +126,7 @@ public class HopBenchmark {
             }
         }
 
-        /** An array that has grown old makes every store dearer. */
+        /** Replaces the array: stores into an old array, which the collector has promoted, are slower. */
         void renew() {
             entries = new Entry[256];
             head = 0;
@@ -144,7 +144,7 @@ public class HopBenchmark {
         Player other = new Sender(ring, new PlainPlayer());
         floorPlayer.meet(other);
         other.meet(floorPlayer);
-        for (int times = 0; times < 50_000; times++) { // three kinds of entries, before anything is compiled
+        for (int times = 0; times < 50_000; times++) { // three classes of entries, before anything is compiled
             ring.add(new Nothing());
             other.meet(floorPlayer);
             floorPlayer.ping(0);

@@ -13,7 +13,7 @@ import org.nustaq.kontraktor.impl.SimpleScheduler;
 
 /** Kontraktor, the library of the paper, with its defaults: all actors on one scheduler thread. */
 final class KontraktorContender implements Contender {
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final SimpleScheduler scheduler = new SimpleScheduler();
     private final Counter counter = spawn();
     private final Counter other = spawn();
@@ -29,14 +29,14 @@ final class KontraktorContender implements Contender {
     }
 
     /** The actor; not final, since its proxy is a subclass. */
-    @SuppressWarnings("serial") // Kontraktor's actors are serializable; nobody serializes this one
+    @SuppressWarnings("serial") // Kontraktor's actors are serializable, but are never serialized here
     public static class Counter extends Actor<Counter> {
         private @Nullable Counter partner;
-        private @Nullable Finish finish;
+        private @Nullable CompletionLatch finish;
         private int sum;
         private int left;
 
-        public void meet(Counter newPartner, Finish newFinish) {
+        public void meet(Counter newPartner, CompletionLatch newFinish) {
             partner = newPartner;
             finish = newFinish;
         }
@@ -74,7 +74,7 @@ final class KontraktorContender implements Contender {
             });
         }
 
-        public void begin(AtomicInteger beginners, Finish end) {
+        public void begin(AtomicInteger beginners, CompletionLatch end) {
             if (beginners.decrementAndGet() == 0) {
                 end.reach();
             }
@@ -126,7 +126,7 @@ final class KontraktorContender implements Contender {
         finish.await();
     }
 
-    /** Its await() polls; a latch is the quicker way to wait outside. */
+    /** Waits by a latch, which is faster than Kontraktor's polling {@code await()}. */
     @Override
     public void askOnce(int asks) throws Exception {
         for (int i = 0; i < asks; i++) {

@@ -15,7 +15,7 @@ public final class KontraktorFamily implements Family {
     }
 
     /** The actor; not final, since its proxy is a subclass. */
-    @SuppressWarnings("serial") // Kontraktor's actors are serializable; nobody serializes this one
+    @SuppressWarnings("serial") // Kontraktor's actors are serializable, but are never serialized here
     public static class Ten extends Actor<Ten> {
         private @Nullable Tally tally;
 

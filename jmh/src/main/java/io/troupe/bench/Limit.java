@@ -9,9 +9,9 @@ import java.util.function.Consumer;
 import org.jctools.queues.varhandle.MpscVarHandleArrayQueue;
 
 /**
- * What every other time is compared with: the least anybody does who hands messages to one thread. A thread that spins
- * on a bounded ring of JCTools, a plain {@code ArrayDeque} inside, no types, no errors, no parking, one object sent
- * again and again by {@code tell}.
+ * The limit that every other time is compared with: the least work for handing messages to one thread. A spinning
+ * thread polls a bounded ring of JCTools, with a plain {@code ArrayDeque} for messages of that thread. It has no types,
+ * no errors and no parking, and {@code tell} sends one object again and again.
  */
 final class Limit implements Contender {
     private static final int SLOTS = 1 << 16;
@@ -19,7 +19,7 @@ final class Limit implements Contender {
     private static final Object ADD = new Object();
     private static final Object END = new Object();
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final MpscVarHandleArrayQueue<Object> inbox = new MpscVarHandleArrayQueue<>(SLOTS);
     private final List<Counter> created = new ArrayList<>();
     private final Thread thread;
@@ -86,7 +86,10 @@ final class Limit implements Contender {
         }
     }
 
-    /** Yields now and then: two threads that only spin on one core would wait for each other for whole time slices. */
+    /**
+     * Spins, and yields now and then: two threads that only spin on one core would wait for each other for whole time
+     * slices.
+     */
     private static void spinOrYield(int spins) {
         if (spins % SPINS_BEFORE_YIELD == SPINS_BEFORE_YIELD - 1) {
             Thread.yield();

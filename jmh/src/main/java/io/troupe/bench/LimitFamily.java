@@ -2,7 +2,7 @@ package io.troupe.bench;
 
 import java.util.function.Consumer;
 
-/** Ten objects of ten classes, sent again and again; they carry no number, but know how often they have been sent. */
+/** Ten objects of ten classes, sent again and again. They carry no number, but count how often they were sent. */
 public final class LimitFamily implements Family {
     private final Consumer<Object> inbox;
     private final Tally tally;

@@ -1,10 +1,10 @@
 package io.troupe.bench;
 
 /**
- * A message that the thread of {@link Limit} runs: a class and not an interface, since a virtual call is the least that
- * tells types apart.
+ * A message that the thread of {@link Limit} runs. A class and not an interface, because a virtual call is the cheapest
+ * way to tell types apart.
  */
 public abstract class LimitTask {
-    /** Handles itself. */
+    /** Handles this message. */
     public abstract void run();
 }

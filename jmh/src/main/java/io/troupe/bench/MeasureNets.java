@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Measures the searches over the paper's nets, and prints a table; a line on stderr for each search that is done. */
+/**
+ * Measures the searches over the paper's nets, and prints a table. Progress goes to stderr, one line for each finished
+ * search.
+ */
 public final class MeasureNets {
     private static final int DEFAULT_REPETITIONS = 7;
     private static final int WARM_UPS = 3;
@@ -73,7 +76,7 @@ public final class MeasureNets {
         long before = usedBytes();
         var found = task.work().get();
         long kept = usedBytes() - before;
-        // must live until the heap was measured
+        // keeps the result alive until the heap is measured
         Reference.reachabilityFence(found.kept());
         var spread = Quartiles.of(millis);
         return String.format(

@@ -17,17 +17,17 @@ import java.util.function.Supplier;
 /**
  * One search over a net that {@link MeasureNets} measures.
  *
- * @param name what is searched
+ * @param name of the net and the search
  * @param work the search
  */
 record NetTask(String name, Supplier<Found> work) {
     /**
-     * What a search found.
+     * The result of a search.
      *
-     * @param items what it counts by
+     * @param items the number of items that the time is divided by
      * @param unit what these are
      * @param text the result in words
-     * @param kept the result itself, to see how much heap it takes
+     * @param kept the result itself, to measure the heap it takes
      */
     record Found(long items, String unit, String text, Object kept) {}
 
@@ -66,7 +66,7 @@ record NetTask(String name, Supplier<Found> work) {
                 found.sets().size(), "siphons", found.isComplete() ? "all of them" : "stopped at the limit", found);
     }
 
-    /** The markings are those of the whole and of the proposal, by stubborn sets and in the full graph. */
+    /** The markings are those of the whole and of the repaired wiring, by stubborn sets and in the full graph. */
     private static Found check() {
         var result = WiringCheck.check(PaperWiring.robots(6));
         var text = result.getClass().getSimpleName() + ", " + result.reduced().deadMarkings() + " dead";

@@ -26,7 +26,7 @@ final class PekkoContender implements Contender {
             }
             """;
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final ActorSystem<Guardian> system;
     private final ActorRef<Message> counter;
     private final ActorRef<Message> other;
@@ -69,7 +69,7 @@ final class PekkoContender implements Contender {
 
     private record Clear() implements Guardian {}
 
-    /** Only a parent can make anonymous actors. */
+    /** Only a parent can create anonymous actors. */
     private Behavior<Guardian> guardian() {
         return Behaviors.setup(context -> Behaviors.receiveMessage(message -> {
             switch (message) {

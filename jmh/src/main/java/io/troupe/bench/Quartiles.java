@@ -3,7 +3,7 @@ package io.troupe.bench;
 import java.util.Arrays;
 import java.util.List;
 
-/** The middle of some numbers, and how far they spread. */
+/** The median of some numbers, and the quartiles around it. */
 public record Quartiles(double lower, double median, double upper) {
     public static Quartiles of(List<Double> values) {
         double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();

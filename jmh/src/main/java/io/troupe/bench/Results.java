@@ -6,18 +6,20 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What was measured.
+ * The results of a comparison.
  *
  * @param turns by workload and contender, one turn for each round
- * @param retainedBytes what an actor keeps of the heap, by contender; empty when nobody was asked to make actors
+ * @param retainedBytes the bytes of the heap that an actor retains, by contender; empty if no workload creates actors
  */
-record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double> retainedBytes) {
+record Results(Map<Workload, Map<String, List<TurnResult>>> turns, Map<String, Double> retainedBytes) {
     Quartiles nanos(Workload workload, String contender) {
-        return Quartiles.of(of(workload, contender).stream().map(Turn::nanos).toList());
+        return Quartiles.of(
+                of(workload, contender).stream().map(TurnResult::nanos).toList());
     }
 
     Quartiles bytes(Workload workload, String contender) {
-        return Quartiles.of(of(workload, contender).stream().map(Turn::bytes).toList());
+        return Quartiles.of(
+                of(workload, contender).stream().map(TurnResult::bytes).toList());
     }
 
     /** The contender's time as a multiple of the limit's in the same round. */
@@ -29,13 +31,13 @@ record Results(Map<Workload, Map<String, List<Turn>>> turns, Map<String, Double>
                 .toList());
     }
 
-    /** Bytes an actor keeps, where the workload makes actors. */
+    /** The bytes that an actor retains, for a workload that creates actors. */
     @Nullable
     Double retained(Workload workload, String contender) {
         return workload == Workload.CREATE ? retainedBytes.get(contender) : null;
     }
 
-    private List<Turn> of(Workload workload, String contender) {
+    private List<TurnResult> of(Workload workload, String contender) {
         var turns = turns().get(workload);
         var found = turns == null ? null : turns.get(contender);
         if (found == null) {

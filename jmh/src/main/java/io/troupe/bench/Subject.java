@@ -2,7 +2,7 @@ package io.troupe.bench;
 
 import org.jspecify.annotations.Nullable;
 
-/** A contender, with what some workloads need around it. */
+/** A contender, with the helpers that some workloads need. */
 final class Subject implements AutoCloseable {
     private final Contender contender;
     private final FourSenders four = new FourSenders();
@@ -28,7 +28,10 @@ final class Subject implements AutoCloseable {
         families().tell(messages);
     }
 
-    /** Made late: a compiler that has met two hundred message types makes other code than one that has met ten. */
+    /**
+     * Creates the families as late as possible: code compiled after two hundred message types were met is slower than
+     * code compiled after ten.
+     */
     Families families() throws Exception {
         if (families == null) {
             families = new Families(contender);

@@ -1,17 +1,17 @@
 package io.troupe.bench;
 
 /**
- * What the actor of a {@link Family} counts.
+ * Counts and sums the messages of a {@link Family}'s actor.
  *
- * <p><b>Threads.</b> {@link #expect} and {@link #sum} are for the sender before the first and after the last message,
- * {@link #add} is for the actor; the messages themselves order the two.
+ * <p><b>Threads.</b> The sender calls {@link #expect} before the first and {@link #sum} after the last message, the
+ * actor calls {@link #add}. The messages themselves order these calls.
  */
 public final class Tally {
     private final Runnable last;
     private int left;
     private long sum;
 
-    /** Runs the action with the last message that is expected. */
+    /** Runs {@code last} when the last expected message is handled. */
     Tally(Runnable last) {
         this.last = last;
     }
@@ -25,7 +25,7 @@ public final class Tally {
         return sum;
     }
 
-    /** One message was handled. */
+    /** Counts one handled message. */
     public void add(int amount) {
         sum += amount;
         if (--left == 0) {

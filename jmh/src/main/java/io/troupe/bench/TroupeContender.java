@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 final class TroupeContender implements Contender {
     private static final Duration LONG = Duration.ofSeconds(30);
 
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("bench"));
     private final Counter counter = space.spawn(Counter.class, () -> new PlainCounter(finish));
     private final Counter other = space.spawn(Counter.class, () -> new PlainCounter(finish));
@@ -41,12 +41,12 @@ final class TroupeContender implements Contender {
     }
 
     private static final class PlainCounter implements Counter {
-        private final Finish finish;
+        private final CompletionLatch finish;
         private Counter partner = this;
         private int sum;
         private int left;
 
-        PlainCounter(Finish finish) {
+        PlainCounter(CompletionLatch finish) {
             this.finish = finish;
         }
 

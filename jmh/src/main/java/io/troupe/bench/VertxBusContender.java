@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicInteger;
  * {@code send} and {@code request}.
  */
 final class VertxBusContender implements Contender {
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final Vertx vertx = Vertx.vertx(new VertxOptions().setEventLoopPoolSize(1));
     private final EventBus bus = vertx.eventBus();
     private final Counter counter = new Counter("counter", "other");
@@ -83,8 +83,8 @@ final class VertxBusContender implements Contender {
     }
 
     /**
-     * What {@code create} makes: a counter that hears of nothing but its beginning, so that each has one address, as
-     * each has one mailbox elsewhere.
+     * The actor of the workload {@code create}: a counter that handles only its first message. So each has one address,
+     * as each has one mailbox in other libraries.
      */
     private final class Beginner extends VerticleBase {
         private final String address;

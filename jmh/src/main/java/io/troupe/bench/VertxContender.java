@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 
 /** Vert.x, one event loop: verticles as actors, closures run on their contexts as messages, its futures as answers. */
 final class VertxContender implements Contender {
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final Vertx vertx = Vertx.vertx(new VertxOptions().setEventLoopPoolSize(1));
     private final Counter counter = new Counter();
     private final Counter other = new Counter();

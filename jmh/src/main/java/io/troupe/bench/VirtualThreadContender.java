@@ -10,7 +10,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 
 /** One virtual thread and one {@code LinkedTransferQueue} for each actor; asking is blocking. */
 final class VirtualThreadContender implements Contender {
-    private final Finish finish = new Finish();
+    private final CompletionLatch finish = new CompletionLatch();
     private final Counter counter = new Counter();
     private final Counter other = new Counter();
     private final List<Counter> created = new ArrayList<>();

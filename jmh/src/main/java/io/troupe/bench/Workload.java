@@ -1,8 +1,8 @@
 package io.troupe.bench;
 
 /**
- * What is measured: one operation is one message, one hop, one answer or one actor. The last one is last because the
- * compiled code of all others would suffer from what it has met there.
+ * The workloads: one operation is one message, one hop, one answer or one actor. {@code tellOfMany} comes last because
+ * its many types would spoil the compiled code of all others.
  */
 enum Workload {
     TELL("tell", 100_000, Subject::tell),
@@ -36,7 +36,7 @@ enum Workload {
         return label;
     }
 
-    /** False for what the operating system decides: how soon a sleeping thread runs. */
+    /** False if the operating system decides the result: how soon a sleeping thread runs. */
     boolean isRanked() {
         return this != ASK_ONCE && this != ASK_AFTER_SILENCE;
     }
@@ -50,16 +50,17 @@ enum Workload {
         throw new IllegalArgumentException("no workload " + label);
     }
 
-    /** The next number of operations that the workload can run: each message type as often as any other. */
+    /** The next number of operations that the workload can run with each message type equally often. */
     int whole(int operations) {
         int grain = this == TELL_OF_MANY ? Families.TYPES : 1;
         return Math.ceilDiv(operations, grain) * grain;
     }
 
     /**
-     * Runs so many operations, in batches that bound what is queued, and measures them without pauses and clearing up.
+     * Runs and measures {@code operations} operations, in batches that bound the queue. Pauses and clearing up are not
+     * measured.
      */
-    Turn run(Subject subject, int operations) throws Exception {
+    TurnResult run(Subject subject, int operations) throws Exception {
         long nanos = 0;
         long bytes = 0;
         int whole = whole(operations);
@@ -67,13 +68,13 @@ enum Workload {
             if (this == ASK_AFTER_SILENCE) {
                 Thread.sleep(SILENCE_MILLIS);
             }
-            long allocated = Turn.allocatedBytes();
+            long allocated = TurnResult.allocatedBytes();
             long start = System.nanoTime();
             body.run(subject, Math.min(left, batch));
             nanos += System.nanoTime() - start;
-            bytes += Turn.allocatedBytes() - allocated;
+            bytes += TurnResult.allocatedBytes() - allocated;
             subject.contender().clear();
         }
-        return new Turn((double) nanos / whole, (double) bytes / whole);
+        return new TurnResult((double) nanos / whole, (double) bytes / whole);
     }
 }

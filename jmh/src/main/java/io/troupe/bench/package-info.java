@@ -1,4 +1,4 @@
-/** What we measure, under which load, and against whom. */
+/** Benchmarks of the actors and of the net searches: workloads, contenders, harness and reports. */
 @NullMarked
 package io.troupe.bench;
 

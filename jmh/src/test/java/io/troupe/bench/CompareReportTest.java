@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class CompareReportTest {
-    /** Each round is twice the limit of that round, whatever the machine did meanwhile. */
+    /** Each round is twice the limit of that round, although the machine's speed changes between rounds. */
     private final Results results = new Results(
             new EnumMap<>(Map.of(
                     Workload.ASK_ONCE,
@@ -31,14 +31,14 @@ class CompareReportTest {
     private final String table = new CompareReport(CompareOptions.parse("--rounds", "3"), results).table();
     private final String drawing = CompareDrawing.of(results).svg();
 
-    private static Map<String, List<Turn>> limitAndTroupe() {
+    private static Map<String, List<TurnResult>> limitAndTroupe() {
         return new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
     }
 
-    /** The middle one allocates so many bytes, the others less and more. */
-    private static List<Turn> turns(double bytes, double... nanos) {
+    /** The turn in the middle allocates {@code bytes}, the others less and more. */
+    private static List<TurnResult> turns(double bytes, double... nanos) {
         return DoubleStream.of(nanos)
-                .mapToObj(each -> new Turn(each, bytes + Math.signum(each - nanos[1])))
+                .mapToObj(each -> new TurnResult(each, bytes + Math.signum(each - nanos[1])))
                 .toList();
     }
 

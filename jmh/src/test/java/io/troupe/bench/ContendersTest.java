@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** A message that gets lost makes its workload wait for ever. */
+/** A lost message makes its workload wait for ever, which the time limit detects. */
 @Timeout(value = 10, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class ContendersTest {
     private static final int ROUNDS = 3;
@@ -19,7 +19,7 @@ class ContendersTest {
         try (var subject = new Subject(contender.start())) {
             subject.contender().wake();
             for (Workload workload : Workload.values()) {
-                Turn turn = workload.run(subject, workload == Workload.ASK_AFTER_SILENCE ? 1 : 30);
+                TurnResult turn = workload.run(subject, workload == Workload.ASK_AFTER_SILENCE ? 1 : 30);
                 assertThat(turn.nanos()).as(workload.label()).isPositive();
                 assertThat(turn.bytes()).as(workload.label()).isNotNegative();
             }

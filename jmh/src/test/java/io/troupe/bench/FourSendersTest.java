@@ -18,7 +18,7 @@ class FourSendersTest {
         four.close();
     }
 
-    /** Often, since without the barrier a thread would do two shares only now and then. */
+    /** Repeated many times: without the barrier a thread sends two shares only now and then. */
     @Test
     void everyTurn_hasAShareForEachOfTheSameFourThreads() throws Exception {
         Set<Thread> kept = new HashSet<>();

@@ -3,7 +3,7 @@ package io.troupe.petri;
 import static java.util.Objects.requireNonNull;
 
 /**
- * One end of a transition: the place, and how many tokens go through at each firing.
+ * An arc between a place and a transition, with the number of tokens that one firing moves.
  *
  * @param weight 1 or more
  */

@@ -8,17 +8,18 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 
-/*
- * Looks for the smallest sets of places that are never left. From a marking that has such a set the net gets into some
- * terminal component, and there the set is marked in every marking; so only sets of places that are always marked in
- * one of these components come into question. They are tried by size, those of one size in one pass over all edges,
- * in which most are soon seen to be left.
+/**
+ * Finds the minimal sets of places that stay marked for ever once all of them are marked.
+ *
+ * <p>From a marking with such a set the net reaches a terminal component, and every marking of that component marks the
+ * set. So the candidates are the sets of places that are marked in every marking of some terminal component. They are
+ * tested by size: one pass over all edges tests every candidate of one size, and most are dropped early in that pass.
  */
 final class BlockSearch {
     private final ReachabilityGraph graph;
     private final Exploration found;
     private final int[] tokens;
-    /** By transition: the places from which it takes and to which it gives nothing back, and how much. */
+    /** By transition: the places that it takes tokens from without returning any, and how many. */
     private final int[][] emptied;
 
     private final int[][] emptiedWeights;
@@ -108,7 +109,7 @@ final class BlockSearch {
     }
 
     /**
-     * All sets of {@code more} further places, from {@code next} on, without those that have a smaller block inside.
+     * Collects all sets of {@code more} further places, starting at place {@code next}, that contain no smaller block.
      */
     private static void collect(
             BitSet places, int next, BitSet chosen, int more, List<Candidate> blocks, Map<BitSet, Candidate> result) {
@@ -149,7 +150,7 @@ final class BlockSearch {
         return candidates;
     }
 
-    /** The places that some firing from marking {@code id} empties. */
+    /** Finds the places that some firing from marking {@code id} empties. */
     private void findLeft(int id, BitSet left) {
         left.clear();
         for (var edge = found.edgeStart(id); edge < found.edgeEnd(id); edge++) {

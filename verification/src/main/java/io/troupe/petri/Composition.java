@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Makes one net of several components.
+ * Composes components, which are nets, into one net.
  *
  * <p><b>Errors.</b> An unknown or repeated name throws {@link IllegalArgumentException}.
  */
@@ -15,7 +15,8 @@ public final class Composition {
     private Composition() {}
 
     /**
-     * All {@code components} side by side, whose names must differ, with {@code melds} between them; see {@link #meld}.
+     * Puts {@code components} side by side and applies {@code melds} to the result; see {@link #meld}. The names of the
+     * components must differ.
      */
     public static PetriNet compose(String name, List<PetriNet> components, List<Meld> melds) {
         var union = PetriNet.builder(name);
@@ -24,12 +25,12 @@ public final class Composition {
     }
 
     /**
-     * Binds requests to offers inside one net, in turn.
+     * Binds requests to offers inside one net, one after the other.
      *
-     * <p>Several requests may be bound to one offer, in the same call: they share its {@code before} and {@code after},
-     * and so must name them alike. This is right as long as the provider serves one request at a time. A new transition
-     * takes the priority of the side that decides it: {@code asking} that of the request, {@code accept} and
-     * {@code answer} that of the offer.
+     * <p>Several requests may be bound to one offer in the same call: they share its {@code before} and {@code after},
+     * and so must give these the same names. This is right as long as the provider serves one request at a time. A new
+     * transition takes the priority of the side that decides about it: {@code asking} that of the request,
+     * {@code accept} and {@code answer} that of the offer.
      */
     public static PetriNet meld(PetriNet net, List<Meld> melds) {
         var result = net.toBuilder();
@@ -78,7 +79,7 @@ public final class Composition {
      * Replaces several transitions by one that does the steps of all of them at once, at the lowest of their
      * priorities.
      *
-     * <p>With the private stops of all components this makes the synchronised stop of the paper's corrected net.
+     * <p>Fusing the private stops of all components makes the synchronised stop of the paper's corrected net.
      */
     public static PetriNet fuse(PetriNet net, String fused, List<String> transitions) {
         if (transitions.isEmpty()) {

@@ -3,20 +3,20 @@ package io.troupe.petri;
 import java.util.List;
 
 /**
- * Finds all dead markings of a net and how to get there, without visiting all markings: where the order of firings does
- * not matter for what is dead in the end, it follows only one.
+ * Finds all dead markings of a net and a shortest trace to each, without visiting all markings. Where the order of
+ * firings has no effect on which markings are dead, only one order is followed.
  *
- * <p><b>Role.</b> Made by {@link #run}; the quick way to the question that {@link ReachabilityGraph#dead} answers too.
- * It tells nothing of liveness, bounds or dead transitions.
+ * <p><b>Role.</b> Made by {@link #run}; the faster way to the answer of {@link ReachabilityGraph#dead}. It decides
+ * neither liveness nor bounds nor dead transitions.
  *
  * <p><b>Threads.</b> Immutable.
  *
- * <p><b>Order.</b> Breadth first over the markings that are visited. Every way to a dead marking has a permutation that
- * is followed, so the first way that is found is a shortest one of all.
+ * <p><b>Order.</b> Breadth first over the visited markings. Every firing sequence to a dead marking has a permutation
+ * that is followed, so the first trace found is a shortest one.
  *
- * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each marking visited, without the memory for edges; never more
- * than all, and of components that mostly work on their own about as few as the square root of their number. A net with
- * priorities is searched in full.
+ * <p><b>Cost.</b> As for {@link ReachabilityGraph} for each visited marking, without the memory for edges. It never
+ * visits more than all markings; if the components are mostly independent, it visits about the square root of their
+ * number. A net with priorities is searched in full.
  *
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989.
  */
@@ -33,7 +33,7 @@ public final class DeadlockSearch {
     }
 
     /**
-     * Searches as far as {@code limits} allow.
+     * Searches within {@code limits}.
      *
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
@@ -44,7 +44,7 @@ public final class DeadlockSearch {
     /**
      * A dead marking.
      *
-     * @param marking where nothing may fire
+     * @param marking the marking, in which no transition may fire
      * @param trace a shortest firing sequence from the initial marking
      */
     public record Deadlock(Marking marking, List<Transition> trace) {
@@ -58,12 +58,12 @@ public final class DeadlockSearch {
     }
 
     /**
-     * All dead markings, that with the shortest trace first; if the search ended early, there may be more. Each is made
-     * when the list is asked for it: there can be millions, and their traces are long.
+     * All dead markings, the one with the shortest trace first; if the search ended early, there may be more. The list
+     * computes each element on access, because there can be millions with long traces.
      */
     public List<Deadlock> deadlocks() {
         var dead = visited.dead();
-        return new OnDemand<>(
+        return new ComputedList<>(
                 dead.size(),
                 i -> new Deadlock(dead.get(i).marking(), dead.get(i).shortestTrace()));
     }
@@ -73,7 +73,7 @@ public final class DeadlockSearch {
         return visited.deadlockFree();
     }
 
-    /** Why the search ended; {@link SearchEnd#COMPLETE} means that no dead marking is missing. */
+    /** Why the search ended. {@link SearchEnd#COMPLETE} means that all dead markings were found. */
     public SearchEnd end() {
         return visited.end();
     }
@@ -88,7 +88,7 @@ public final class DeadlockSearch {
         return visited.edgeCount();
     }
 
-    /** In one or two lines what is known and, when the search ended early, what is not. */
+    /** In one or two lines: the result and, if the search ended early, what is not known. */
     @Override
     public String toString() {
         var text = new StringBuilder(net().name()).append(": ");

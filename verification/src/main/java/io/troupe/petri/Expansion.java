@@ -1,10 +1,10 @@
 package io.troupe.petri;
 
-/** Which transitions a search follows from a marking. */
+/** Chooses the transitions that a search follows from a marking. */
 interface Expansion {
     /**
-     * Writes into {@code chosen} the transitions to follow, in their order, and returns how many they are; none only if
-     * nothing may fire.
+     * Writes the transitions to follow into {@code chosen}, in order, and returns their number. The number is 0 only if
+     * no transition may fire.
      */
     int choose(int[] tokens, int[] chosen);
 }

@@ -2,19 +2,23 @@ package io.troupe.petri;
 
 import java.util.BitSet;
 
-/*
- * Breadth first over the markings of a net. What it leaves in its fields is what ReachabilityGraph and DeadlockSearch
- * report. When the memory is used up it ends between two steps, so that what it has stays consistent: a list may then
- * hold a last value too many, which nothing reads.
+/**
+ * The breadth-first search over the markings of a net. {@link ReachabilityGraph} and {@link DeadlockSearch} report what
+ * it leaves in its fields.
+ *
+ * <p>Out of memory, it ends between two steps, so that its data stays consistent: a list may then hold one value too
+ * many at its end, which is never read.
  */
 final class Exploration {
     final PetriNet net;
     MarkingStore store;
-    /** Of every marking but the first: the marking it was first reached from, and by which transition. */
+    /**
+     * By marking, except for the first: the marking that it was first reached from, and the transition that led to it.
+     */
     final IntList parent = new IntList();
 
     final IntList parentTransition = new IntList();
-    /** Where the edges of a marking begin, of those whose successors were looked for. */
+    /** By expanded marking: the index of its first edge. */
     private final IntList edgeStart = new IntList();
 
     final IntList edgeTransition = new IntList();
@@ -22,13 +26,13 @@ final class Exploration {
     final IntList dead = new IntList();
     final int[] most;
     final boolean[] fired;
-    /** The markings of which successors are missing, left out at the limit. */
+    /** The markings whose successors are incomplete because of the limit. */
     private final BitSet open = new BitSet();
 
-    /** How many markings had their successors looked for; all others are open. */
+    /** How many markings are expanded, that is: their successors were computed. All others are open. */
     private int expanded;
 
-    /** How many firings were followed, whether kept as edges or not. */
+    /** How many firings were followed, whether or not they were stored as edges. */
     private long edges;
 
     SearchEnd end = SearchEnd.COMPLETE;
@@ -38,7 +42,7 @@ final class Exploration {
     private final boolean keepsEdges;
     private final Expansion expansion;
     private final int[] chosen;
-    /** The places where a transition puts more than it takes, and how much more. */
+    /** By transition: the places to which it adds more tokens than it takes, and how many more. */
     private final int[][] gains;
 
     private final int[][] gainWeights;
@@ -46,7 +50,10 @@ final class Exploration {
     private long[][] packedChanges;
     private long[] successor;
 
-    /** Without {@code keepsEdges} there are markings and ways to them, but no graph. */
+    /**
+     * Creates a search that stores the markings and the first way to each; with {@code keepsEdges} it stores all edges
+     * too.
+     */
     Exploration(PetriNet net, Expansion expansion, SearchLimits limits, boolean keepsEdges) {
         this.net = net;
         this.expansion = expansion;
@@ -113,7 +120,7 @@ final class Exploration {
         }
     }
 
-    /** Whether the limit of memory leaves room for another step, if the store takes so much after it. */
+    /** Whether the memory limit allows another step, after which the marking store takes {@code storeBytes}. */
     private boolean hasRoom(long storeBytes) {
         if (limits.maxBytes() == Long.MAX_VALUE) {
             return true;
@@ -156,7 +163,7 @@ final class Exploration {
         }
     }
 
-    /** The edges of a marking are those from here up to {@link #edgeEnd}. */
+    /** The index of a marking's first edge; its edges end before {@link #edgeEnd}. */
     int edgeStart(int id) {
         return id < edgeStart.size() ? edgeStart.get(id) : edgeTarget.size();
     }
@@ -169,7 +176,7 @@ final class Exploration {
         return (int) Math.min(Integer.MAX_VALUE, edges);
     }
 
-    /** Whether successors of a marking are missing: left out at the limit, or not looked for. */
+    /** Whether a marking's successors are incomplete: some were dropped at the limit, or it was never expanded. */
     boolean isOpen(int id) {
         return id >= expanded || open.get(id);
     }
@@ -178,7 +185,7 @@ final class Exploration {
         return open.get(0, expanded).cardinality() + store.size() - expanded;
     }
 
-    /** The number of the marking after firing t, or -1 if it is new and there is no room for it. */
+    /** The number of the marking that firing t leads to, or -1 if that marking is new and there is no room for it. */
     private int reach(int from, int t) {
         var growing = gains[t];
         for (var i = 0; i < growing.length; i++) {

@@ -3,12 +3,12 @@ package io.troupe.petri;
 import java.util.ArrayList;
 import java.util.List;
 
-/*
- * Stubborn sets, made larger where a search that followed only them would go round in a loop and never fire what is
- * ready beside it.
+/**
+ * Stubborn sets that are enlarged where a reduced search would follow a loop for ever and ignore transitions that are
+ * ready outside it (the ignoring problem).
  */
 final class FairStubbornSets implements Expansion {
-    /** Transitions in which a search went round, and the tokens around them where the others get their turn. */
+    /** The transitions of a loop, and the tokens on its places at which the search also follows other transitions. */
     private record Loop(boolean[] transitions, int[] places, int[] tokens) {
         boolean passes(int[] now) {
             for (var i = 0; i < places.length; i++) {
@@ -30,7 +30,8 @@ final class FairStubbornSets implements Expansion {
     }
 
     /**
-     * From now on, others get their turn where the marking around the firings of {@code component} is as at its entry.
+     * Makes the search follow other transitions too at each marking that equals the entry of {@code component} on all
+     * places next to the component's firings.
      */
     void open(TerminalComponent component) {
         var looping = new boolean[net.transitions().size()];

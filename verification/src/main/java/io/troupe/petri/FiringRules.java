@@ -3,11 +3,11 @@ package io.troupe.petri;
 import java.util.Arrays;
 import java.util.List;
 
-/** The transitions of a net as arrays, for searches that ask millions of times which of them may fire. */
+/** The transitions of a net as arrays, for searches that test millions of times which transitions may fire. */
 final class FiringRules implements Expansion {
-    /** By transition: the places it takes from. */
+    /** By transition: its input places. */
     final int[][] inputs;
-    /** By transition: how many tokens from each of these. */
+    /** By transition: the weight of the arc from each input place. */
     final int[][] inputWeights;
 
     private final int[] priorities;
@@ -31,7 +31,7 @@ final class FiringRules implements Expansion {
         return prioritised;
     }
 
-    /** Whether the tokens for t are there. */
+    /** Whether the input places of t hold enough tokens; priorities are ignored. */
     boolean isReady(int[] tokens, int t) {
         var places = inputs[t];
         var weights = inputWeights[t];

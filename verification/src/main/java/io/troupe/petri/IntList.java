@@ -2,9 +2,9 @@ package io.troupe.petri;
 
 import java.util.Arrays;
 
-/** A growing list of ints. */
+/** A growable list of ints. */
 final class IntList {
-    /** The longest array that every virtual machine makes. */
+    /** The largest array length that every virtual machine supports. */
     private static final int MAX_LENGTH = Integer.MAX_VALUE - 8;
 
     private int[] values;
@@ -21,7 +21,7 @@ final class IntList {
     void add(int value) {
         if (size == values.length) {
             if (size == MAX_LENGTH) {
-                throw new OutOfMemoryError("a list of " + size + " numbers"); // the search ends with what it has
+                throw new OutOfMemoryError("a list of " + size + " numbers"); // ends the search early
             }
             values = Arrays.copyOf(values, grown());
         }
@@ -32,7 +32,7 @@ final class IntList {
         return (int) Math.min(MAX_LENGTH, size + Math.max(4L, size >> 1));
     }
 
-    /** What it takes while {@code more} values are added, the copy at its growing included. */
+    /** The bytes needed while {@code more} values are added, including the copy made when the array grows. */
     long bytesWith(int more) {
         var grows = values.length - size < more;
         return Integer.BYTES * (values.length + (grows ? Math.max(grown(), (long) size + more) : 0L));

@@ -5,23 +5,23 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What can still happen for ever, whatever happened before: terminal components, live transitions, reversibility.
+ * What stays possible for ever after any firing sequence: terminal components, live transitions, reversibility.
  *
- * <p><b>Role.</b> Made by {@link #of} from a {@link ReachabilityGraph}. A graph that is not complete gives only the
- * components that are certain, those without an open marking; verdicts are then {@link Verdict#NO} or
+ * <p><b>Role.</b> Made by {@link #of} from a {@link ReachabilityGraph}. If the graph is incomplete, only the certain
+ * terminal components are given, which are those without an open marking; verdicts are then {@link Verdict#NO} or
  * {@link Verdict#UNKNOWN}.
  *
  * <p><b>Threads.</b> Immutable.
  *
- * <p><b>Cost.</b> Time in proportion to markings + edges; 24 bytes for each marking while it is made, 4 bytes for each
- * marking of a terminal component afterwards.
+ * <p><b>Cost.</b> Time in proportion to markings + edges. Memory: 24 bytes for each marking while it is computed, then
+ * 4 bytes for each marking of a terminal component.
  *
  * <p><b>Source.</b> R. Tarjan, Depth-first search and linear graph algorithms, 1972; T. Murata, Petri nets: properties,
  * analysis and applications, 1989, for the terms.
  */
 public final class Liveness {
-    /** A net without bounds can have a million components. */
-    private static final int MOST_TOLD = 16;
+    /** The most components that {@link #summary} lists; an unbounded net can have a million. */
+    private static final int MAX_LISTED = 16;
 
     private final ReachabilityGraph graph;
     private final List<TerminalComponent> components;
@@ -42,7 +42,7 @@ public final class Liveness {
     }
 
     /**
-     * The terminal strongly connected components, that with the nearest marking first. If the graph is not complete,
+     * The terminal strongly connected components, the one with the nearest marking first. If the graph is incomplete,
      * there may be others.
      */
     public List<TerminalComponent> terminalComponents() {
@@ -56,42 +56,42 @@ public final class Liveness {
         return verdict(certain);
     }
 
-    /** Whether {@code transition} can fire again after whatever happened before. */
+    /** Whether {@code transition} is live: from every reachable marking, a firing sequence contains it. */
     public Verdict live(Transition transition) {
         return verdict(lossOf(transition).isEmpty());
     }
 
-    /** The transitions that are certainly not live; if the graph is not complete, there may be others. */
+    /** The transitions that are certainly not live; if the graph is incomplete, there may be others. */
     public List<Transition> notLive() {
         return graph.net().transitions().stream()
                 .filter(t -> lossOf(t).isPresent())
                 .toList();
     }
 
-    /** The nearest terminal component in which {@code transition} never fires: the proof that it is not live. */
+    /** The nearest terminal component in which {@code transition} never fires, which proves that it is not live. */
     public Optional<TerminalComponent> lossOf(Transition transition) {
-        // asked of each, so that a transition of another net is refused even where there are no components
+        // also rejects a transition of another net where there are no components
         graph.net().transition(transition.name());
         return components.stream()
                 .filter(component -> !component.fires(transition))
                 .findFirst();
     }
 
-    /** Whether the initial marking can be reached again from every reachable one. */
+    /** Whether the initial marking can be reached again from every reachable marking. */
     public Verdict reversible() {
         return verdict(components.stream().allMatch(component -> component.contains(graph.state(0))));
     }
 
     /**
-     * The smallest sets of up to {@code maxPlaces} places that are never left once all of them are marked, fewer places
-     * first, then the nearest; without places that are marked in every marking. A place in which a component merely
-     * ends, such as "finished", is one too. If the graph is not complete, these are the ones within the
-     * {@link #terminalComponents} known that were not seen to be left so far.
+     * The minimal sets of up to {@code maxPlaces} places that stay marked for ever once all of them are marked. Smaller
+     * sets come first, then nearer ones. Places that are marked in every marking are left out. A place in which a
+     * component just ends, such as "finished", is such a set too. If the graph is incomplete, these are the sets that
+     * the known {@link #terminalComponents} keep marked and that no known edge empties.
      *
-     * <p><b>Cost.</b> For each size a pass over all edges; the number of sets to try grows with the power
+     * <p><b>Cost.</b> One pass over all edges for each size. The number of candidate sets grows with the power
      * {@code maxPlaces} of the number of places that stay marked in a terminal component.
      *
-     * @param maxPlaces 1 or more; as many components as may wait for each other in a circle
+     * @param maxPlaces 1 or more; the number of components that may wait for each other in a circle
      */
     public List<PermanentBlock> permanentBlocks(int maxPlaces) {
         if (maxPlaces < 1) {
@@ -107,17 +107,17 @@ public final class Liveness {
         return graph.isComplete() ? Verdict.YES : Verdict.UNKNOWN;
     }
 
-    /** In a few lines what is known and, when the graph is not complete, what is not. */
+    /** In a few lines: the result and, if the graph is incomplete, what is not known. */
     public String summary() {
         var text = new StringBuilder(graph.net().name()).append(": live ").append(live());
         text.append(", reversible ").append(reversible());
         text.append("\n  terminal components").append(graph.isComplete() ? "" : " so far");
         text.append(": ").append(components.size());
         components.stream()
-                .limit(MOST_TOLD)
+                .limit(MAX_LISTED)
                 .forEach(component -> text.append("\n    ").append(component));
-        if (components.size() > MOST_TOLD) {
-            text.append("\n    and ").append(components.size() - MOST_TOLD).append(" more");
+        if (components.size() > MAX_LISTED) {
+            text.append("\n    and ").append(components.size() - MAX_LISTED).append(" more");
         }
         if (!graph.isComplete()) {
             text.append("\n  ").append(graph.openCount());

@@ -4,10 +4,10 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * How many tokens each place holds.
+ * The number of tokens on each place of a net.
  *
- * <p><b>Role.</b> Made by {@link PetriNet#marking}, by firing, or read from a {@link ReachabilityGraph}. Equal when the
- * places and the tokens are equal, so nets that differ only in their transitions share markings.
+ * <p><b>Role.</b> Made by {@link PetriNet#marking}, by firing, or read from a {@link ReachabilityGraph}. Two markings
+ * are equal when their places and tokens are equal, so nets that differ only in their transitions share markings.
  *
  * <p><b>Threads.</b> Immutable.
  */
@@ -15,13 +15,13 @@ public final class Marking {
     private final List<Place> places;
     private final int[] tokens;
 
-    /** Takes over {@code tokens}. */
+    /** Creates a marking that owns {@code tokens}, without a copy. */
     Marking(List<Place> places, int[] tokens) {
         this.places = places;
         this.tokens = tokens;
     }
 
-    /** The tokens on a place. */
+    /** The number of tokens on a place. */
     public int tokens(Place place) {
         if (place.index() >= places.size() || !places.get(place.index()).equals(place)) {
             throw new IllegalArgumentException("place " + place + " is not of the net this marking belongs to");

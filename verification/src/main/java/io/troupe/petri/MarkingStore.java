@@ -4,22 +4,23 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/*
- * A set of markings, numbered from 0 in the order of their arrival. Every place has a field of the same number of bits,
- * a power of two, so that no field crosses the border of a word. As long as all fields are in range, a firing is one
- * addition per word: what the single fields would carry or borrow cancels out modulo 2^64. A safe net needs one bit for
- * each place.
+/**
+ * A set of markings, numbered from 0 in the order of insertion, packed into words.
+ *
+ * <p>Every place has a field of the same number of bits, a power of two, so that no field crosses a word boundary. As
+ * long as all fields are in range, a firing is one addition for each word: carries and borrows between fields cancel
+ * out modulo 2^64. A safe net needs one bit for each place.
  */
 final class MarkingStore {
     private static final int CHUNK_BITS = 12;
-    /** The most markings there can be, whatever the memory. */
+    /** The largest number of markings, whatever the memory. */
     static final int MAX_SIZE = 1 << 29;
 
     private final int places;
     private final int bits;
     private final int words;
     private final List<long[]> chunks = new ArrayList<>();
-    /** Open addressing; an entry is the number of a marking plus one, 0 is free. */
+    /** A hash table with open addressing: an entry is the number of a marking plus one, 0 is free. */
     private int[] table = new int[1 << 10];
 
     private int size;
@@ -30,7 +31,7 @@ final class MarkingStore {
         this.words = Math.max(1, Math.ceilDiv(places * bits, Long.SIZE));
     }
 
-    /** The most tokens a place can hold here. */
+    /** The most tokens that a field can hold. */
     int capacity() {
         return bits == Integer.SIZE ? Integer.MAX_VALUE : (1 << bits) - 1;
     }
@@ -43,7 +44,7 @@ final class MarkingStore {
         return size;
     }
 
-    /** The same markings under the same numbers, in fields of twice the width. */
+    /** A copy with the same numbers, and fields of twice the width. */
     MarkingStore widened() {
         var wider = new MarkingStore(places, bits * 2);
         var tokens = new int[places];
@@ -62,7 +63,7 @@ final class MarkingStore {
         return packed;
     }
 
-    /** What to add to the words of a marking to fire {@code transition}. */
+    /** The words to add to a marking to fire {@code transition}. */
     long[] change(Transition transition) {
         var packed = new long[words];
         for (var arc : transition.inputs()) {
@@ -85,7 +86,7 @@ final class MarkingStore {
         }
     }
 
-    /** Writes marking {@code id} plus {@code change} into {@code result}. */
+    /** Writes marking {@code id} plus {@code change} to {@code result}. */
     void plus(int id, long[] change, long[] result) {
         var chunk = chunks.get(id >>> CHUNK_BITS);
         var start = offset(id);
@@ -94,12 +95,12 @@ final class MarkingStore {
         }
     }
 
-    /** The number of a marking, or -1. */
+    /** The number of a marking, or -1 if it is not stored. */
     int find(long[] packed) {
         return table[slot(packed)] - 1;
     }
 
-    /** Adds a marking that is not here yet, and returns its number. */
+    /** Adds a marking that is not stored yet, and returns its number. */
     int add(long[] packed) {
         if (size == MAX_SIZE) {
             throw new IllegalStateException("more than " + MAX_SIZE + " markings");
@@ -115,7 +116,7 @@ final class MarkingStore {
         return size++;
     }
 
-    /** What it takes while {@code more} markings are added, the new table at its growing included. */
+    /** The bytes needed while {@code more} markings are added, including the new hash table made when it grows. */
     long bytesWith(int more) {
         var chunksNeeded = ((long) size + more >>> CHUNK_BITS) + 1;
         var grows = ((long) size + more) * 2 >= table.length;

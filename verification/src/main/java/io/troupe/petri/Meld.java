@@ -3,24 +3,25 @@ package io.troupe.petri;
 import static java.util.Objects.requireNonNull;
 
 /**
- * A request of one component bound to what another one offers, with the names of the places and transitions this adds.
+ * Binds a request of one component to an offer of another, and names the places and transitions that this adds. "Meld"
+ * is the paper's word for it.
  *
- * <p>{@code request} takes from its places and puts to others; {@code offer} likewise in its own component. Melded, the
- * requestor first asks ({@code asking}: its input places to {@code waiting}), then both sides step together
- * ({@code accept}: {@code waiting} and the offer's input places to {@code pending} and {@code before}), the offer fires
- * in private ({@code before} to {@code after}), and both step together again ({@code answer}: {@code pending} and
- * {@code after} to the output places of both).
+ * <p>{@code request} takes tokens from places of one component and puts tokens on others; {@code offer} does the same
+ * in another component. Melding replaces them by four steps. First the requestor asks ({@code asking}: the request's
+ * input places to {@code waiting}). Then both sides step together ({@code accept}: {@code waiting} and the offer's
+ * input places to {@code pending} and {@code before}). The offer fires alone ({@code before} to {@code after}). Both
+ * step together again ({@code answer}: {@code pending} and {@code after} to the output places of both).
  *
  * <p><b>Source.</b> Section 5.5 of the paper; close to the composition of components by Craig and Zuberek (2007).
  *
- * @param request the transition that is taken out
+ * @param request the transition that is removed
  * @param offer the transition that becomes private
  * @param asking the transition that replaces {@code request}
- * @param waiting the place of a requestor that nobody has heard yet
+ * @param waiting the place of a requestor whose request is not accepted yet
  * @param accept the first common transition
- * @param pending the place of a requestor that is being served
- * @param before the place of a provider that was asked
- * @param after the place of a provider that is done
+ * @param pending the place of a requestor whose request is being served
+ * @param before the place of a provider that has accepted a request
+ * @param after the place of a provider that has served a request
  * @param answer the second common transition
  */
 public record Meld(
@@ -48,7 +49,7 @@ public record Meld(
         }
     }
 
-    /** A meld with names made from those of its two transitions. */
+    /** Creates a meld whose names are derived from those of its two transitions. */
     public static Meld of(String request, String offer) {
         var call = request + "/" + offer;
         return new Meld(

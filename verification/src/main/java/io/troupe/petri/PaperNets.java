@@ -6,28 +6,28 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * The nets of the paper's fifth section: four components, and what they make together.
+ * The nets of the paper's fifth section: four components and their compositions.
  *
- * <p>The figures with the nets are lost; the text names the places and transitions that melding adds, and the rest is
- * our reconstruction, in two readings.
+ * <p>The figures with the nets are lost. The text names the places and transitions that melding adds; the rest is our
+ * reconstruction, in two readings.
  *
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
  */
 public final class PaperNets {
-    /** What the service does between being registered and waiting for data. */
+    /** What the service does between its registration and its wait for data. */
     public enum Reading {
-        /** It gets ready by a private step (Ts8 to place S10): every statement of the paper holds. */
+        /** A private step (Ts8 to place S10) comes first; every statement of the paper holds. */
         A,
-        /** It waits at once. */
+        /** The service waits at once. */
         B
     }
 
-    /** The robot's stop and the three that must follow it. */
+    /** The robot's stop and the three stops that must follow it. */
     private static final List<String> STOPS = List.of("Tr7", "Tp4", "Tm4", "Ts7");
 
     private PaperNets() {}
 
-    /** Asks the player for proxies, then reads sensors and sets values in a loop until it stops. */
+    /** Requests proxies from the player, then reads sensors and sets values in a loop until it stops. */
     public static PetriNet robot() {
         return stepping("robot", "R1", "R2", "R5", "R6", "R9", "R10")
                 .transition("Tr1", List.of("R1"), List.of("R2"))
@@ -40,7 +40,7 @@ public final class PaperNets {
                 .build();
     }
 
-    /** Provides proxies, lets values be set, and sends them to the middleware. */
+    /** Provides proxies, accepts values, and sends them to the middleware. */
     public static PetriNet player() {
         return stepping("player", "P1", "P4", "P7")
                 .transition("Tp1", List.of("P1"), List.of("P4"))
@@ -50,7 +50,7 @@ public final class PaperNets {
                 .build();
     }
 
-    /** Registers services, receives data and gives them to the service. */
+    /** Registers services, receives data and passes it to the service. */
     public static PetriNet middleware() {
         return stepping("middleware", "M1", "M4", "M7")
                 .transition("Tm1", List.of("M1"), List.of("M4"))
@@ -60,7 +60,7 @@ public final class PaperNets {
                 .build();
     }
 
-    /** Registers itself, receives data, and follows a wall or wanders; it may stop before it waits for data. */
+    /** Registers, receives data, and follows a wall or wanders; it may stop before it waits for data. */
     public static PetriNet service(Reading reading) {
         return service(reading, "S4");
     }
@@ -114,7 +114,7 @@ public final class PaperNets {
         return List.of(getProxies(), setValues(), transmit(), register(), giveData());
     }
 
-    /** All four components, each of which stops when it likes. */
+    /** All four components, each of which may stop at any time. */
     public static PetriNet uncorrected(Reading reading) {
         return whole("uncorrected " + reading, service(reading));
     }
@@ -127,15 +127,15 @@ public final class PaperNets {
     }
 
     /**
-     * All four components stop together by {@code Tstop}, once the robot wants to and the others wait for their next
-     * call.
+     * All four components stop together by {@code Tstop}, once the robot is ready to stop and the others wait for their
+     * next call.
      */
     public static PetriNet corrected(Reading reading) {
         var waitsAt = reading == Reading.A ? "S10" : "S4";
         return Composition.fuse(whole("corrected " + reading, service(reading, waitsAt)), "Tstop", STOPS);
     }
 
-    /** The places of a whole net by their component, which is what the first letter of their names says. */
+    /** The places of a whole net by component; the first letter of a place's name is that of its component. */
     public static Map<String, List<Place>> components(PetriNet whole) {
         var components = new LinkedHashMap<String, List<Place>>();
         for (var component : List.of("robot", "player", "middleware", "service")) {
@@ -153,7 +153,7 @@ public final class PaperNets {
         return Composition.compose(name, List.of(robot(), player(), middleware(), service), melds());
     }
 
-    /** A component that is in one of these places, the first one initially. */
+    /** A net with one token, which is always on one of these places, initially on {@code first}. */
     private static PetriNetBuilder stepping(String name, String first, String... others) {
         var component = PetriNet.builder(name).place(first, 1);
         List.of(others).forEach(component::place);

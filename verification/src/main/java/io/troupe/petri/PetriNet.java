@@ -11,14 +11,14 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A place/transition net with weighted arcs, an initial marking and, if wanted, priorities of transitions.
+ * A place/transition net with weighted arcs, an initial marking and optional priorities of transitions.
  *
  * <p><b>Role.</b> Built by {@link #builder}, read by {@link Pnml}, composed by {@link Composition}, searched by
  * {@link ReachabilityGraph}.
  *
  * <p><b>Threads.</b> Immutable.
  *
- * <p><b>Order.</b> Places and transitions stand in the order in which they were added.
+ * <p><b>Order.</b> Places and transitions keep the order in which they were added.
  *
  * <p><b>Errors.</b> An unknown name, and a place, transition or marking of another net, throw
  * {@link IllegalArgumentException}.
@@ -43,12 +43,12 @@ public final class PetriNet {
         return new PetriNetBuilder(name);
     }
 
-    /** Starts a changed copy of this net. */
+    /** Starts a builder with the contents of this net. */
     public PetriNetBuilder toBuilder() {
         return new PetriNetBuilder(name).add(this);
     }
 
-    /** A copy in which every place and transition has the name that {@code change} gives it. */
+    /** A copy in which {@code change} gives every place and transition its name. */
     public PetriNet renamed(String newName, UnaryOperator<String> change) {
         return new PetriNetBuilder(newName).add(this, change).build();
     }
@@ -92,7 +92,7 @@ public final class PetriNet {
         return new Marking(places, places.stream().mapToInt(Place::tokens).toArray());
     }
 
-    /** The marking with one token for each name given; a name given twice counts twice. */
+    /** The marking with one token for each given name; a name given twice counts twice. */
     public Marking marking(String... placeNames) {
         var tokens = new int[places.size()];
         for (var placeName : placeNames) {
@@ -101,7 +101,7 @@ public final class PetriNet {
         return new Marking(places, tokens);
     }
 
-    /** The transitions that may fire: their tokens are there, and no transition of higher priority has its tokens. */
+    /** The enabled transitions: those that have their tokens while no transition of higher priority has its tokens. */
     public List<Transition> enabled(Marking marking) {
         marking.requirePlaces(places, name);
         var ready = transitions.stream().filter(t -> marking.holds(t.inputs())).toList();
@@ -112,8 +112,8 @@ public final class PetriNet {
     /**
      * The marking after one firing.
      *
-     * @throws IllegalStateException if the transition may not fire; the message tells the missing tokens or the
-     *     transition that goes first
+     * @throws IllegalStateException if the transition is not enabled; the message names the missing tokens or the
+     *     transition of higher priority
      * @throws ArithmeticException if a place would hold more than {@link Integer#MAX_VALUE} tokens
      */
     public Marking fire(Marking marking, Transition transition) {
@@ -132,7 +132,7 @@ public final class PetriNet {
         return new Marking(places, tokens);
     }
 
-    /** The marking after firing all of {@code sequence} in turn. */
+    /** The marking after all firings of {@code sequence}, in order. */
     public Marking fire(Marking marking, List<Transition> sequence) {
         var now = marking;
         for (var transition : sequence) {
@@ -157,14 +157,14 @@ public final class PetriNet {
     }
 
     /**
-     * Whether both nets have the same places, tokens, transitions, priorities, arcs and weights by name; the order and
-     * the name of the net do not count.
+     * Whether both nets have the same places, tokens, transitions, priorities, arcs and weights by name. The order and
+     * the names of the nets are ignored.
      */
     public boolean sameStructureAs(PetriNet other) {
         return structure().equals(other.structure());
     }
 
-    /** One sorted line for each place and transition: equal for two nets that have the same structure. */
+    /** One line for each place and transition, sorted: equal for two nets with the same structure. */
     String structure() {
         var lines = new TreeSet<String>();
         places.forEach(place -> lines.add("place " + place + " " + place.tokens()));

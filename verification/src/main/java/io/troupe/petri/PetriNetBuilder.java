@@ -13,21 +13,21 @@ import org.jspecify.annotations.Nullable;
 /**
  * Collects places, transitions and arcs for a {@link PetriNet}.
  *
- * <p><b>Role.</b> From {@link PetriNet#builder} or {@link PetriNet#toBuilder}; what an arc names must have been added
- * before it.
+ * <p><b>Role.</b> From {@link PetriNet#builder} or {@link PetriNet#toBuilder}. Add places and transitions before the
+ * arcs that name them.
  *
- * <p><b>Threads.</b> For one thread.
+ * <p><b>Threads.</b> Not thread-safe.
  *
- * <p><b>Errors.</b> A bad argument throws {@link IllegalArgumentException} naming the net, the thing and its value.
- * Names are not blank, have no space around them and no control characters; places and transitions share one set of
- * names.
+ * <p><b>Errors.</b> An illegal argument throws {@link IllegalArgumentException}, which names the net, the place or
+ * transition and its value. A name must not be blank, and must have no space around it and no control characters.
+ * Places and transitions share one name space.
  */
 public final class PetriNetBuilder {
     private final String name;
     private final Map<String, Integer> places = new LinkedHashMap<>();
     private final Map<String, Draft> transitions = new LinkedHashMap<>();
 
-    /** A transition on its way: weights by the name of the place. */
+    /** A transition that is being built: weights by the name of the place. */
     record Draft(int priority, Map<String, Integer> in, Map<String, Integer> out) {}
 
     PetriNetBuilder(String name) {
@@ -114,7 +114,7 @@ public final class PetriNetBuilder {
         return this;
     }
 
-    /** Takes out a transition and its arcs. */
+    /** Removes a transition and its arcs. */
     public PetriNetBuilder remove(String transitionName) {
         take(transitionName);
         return this;
@@ -134,7 +134,7 @@ public final class PetriNetBuilder {
         return draft;
     }
 
-    /** The net as it stands; the builder may go on. */
+    /** Builds a net of the current contents; the builder can be used further. */
     public PetriNet build() {
         var built = new LinkedHashMap<String, Place>();
         places.forEach((placeName, tokens) -> built.put(placeName, new Place(built.size(), placeName, tokens)));
@@ -178,7 +178,7 @@ public final class PetriNetBuilder {
         require(!transitions.containsKey(newName), newName + " is already the name of a transition");
     }
 
-    /** Names go into XML and into traces. */
+    /** Rejects names that are not fit for XML and traces. */
     private void requireReadable(String what, String text) {
         var readable = !text.isBlank()
                 && text.equals(text.strip())

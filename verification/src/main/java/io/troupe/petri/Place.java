@@ -7,7 +7,7 @@ import static java.util.Objects.requireNonNull;
  *
  * @param index its position in {@link PetriNet#places()}
  * @param name unique among the places and transitions of the net
- * @param tokens what it holds in the initial marking
+ * @param tokens its tokens in the initial marking
  */
 public record Place(int index, String name, int tokens) {
     public Place {

@@ -12,21 +12,21 @@ import java.util.function.Consumer;
 import javax.xml.stream.XMLStreamException;
 
 /**
- * Place/transition nets in PNML, the exchange format of Petri-net tools.
+ * Reads and writes place/transition nets in PNML, the exchange format of Petri-net tools.
  *
- * <p>Read are documents with one P/T net: pages in pages, reference nodes, weights and initial markings. Places and
- * transitions are called by their {@code <name>}, where they have one, or all by their ids if two of those names are
- * equal. Arcs between the same two nodes add up. Pictures and the remarks of tools are skipped. Priorities, which the
- * standard does not have, are written as a {@code <toolspecific>} remark that only this class understands; other tools
- * ignore it.
+ * <p>A document may have one P/T net with nested pages, reference nodes, weights and an initial marking. Places and
+ * transitions are named by their {@code <name>} or, without one, by their id; if two names are equal, all are named by
+ * their ids. The weights of arcs between the same two nodes are added up. Graphics and tool-specific elements are
+ * skipped. Priorities, which the standard lacks, are written as a {@code <toolspecific>} element that only this class
+ * reads; other tools ignore it.
  *
- * <p>Files of other tools (pm4py, WoPeD, PIPE, ProM, LoLA, Yasper and their like) that keep to the standard in part are
- * read too, with a warning, as long as their content is that of a P/T net: without its namespace, of another type of
- * net, places outside of pages, arcs without ids or with repeated ones. Final markings are left out, with a warning.
+ * <p>Files of other tools (pm4py, WoPeD, PIPE, ProM, LoLA, Yasper and others) that keep to the standard only in part
+ * are read with a warning, as long as they contain a P/T net. Accepted are a missing namespace, another type of net,
+ * places outside of pages, and arcs without ids or with repeated ones. Final markings are dropped with a warning.
  *
- * <p><b>Errors.</b> What is not such a document throws {@link PnmlException} with the line and the reason; so do a
- * document type declaration (nothing outside the document is ever read) and every element and attribute that could
- * change what the net means, an inhibitor arc for one, in whichever way it is written.
+ * <p><b>Errors.</b> Any other document throws {@link PnmlException} with the line and the reason. So do a document type
+ * declaration, since nothing outside the document is ever read, and every element and attribute that could change the
+ * meaning of the net, such as an inhibitor arc in any notation.
  *
  * <p><b>Source.</b> ISO/IEC 15909-2, grammar of 2009.
  */
@@ -45,7 +45,7 @@ public final class Pnml {
     /**
      * Reads a file.
      *
-     * @param warnings called with {@code file:line: reason} for each kind of deviation from the standard
+     * @param warnings called with {@code file:line: reason}, once for each kind of deviation from the standard
      */
     public static PetriNet read(Path file, Consumer<String> warnings) {
         requireNonNull(warnings, "warnings");
@@ -59,16 +59,16 @@ public final class Pnml {
         }
     }
 
-    /** Reads a document given as text; {@code source} stands for the file in messages. Warnings are logged. */
+    /** Reads a document from a string; {@code source} takes the place of the file in messages. Warnings are logged. */
     public static PetriNet parse(String source, String text) {
         return parse(source, text, Pnml::log);
     }
 
     /**
-     * Reads a document given as text.
+     * Reads a document from a string.
      *
-     * @param source stands for the file in messages
-     * @param warnings called with {@code source:line: reason} for each kind of deviation from the standard
+     * @param source takes the place of the file in messages
+     * @param warnings called with {@code source:line: reason}, once for each kind of deviation from the standard
      */
     public static PetriNet parse(String source, String text, Consumer<String> warnings) {
         requireNonNull(source, "source");
@@ -84,13 +84,13 @@ public final class Pnml {
         System.getLogger(Pnml.class.getName()).log(System.Logger.Level.WARNING, warning);
     }
 
-    /** The net as a document that {@link #parse} turns into an equal one. */
+    /** Writes the net as a document that {@link #parse} reads as an equal net. */
     public static String toText(PetriNet net) {
         return new PnmlWriter(net).write();
     }
 
     /**
-     * Writes the net to a file in UTF-8, in place of what was there.
+     * Writes the net to a file in UTF-8; an existing file is replaced.
      *
      * @throws UncheckedIOException if the file cannot be written
      */

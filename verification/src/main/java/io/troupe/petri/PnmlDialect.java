@@ -6,12 +6,12 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
-/*
- * What the files of other tools hold beside the standard, as far as it leaves a place/transition net as it is. What is
- * not listed here may change the meaning of a net, and is refused.
+/**
+ * The elements and attributes beyond the standard that other tools write and that do not change a place/transition net.
+ * Everything else may change the meaning of a net, and is rejected.
  */
 final class PnmlDialect {
-    /** Namespaces before the standard, in which the same elements mean the same. */
+    /** The prefix of namespaces from before the standard, in which the same elements mean the same. */
     private static final String OLD_NAMESPACES = "http://www.informatik.hu-berlin.de/top/pnml/";
 
     private static final Set<String> FOREIGN_ATTRIBUTES =
@@ -21,11 +21,11 @@ final class PnmlDialect {
     private static final Set<String> NET_TYPES =
             Set.of("ptnet", "ptnetb", "basicpnml.rng", "pnmlcoremodel", "p/t net", "epnml-1.1");
 
-    /** Attributes that name or draw a thing, whatever their value. */
+    /** Attributes that only name or draw an element; any value is accepted. */
     private static final Set<String> DRAWN =
             Set.of("name", "displayName", "nameOffsetX", "nameOffsetY", "positionX", "positionY", "angle", "active");
 
-    /** Attributes, and children by their value or text, that change nothing if they have one of these values. */
+    /** Attributes and children that change nothing if they have one of these values or texts. */
     private static final Map<String, Set<String>> NEUTRAL = Map.of(
             "type", Set.of("normal"),
             "arctype", Set.of("normal"),
@@ -56,7 +56,7 @@ final class PnmlDialect {
         return DRAWN.contains(attribute);
     }
 
-    /** Whether the attribute belongs to XML, not to the net. */
+    /** Whether the attribute belongs to XML itself and not to the net. */
     static boolean isForeign(@Nullable String namespace) {
         return namespace != null && FOREIGN_ATTRIBUTES.contains(namespace);
     }

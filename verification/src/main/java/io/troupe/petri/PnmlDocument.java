@@ -9,19 +9,22 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
 
-/* What a document holds, with lines; since an arc may stand before its ends, the net is made when all of it is here. */
+/**
+ * The contents of a document with their line numbers. An arc may come before its ends, so the net is built when the
+ * whole document has been read.
+ */
 final class PnmlDocument {
     enum Kind {
         PLACE,
         TRANSITION
     }
 
-    /** A place or transition; the label is its name, if it has one, and the value its tokens or its priority. */
+    /** A place or transition. The label is its name, if it has one; the value is its tokens or its priority. */
     record Node(Kind kind, String id, String label, int value, int line) {}
 
     record Reference(Kind kind, String id, String target, int line) {}
 
-    /** An arc, by the ids of its ends. */
+    /** An arc, with the ids of its ends. */
     record Link(String id, String source, String target, int weight, int line) {}
 
     private record Ends(String from, String to) {}
@@ -47,7 +50,7 @@ final class PnmlDocument {
         links.add(link);
     }
 
-    /** Whether a place, a transition or a reference has this id; the ids of arcs are of no use. */
+    /** Whether a place, a transition or a reference has this id. The ids of arcs are not kept. */
     boolean has(String id) {
         return nodes.containsKey(id) || references.containsKey(id);
     }
@@ -84,7 +87,7 @@ final class PnmlDocument {
         return net.build();
     }
 
-    /** The place or transition that an arc means, through reference nodes. */
+    /** The place or transition that an arc refers to, directly or through reference nodes. */
     private Node resolve(String id, int line) {
         var seen = new HashSet<String>();
         var target = id;
@@ -110,7 +113,7 @@ final class PnmlDocument {
         return new PnmlException(source, line, reason, null);
     }
 
-    /** What the builder refuses is an error of that line. */
+    /** Runs {@code step}; what the builder rejects becomes an error of that line. */
     private <T> T at(int line, Supplier<T> step) {
         try {
             return step.get();

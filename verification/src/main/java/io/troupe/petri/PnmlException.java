@@ -2,7 +2,9 @@ package io.troupe.petri;
 
 import org.jspecify.annotations.Nullable;
 
-/** A PNML file that cannot be read; the message is {@code file:line: reason}, without a line if none is to blame. */
+/**
+ * A PNML file that cannot be read. The message is {@code file:line: reason}; the line is missing if the error has none.
+ */
 public final class PnmlException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -23,7 +23,7 @@ import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
 import org.jspecify.annotations.Nullable;
 
-/* Reads the elements of one document. Whatever it does not know by name, and could change the net, it refuses. */
+/** Reads the elements of one document. It rejects every unknown element that could change the net. */
 final class PnmlReader {
     /** Below the limit on nested elements that newer JDKs set. */
     private static final int MAX_PAGE_DEPTH = 50;
@@ -43,16 +43,16 @@ final class PnmlReader {
     private final Set<String> warned = new HashSet<>();
     private final PnmlDocument document;
     private final Set<String> arcIds = new HashSet<>();
-    /** What the transitions so far said of time and priority; they must all say the same. */
+    /** By element: the value of time or priority that all transitions so far have; they must all have the same. */
     private final Map<String, String> uniform = new HashMap<>();
 
     private final Map<String, Integer> uniformCount = new TreeMap<>();
     private int transitions;
 
-    /** The only colour of tokens that is declared, if one is. */
+    /** The only colour of tokens that is declared, or null. */
     private @Nullable String tokenColour;
 
-    /** The line of the tag that was read last. */
+    /** The line of the last tag read. */
     private int line;
 
     private @Nullable String netName;
@@ -64,7 +64,7 @@ final class PnmlReader {
         this.document = new PnmlDocument(source);
     }
 
-    /** The JDK's own parser, which opens nothing but the document. */
+    /** The JDK's parser, set up never to open anything outside the document. */
     private static XMLInputFactory newFactory() {
         var factory = XMLInputFactory.newDefaultFactory();
         factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
@@ -77,7 +77,7 @@ final class PnmlReader {
         return newFactory().createXMLStreamReader(text);
     }
 
-    /** UTF-8 is decoded here: of bytes that are none, the parser would write to standard error. */
+    /** Opens the document and decodes UTF-8 itself: the parser would print invalid bytes to standard error. */
     static XMLStreamReader open(BufferedInputStream in) throws XMLStreamException, IOException {
         in.mark(HEAD_BYTES);
         var head = new String(in.readNBytes(HEAD_BYTES), ISO_8859_1);
@@ -97,7 +97,7 @@ final class PnmlReader {
         if (e.getNestedException() instanceof CharacterCodingException) {
             return new PnmlException(source, at, "the file is not in UTF-8, as it says or does not deny", e);
         }
-        // the parser's own message repeats the position in its first line
+        // the parser's message repeats the position in its first line
         var reason = String.valueOf(e.getMessage())
                 .lines()
                 .reduce((first, last) -> last)
@@ -174,7 +174,7 @@ final class PnmlReader {
                             "final markings are left out: a marking where nothing may fire is dead, final or not");
                     skip();
                 }
-                case "stategroup" -> { // of PIPE: named sets of markings, for its queries
+                case "stategroup" -> { // written by PIPE: named sets of markings, for its queries
                     warn("state group", "groups of states are left out: they change nothing");
                     skip();
                 }
@@ -189,7 +189,7 @@ final class PnmlReader {
         }
     }
 
-    /** As PIPE declares them; of several colours a place/transition net knows nothing. */
+    /** Reads a token colour as PIPE declares it. A place/transition net has only one. */
     private void readTokenColour() throws XMLStreamException {
         if (tokenColour != null) {
             throw bad("tokens have a second colour, " + attribute("id") + "; expected one, " + tokenColour);
@@ -216,7 +216,7 @@ final class PnmlReader {
         }
     }
 
-    /** A node or an arc; false if the element is none. */
+    /** Reads a node or an arc; false if the element is neither. */
     private boolean readContent() throws XMLStreamException {
         switch (xml.getLocalName()) {
             case "place" -> readNode(Kind.PLACE);
@@ -268,7 +268,7 @@ final class PnmlReader {
         document.add(new PnmlDocument.Node(kind, id, label, value, start));
     }
 
-    /** A priority that all transitions share decides nothing between them, nor does a rate above 0. */
+    /** Accepts a priority or a rate above 0 only if it is the same for all transitions: then it has no effect. */
     private void requireUniform(String element, String value, String what) {
         if (element.equals("rate")) {
             if (!POSITIVE.matcher(value).matches()) {
@@ -359,7 +359,7 @@ final class PnmlReader {
         document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, start));
     }
 
-    /** Every attribute is one of {@code known}, of the drawing, or has a value that changes nothing. */
+    /** Checks that every attribute is in {@code known}, only draws the element, or has a value without effect. */
     private void requireAttributes(Set<String> known) {
         for (var i = 0; i < xml.getAttributeCount(); i++) {
             var name = xml.getAttributeLocalName(i);
@@ -386,7 +386,7 @@ final class PnmlReader {
         }
     }
 
-    /** Goes to the next start tag within the current element, or to its end tag. */
+    /** Moves to the next start tag within the current element, or to its end tag. */
     private boolean nextChild() throws XMLStreamException {
         var event = xml.nextTag();
         line = xml.getLocation().getLineNumber();
@@ -407,13 +407,13 @@ final class PnmlReader {
         }
     }
 
-    /** The text of a label that is a number: no attribute may say more of it. */
+    /** The text of a label that is a number; the label may have no attributes with an effect. */
     private @Nullable String number(String element) throws XMLStreamException {
         requireAttributes(Set.of());
         return text();
     }
 
-    /** The {@code <text>} of a label, in one line; some tools call it {@code <value>}. */
+    /** The {@code <text>} of a label, in one line; some tools use {@code <value>} instead. */
     private @Nullable String text() throws XMLStreamException {
         var label = xml.getLocalName();
         String text = null;
@@ -435,7 +435,7 @@ final class PnmlReader {
         return text;
     }
 
-    /** Without the colour that PIPE puts before a number of tokens. */
+    /** The text without the colour that PIPE writes before a number of tokens. */
     private @Nullable String plain(@Nullable String text) {
         var colour = tokenColour == null ? "Default" : tokenColour;
         return text != null && text.startsWith(colour + ",") ? text.substring(colour.length() + 1) : text;
@@ -475,7 +475,7 @@ final class PnmlReader {
         }
     }
 
-    /** Once for each kind: a file that deviates in one place mostly does so everywhere. */
+    /** Warns once for each kind: a file mostly repeats its deviation. */
     private void warn(String kind, String reason) {
         if (warned.add(kind)) {
             warnings.accept(source + ":" + line + ": " + reason);

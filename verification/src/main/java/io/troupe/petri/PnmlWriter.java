@@ -70,7 +70,7 @@ final class PnmlWriter {
         return value.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 
-    /** An id as XML allows it, as near to the name as possible. */
+    /** A valid XML id that is as close to the name as possible. */
     private String newId(String name) {
         var id = new StringBuilder(name.replaceAll("[^A-Za-z0-9_.-]", "_"));
         if (!Character.isLetter(id.charAt(0))) {

@@ -5,19 +5,20 @@ import static java.util.Objects.requireNonNull;
 import java.util.List;
 
 /**
- * Finds out which transitions can always fire again, whatever happened before, without visiting all markings.
+ * Finds the transitions that are live, that is: can fire again after any firing sequence, without visiting all
+ * markings.
  *
- * <p>The reduced graph of {@link DeadlockSearch} may go round in a loop for ever and put off what is ready beside it.
- * Here such loops are opened until none is left. Then a transition that can fire after some marking of the full graph
- * can fire after a marking of the reduced one, and the reverse: so the terminal components of both lose the same
- * transitions.
+ * <p>The reduced graph of {@link DeadlockSearch} may follow a loop for ever and ignore transitions that are ready
+ * outside it. This search enlarges the stubborn sets of such loops until none is left. Then a transition that can fire
+ * after some marking of the full graph can fire after a marking of the reduced graph, and vice versa. So the terminal
+ * components of both graphs lose the same transitions.
  *
- * <p><b>Role.</b> Made by {@link #run}; the quick way to what {@link Liveness} tells of transitions.
+ * <p><b>Role.</b> Made by {@link #run}; the faster way to the answers of {@link Liveness} about transitions.
  *
  * <p><b>Threads.</b> Immutable.
  *
- * <p><b>Cost.</b> As for {@link DeadlockSearch}, once more for each time that loops are opened. Components that go
- * round on their own, without the others, are multiplied as in the full graph.
+ * <p><b>Cost.</b> As for {@link DeadlockSearch}, once more for each round in which loops are enlarged. The numbers of
+ * markings of components that loop independently multiply, as in the full graph.
  *
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989, and Stop it, and be stubborn!,
  * 2015, on the ignoring problem.
@@ -36,11 +37,11 @@ public final class ProgressSearch {
     }
 
     /**
-     * After it, some transitions never fire again, and every other one can always fire again.
+     * A marking after which some transitions never fire again, while every other transition can always fire again.
      *
-     * @param marking the first one of this kind that was met
+     * @param marking the first visited marking of this kind
      * @param trace a firing sequence from the initial marking; not always a shortest one, unless the marking is dead
-     * @param lost what never fires again: all transitions if the marking is dead
+     * @param lost the transitions that never fire again: all if the marking is dead
      */
     public record Loss(Marking marking, List<Transition> trace, List<Transition> lost) {
         public Loss {
@@ -51,7 +52,7 @@ public final class ProgressSearch {
     }
 
     /**
-     * Searches as far as {@code limits} allow, each time that loops are opened.
+     * Searches within {@code limits}, which apply to each round in which loops are enlarged.
      *
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
@@ -73,7 +74,10 @@ public final class ProgressSearch {
         return new ProgressSearch(graph, graph.isComplete() ? SearchEnd.LIMIT : graph.end(), List.of());
     }
 
-    /** What is ready beside a loop of stubborn sets stays ready all the way round, so one marking tells. */
+    /**
+     * A transition that is ready outside a loop of stubborn sets stays ready in the whole loop, so one marking is
+     * enough.
+     */
     private static boolean ignoresOthers(TerminalComponent component, PetriNet net, FiringRules rules) {
         var ready = new int[net.transitions().size()];
         var count = rules.choose(component.entry().marking().toArray(), ready);
@@ -97,12 +101,12 @@ public final class ProgressSearch {
         return visited.net();
     }
 
-    /** All ways in which the net can lose transitions for good; empty if the search ended early. */
+    /** All ways in which the net can lose transitions for ever; empty if the search ended early. */
     public List<Loss> losses() {
         return losses;
     }
 
-    /** Whether {@code transition} can fire again after whatever happened before. */
+    /** Whether {@code transition} is live: it can fire again after any firing sequence. */
     public Verdict live(Transition transition) {
         net().transition(transition.name());
         if (end != SearchEnd.COMPLETE) {
@@ -126,7 +130,7 @@ public final class ProgressSearch {
         return visited.edgeCount();
     }
 
-    /** How many markings were visited, and what is lost. */
+    /** The number of visited markings, and the result. */
     @Override
     public String toString() {
         var known = switch (end) {

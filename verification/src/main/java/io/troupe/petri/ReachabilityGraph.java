@@ -8,21 +8,21 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
- * The markings that a net can reach, and how.
+ * The reachable markings of a net, and the firings between them.
  *
- * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the given limit, or the search is
- * cancelled or out of memory, the graph is a part of the whole: {@link #isComplete} is false, {@link #summary} says in
- * words what is then known, and every method says what its answer is worth. In a part, too, every marking is really
- * reachable and every trace is a shortest one; every marking was tested for being dead, unless the search was cancelled
- * or ran out of memory. {@link Liveness} reads more out of the graph; {@link DeadlockSearch} finds the dead markings
- * with less work.
+ * <p><b>Role.</b> Made by {@link #explore}. If the net has more markings than the limit, or the search is cancelled or
+ * out of memory, the graph is incomplete: {@link #isComplete} is false, {@link #summary} describes what is then known,
+ * and the Javadoc of each method defines its answer for that case. In an incomplete graph, too, every marking is
+ * reachable and every trace is a shortest one. Every marking was tested for being dead, unless the search was cancelled
+ * or ran out of memory. {@link Liveness} derives further properties from the graph; {@link DeadlockSearch} finds the
+ * dead markings with less work.
  *
  * <p><b>Threads.</b> Immutable.
  *
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
  *
- * <p><b>Cost.</b> For each marking one bit for every place of a safe net (more bits as the tokens require) and about 20
- * bytes; 8 bytes for each edge. Time in proportion to markings x transitions.
+ * <p><b>Cost.</b> For each marking about 20 bytes, and one bit for every place of a safe net (more bits if the tokens
+ * require it); 8 bytes for each edge. Time in proportion to markings x transitions.
  */
 public final class ReachabilityGraph {
     /** The limit of {@link #explore(PetriNet)}. */
@@ -49,7 +49,7 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * Explores as far as {@code limits} allow.
+     * Explores within {@code limits}.
      *
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
@@ -61,7 +61,7 @@ public final class ReachabilityGraph {
         return explore(net, expansion, limits, true);
     }
 
-    /** Without edges, states have no successors, and there is no liveness. */
+    /** Explores without storing edges: states have no successors, and liveness cannot be computed. */
     static ReachabilityGraph withoutEdges(PetriNet net, Expansion expansion, SearchLimits limits) {
         return explore(net, expansion, limits, false);
     }
@@ -73,7 +73,7 @@ public final class ReachabilityGraph {
         return new ReachabilityGraph(exploration);
     }
 
-    /** A reachable marking and its place in the graph. */
+    /** A reachable marking and its position in the graph. */
     public final class State {
         private final int index;
 
@@ -103,14 +103,16 @@ public final class ReachabilityGraph {
         }
 
         /**
-         * Whether successors of this marking are missing here: they lie beyond the limit, or the search was cancelled
-         * before it looked for them.
+         * Whether successors of this marking are missing: they lie beyond the limit, or the search was cancelled before
+         * it computed them.
          */
         public boolean isOpen() {
             return found.isOpen(index);
         }
 
-        /** One edge for each transition that may fire here; some or all are missing if the marking is open. */
+        /**
+         * One edge for each transition that may fire in this marking; some or all are missing if the marking is open.
+         */
         public List<Edge> successors() {
             return IntStream.range(found.edgeStart(index), found.edgeEnd(index))
                     .mapToObj(edge -> new Edge(
@@ -140,7 +142,7 @@ public final class ReachabilityGraph {
         }
     }
 
-    /** A firing and where it leads. */
+    /** A firing and the state that it leads to. */
     public record Edge(Transition transition, State target) {}
 
     public PetriNet net() {
@@ -182,10 +184,13 @@ public final class ReachabilityGraph {
 
     /** All markings, nearest first. */
     public List<State> states() {
-        return new OnDemand<>(size(), State::new);
+        return new ComputedList<>(size(), State::new);
     }
 
-    /** The marking as a state, or nothing if it was not reached; in a complete graph that means it cannot be. */
+    /**
+     * The state of a marking; empty if the marking was not reached, which in a complete graph means that it is
+     * unreachable.
+     */
     public Optional<State> find(Marking marking) {
         marking.requirePlaces(net().places(), net().name());
         var tokens = marking.toArray();
@@ -196,9 +201,11 @@ public final class ReachabilityGraph {
         return index < 0 ? Optional.empty() : Optional.of(new State(index));
     }
 
-    /** The markings in which nothing may fire, nearest first; if the graph is not complete, there may be more. */
+    /**
+     * The dead markings, in which no transition may fire, nearest first; if the graph is incomplete, there may be more.
+     */
     public List<State> dead() {
-        return new OnDemand<>(found.dead.size(), i -> new State(found.dead.get(i)));
+        return new ComputedList<>(found.dead.size(), i -> new State(found.dead.get(i)));
     }
 
     /** Whether no reachable marking is dead. */
@@ -210,7 +217,7 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * The largest number of tokens seen on a place: its bound if the graph is complete, otherwise the bound may be
+     * The largest number of tokens found on a place. In a complete graph this is its bound; otherwise the bound may be
      * higher.
      */
     public int mostTokens(Place place) {
@@ -221,7 +228,7 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * The largest number of tokens seen on any place, 1 for a safe net; if the graph is not complete, the bound may be
+     * The largest number of tokens found on any place, 1 for a safe net; if the graph is incomplete, the bound may be
      * higher.
      */
     public int mostTokens() {
@@ -237,7 +244,8 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * The places that never hold a token: dead places if the graph is complete, otherwise only not seen marked so far.
+     * The places that never hold a token. In a complete graph these are the dead places; otherwise they may still be
+     * marked in markings not visited.
      */
     public List<Place> neverMarked() {
         return net().places().stream()
@@ -246,13 +254,14 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * The transitions that never may fire: dead ones if the graph is complete, otherwise only not seen enabled so far.
+     * The transitions that never may fire. In a complete graph these are the dead transitions; otherwise they may still
+     * fire in markings not visited.
      */
     public List<Transition> neverFired() {
         return net().transitions().stream().filter(t -> !found.fired[t.index()]).toList();
     }
 
-    /** In a few lines what is known and, when the search ended early, what is not. */
+    /** In a few lines: the result and, if the search ended early, what is not known. */
     public String summary() {
         var text = new StringBuilder(net().name()).append(": ");
         if (isComplete()) {

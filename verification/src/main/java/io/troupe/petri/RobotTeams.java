@@ -7,7 +7,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 
 /**
- * The nets of {@link PaperNets} for several robots: each has a player of its own, and all share one middleware and one
+ * The nets of {@link PaperNets} for several robots. Each robot has a separate player; all share one middleware and one
  * service, in reading A. Names of robot {@code i} (from 1) and its player end in {@code .i}.
  *
  * <p><b>Errors.</b> Fewer than one robot throws {@link IllegalArgumentException}.
@@ -15,12 +15,14 @@ import java.util.stream.IntStream;
 public final class RobotTeams {
     private RobotTeams() {}
 
-    /** Every component stops when it likes: 2 x 3^n dead markings for n robots. */
+    /** Every component may stop at any time: 2 x 3^n dead markings for n robots. */
     public static PetriNet uncorrected(int robots) {
         return team("uncorrected", robots, "S4");
     }
 
-    /** All components stop together by {@code Tstop}, once every robot wants to and the others wait for a call. */
+    /**
+     * All components stop together by {@code Tstop}, once every robot is ready to stop and the others wait for a call.
+     */
     public static PetriNet stoppingTogether(int robots) {
         var stops = new ArrayList<String>();
         numbers(robots).forEach(i -> stops.addAll(List.of("Tr7." + i, "Tp4." + i)));

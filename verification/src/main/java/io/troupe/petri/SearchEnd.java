@@ -1,13 +1,13 @@
 package io.troupe.petri;
 
-/** Why a search over markings ended. */
+/** The reason why a search over markings ended. */
 public enum SearchEnd {
-    /** There is nothing more to find. */
+    /** Everything was searched. */
     COMPLETE,
-    /** There are more markings than it may keep. */
+    /** The limit on the number of markings was reached. */
     LIMIT,
-    /** There is no memory for more markings, by its limit or because the virtual machine has none. */
+    /** Out of memory: the memory limit was reached, or the virtual machine has none left. */
     MEMORY,
-    /** It was told to end. */
+    /** The search was cancelled. */
     CANCELLED
 }

@@ -6,20 +6,20 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /**
- * How far a search over markings may go, how to stop it, and what to report.
+ * The limits of a search over markings, its cancellation and its progress reports.
  *
- * <p><b>Threads.</b> The search asks {@code cancelled} and calls {@code report} on its own thread. To stop it from
- * another thread, let {@code cancelled} read a volatile value, for example {@code AtomicBoolean::get}.
+ * <p><b>Threads.</b> The search calls {@code cancelled} and {@code report} on the thread that runs it. To cancel it
+ * from another thread, let {@code cancelled} read a volatile value, for example {@code AtomicBoolean::get}.
  *
- * <p><b>Errors.</b> What {@code cancelled} or {@code report} throws ends the search and reaches its caller.
+ * <p><b>Errors.</b> An exception thrown by {@code cancelled} or {@code report} ends the search and is thrown to its
+ * caller.
  *
- * @param maxMarkings how many markings the search may keep, 1 or more
- * @param cancelled asked before the successors of each marking are looked for; once true, the search ends with what it
- *     has
- * @param markingsPerReport after how many further markings, whose successors were looked for, {@code report} is called;
- *     1 or more
- * @param report called with how far the search is
- * @param maxBytes how much memory the search may take, 1 or more; before it would take more, it ends with what it has
+ * @param maxMarkings the largest number of markings that the search keeps, 1 or more
+ * @param cancelled tested before each marking is expanded; once true, the search ends with its result so far
+ * @param markingsPerReport the number of expanded markings between two calls of {@code report}, 1 or more
+ * @param report called with the progress of the search
+ * @param maxBytes the memory that the search may use, 1 or more; it ends with its result so far before it would use
+ *     more
  */
 public record SearchLimits(
         int maxMarkings,
@@ -46,12 +46,12 @@ public record SearchLimits(
         return new SearchLimits(maxMarkings, () -> false, Integer.MAX_VALUE, progress -> {}, Long.MAX_VALUE);
     }
 
-    /** These limits, and the search ends once {@code flag} is true. */
+    /** These limits; the search ends once {@code flag} is true. */
     public SearchLimits cancelledBy(BooleanSupplier flag) {
         return new SearchLimits(maxMarkings, flag, markingsPerReport, report, maxBytes);
     }
 
-    /** These limits, and {@code listener} is called after every {@code markings} markings. */
+    /** These limits; {@code listener} is called after every {@code markings} markings. */
     public SearchLimits reporting(int markings, Consumer<SearchProgress> listener) {
         return new SearchLimits(maxMarkings, cancelled, markings, listener, maxBytes);
     }
@@ -61,7 +61,7 @@ public record SearchLimits(
         return new SearchLimits(Math.min(maxMarkings, most), cancelled, markingsPerReport, report, maxBytes);
     }
 
-    /** These limits, and the search ends before it would take more than {@code bytes} of memory. */
+    /** These limits; the search ends before it would use more than {@code bytes} of memory. */
     public SearchLimits within(long bytes) {
         return new SearchLimits(maxMarkings, cancelled, markingsPerReport, report, bytes);
     }

@@ -1,11 +1,11 @@
 package io.troupe.petri;
 
 /**
- * How far a search over markings is.
+ * The progress of a search over markings.
  *
- * @param markings how many were found
- * @param expanded how many of them had their successors looked for
- * @param edges how many firings between them were found
- * @param dead how many of the expanded ones are dead
+ * @param markings the number of markings found
+ * @param expanded the number of markings whose successors were computed
+ * @param edges the number of firings found between them
+ * @param dead the number of expanded markings that are dead
  */
 public record SearchProgress(int markings, int expanded, int edges, int dead) {}

@@ -3,13 +3,13 @@ package io.troupe.petri;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Lists in summaries, which a large net would make a million names long. */
+/** Prints lists for summaries, in which a large net could have a million names. */
 final class Shortened {
     private static final int MOST = 200;
 
     private Shortened() {}
 
-    /** As a list prints itself, but of a long list only the beginning and how many follow. */
+    /** The list as it prints itself; of a long list only the beginning and the number of the rest. */
     static String list(List<?> items) {
         if (items.size() <= MOST) {
             return items.toString();

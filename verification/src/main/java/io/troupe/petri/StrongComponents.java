@@ -3,9 +3,9 @@ package io.troupe.petri;
 import java.util.Arrays;
 import java.util.BitSet;
 
-/*
- * The strongly connected components of an explored graph, by Tarjan's algorithm (1972) with a stack of its own in place
- * of recursion, which would be as deep as the graph.
+/**
+ * The strongly connected components of an explored graph, by Tarjan's algorithm (1972). An explicit stack replaces the
+ * recursion, which would be as deep as the graph.
  */
 final class StrongComponents {
     private static final int NEW = 0;
@@ -13,9 +13,11 @@ final class StrongComponents {
     private final Exploration graph;
     /** The component of each marking, numbered from 0. */
     private final int[] component;
-    /** When a marking was first seen, from 1; afterwards the earliest one on the stack that it reaches. */
+    /**
+     * The order in which markings were found, from 1; afterwards the lowest such number on the stack that is reachable.
+     */
     private final int[] low;
-    /** The next edge to follow from a marking. */
+    /** By marking: the next edge to follow. */
     private final int[] nextEdge;
 
     private final int[] path;
@@ -35,10 +37,10 @@ final class StrongComponents {
         stack = new int[size];
     }
 
-    /** The markings of each component that has no edge to another and no open marking: it is left in no way at all. */
+    /** The markings of each terminal component: it has no edge to another component and no open marking. */
     static int[][] terminal(Exploration graph) {
         var components = new StrongComponents(graph);
-        // everything is reached from the first marking
+        // every marking is reachable from the first
         components.search(0);
         return components.terminal();
     }
@@ -100,7 +102,7 @@ final class StrongComponents {
             }
         }
         var members = new IntList[count];
-        // in the order of the markings, so that the nearest one comes first
+        // in the order of the markings, so that the nearest comes first
         var inOrder = new IntList();
         for (var marking = 0; marking < component.length; marking++) {
             var of = component[marking];

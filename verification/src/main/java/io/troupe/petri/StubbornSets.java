@@ -5,21 +5,27 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
 
-/*
- * Follows only the transitions of one stubborn set (Valmari 1988; the strong ones) from each marking. A set is stubborn
- * if something in it may fire and what happens outside can neither stop its transitions that may fire nor make others
- * of it ready. So every firing sequence to a dead marking has a permutation that starts inside the set, and no dead
- * marking is lost:
- *   - for a member that is ready, all transitions that take tokens it needs; and, of places it takes from, all users;
- *   - for a member that is not ready, all transitions that put tokens on one place that lacks them.
- * Each ready transition is closed under these rules in turn, and the set with the fewest ready members is taken.
- * Priorities make outside transitions matter in other ways; then there is no reduction.
+/**
+ * Follows only the transitions of one strong stubborn set from each marking (Valmari 1988).
+ *
+ * <p>A set is stubborn if it contains a transition that may fire, and firings outside it can neither disable its
+ * transitions nor make others of it ready. So every firing sequence to a dead marking has a permutation that starts
+ * inside the set, and no dead marking is missed. A set is closed under two rules:
+ *
+ * <ul>
+ *   <li>for a ready member, add all transitions that take tokens which it needs; and, of the places that it takes
+ *       tokens from, all users;
+ *   <li>for a member that is not ready, add all transitions that put tokens on one place that lacks them.
+ * </ul>
+ *
+ * <p>The set is computed from each ready transition, and the one with the fewest ready members is used. With
+ * priorities, firings outside the set have further effects; then there is no reduction.
  */
 final class StubbornSets implements Expansion {
     private final FiringRules rules;
-    /** By transition: those that may stop it or need what it takes. */
+    /** By transition: the transitions that may disable it or that need the tokens it takes. */
     private final int[][] rivals;
-    /** By place: the transitions that put more on it than they take. */
+    /** By place: the transitions that put more tokens on it than they take. */
     private final int[][] feeders;
 
     private final int[] ready;
@@ -58,7 +64,7 @@ final class StubbornSets implements Expansion {
         isMember = new boolean[transitions.size()];
     }
 
-    /** Those that take from a place that this one takes from, unless both leave it as it was. */
+    /** The transitions that share an input place with t, except where neither changes the tokens on that place. */
     private static int[] rivals(Transition t, List<Transition> transitions, IntList[] takers) {
         var found = new BitSet();
         for (var arc : t.inputs()) {
@@ -111,8 +117,8 @@ final class StubbornSets implements Expansion {
     }
 
     /**
-     * After {@link #choose}, unless something was chosen that is not {@code looping}: adds the smallest stubborn set
-     * that has such a transition, if any is ready. A union of stubborn sets is one.
+     * Called after {@link #choose}. If only transitions of {@code looping} were chosen, adds the smallest stubborn set
+     * with a ready transition outside of {@code looping}, if there is one. The union of stubborn sets is stubborn.
      */
     int widen(int[] tokens, int[] chosen, int count, boolean[] looping) {
         if (rules.isPrioritised() || count == readyCount) {

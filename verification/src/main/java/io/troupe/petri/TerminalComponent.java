@@ -4,9 +4,9 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A terminal strongly connected component of a reachability graph: markings that can all reach each other and nothing
- * else. A dead marking is one of size 1 without firings; one in which some transition never fires is a partial
- * deadlock.
+ * A terminal strongly connected component of a reachability graph: markings that can all reach each other and no
+ * others. A dead marking is one of size 1 without firings. A component in which some transition never fires is a
+ * partial deadlock.
  *
  * <p><b>Role.</b> From {@link Liveness#terminalComponents}.
  *
@@ -17,12 +17,12 @@ public final class TerminalComponent {
     private final int[] members;
     private final boolean[] fires;
 
-    /** Takes over {@code members}, in ascending order. */
+    /** Creates a component that owns {@code members}, which are in ascending order. */
     TerminalComponent(ReachabilityGraph graph, int[] members) {
         this.graph = graph;
         this.members = members;
         var found = graph.found();
-        // a net can have a million dead markings: they need no array each
+        // no array for dead markings: a net can have a million of them
         var isDead = members.length == 1 && found.edgeStart(members[0]) == found.edgeEnd(members[0]);
         fires = new boolean[isDead ? 0 : graph.net().transitions().size()];
         for (var member : members) {
@@ -46,7 +46,7 @@ public final class TerminalComponent {
         return Arrays.stream(members).mapToObj(graph::state).toList();
     }
 
-    /** The marking nearest to the initial one; its trace shows how the net gets caught in here. */
+    /** The marking nearest to the initial one; its trace shows how the net gets into this component. */
     public ReachabilityGraph.State entry() {
         return graph.state(members[0]);
     }
@@ -65,7 +65,7 @@ public final class TerminalComponent {
         return fires(transition.index());
     }
 
-    /** The transitions that never fire any more once the net is in here; all of them if this is a dead marking. */
+    /** The transitions that never fire again once the net is in this component; all of them for a dead marking. */
     public List<Transition> neverFired() {
         return graph.net().transitions().stream().filter(t -> !fires(t.index())).toList();
     }
@@ -74,12 +74,12 @@ public final class TerminalComponent {
         return transition < fires.length && fires[transition];
     }
 
-    /** Whether this is one marking in which nothing may fire. */
+    /** Whether this is a single marking in which no transition may fire. */
     public boolean isDead() {
         return neverFired().size() == graph.net().transitions().size();
     }
 
-    /** The size, the entry and what never fires. */
+    /** The size, the entry and the transitions that never fire. */
     @Override
     public String toString() {
         return size() + (size() == 1 ? " marking" : " markings") + " entered at " + entry() + ", never fired: "

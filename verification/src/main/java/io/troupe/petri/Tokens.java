@@ -1,6 +1,6 @@
 package io.troupe.petri;
 
-/** Sums of tokens, exact or refused. */
+/** Sums of tokens, which throw on overflow. */
 final class Tokens {
     private Tokens() {}
 

@@ -9,9 +9,9 @@ import java.util.List;
  *
  * @param index its position in {@link PetriNet#transitions()}
  * @param name unique among the places and transitions of the net
- * @param priority while a transition of higher priority has its tokens, one of lower priority may not fire; usually 0
- * @param inputs what one firing takes, each place once
- * @param outputs what one firing puts, each place once
+ * @param priority usually 0; a transition may not fire while one of higher priority has its tokens
+ * @param inputs the tokens that one firing takes, each place once
+ * @param outputs the tokens that one firing puts, each place once
  */
 public record Transition(int index, String name, int priority, List<Arc> inputs, List<Arc> outputs) {
     public Transition {

@@ -1,11 +1,11 @@
 package io.troupe.petri;
 
-/** The answer to a question about all reachable markings, when perhaps not all of them were visited. */
+/** The answer to a question about all reachable markings, of which perhaps not all were visited. */
 public enum Verdict {
     /** Proved. */
     YES,
-    /** Refuted; there is a firing sequence that shows it. */
+    /** Refuted: a firing sequence shows it. */
     NO,
-    /** The search ended, at its limit or cancelled, before it could tell. */
+    /** Undecided: the search ended at a limit or was cancelled. */
     UNKNOWN
 }

@@ -1,4 +1,4 @@
-/** Petri nets: building and composing them, firing, reachability, and PNML files. */
+/** Petri nets: building, composing and firing them, reachability, and PNML files. */
 @NullMarked
 package io.troupe.petri;
 

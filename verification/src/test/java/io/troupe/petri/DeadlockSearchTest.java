@@ -42,7 +42,7 @@ class DeadlockSearchTest {
         assertThat(search.visitedEdges()).isEqualTo(891);
     }
 
-    /** n independent steps: 2^n markings, and one after the other is enough. */
+    /** n independent steps: 2^n markings, of which one order of firings is enough. */
     @Test
     void independentSteps_areTakenInOneOrder() {
         var net = PetriNet.builder("steps");
@@ -88,7 +88,7 @@ class DeadlockSearchTest {
             """);
     }
 
-    /** Whatever the net: the same dead markings as the full graph, with traces that lead to them. */
+    /** For any net: the same dead markings as the full graph, with traces that lead to them. */
     @Test
     void search_ofRandomNets_findsExactlyTheDeadMarkingsOfTheFullGraph() {
         var compared = 0;

@@ -69,7 +69,10 @@ class LivenessTest {
         }
     }
 
-    /** Stops that fit less well than the last one, that of the corrected net: where Tstop takes from and puts to. */
+    /**
+     * Alternatives to the stop of the corrected net, which is the last row: the places that Tstop takes from and puts
+     * to.
+     */
     @ParameterizedTest
     @CsvSource({
         "R10 P4 M4 S10, R1 P4 M4 S10, '{P4, M4, S10, R3''''}', NO",
@@ -90,7 +93,7 @@ class LivenessTest {
         assertThat(liveness.reversible()).isEqualTo(reversible);
     }
 
-    /** Middleware and service go on registering and stopping for ever while robot and player are stuck. */
+    /** Middleware and service register and stop again and again while robot and player are stuck. */
     @Test
     void partialDeadlock_ofReadingB_isFoundWhereNoMarkingIsDead() {
         var net = PaperNets.uncorrected(Reading.B);
@@ -209,7 +212,7 @@ class LivenessTest {
         assertThat(refuted.terminalComponents()).isNotEmpty().allMatch(TerminalComponent::isDead);
     }
 
-    /** Against the definitions, with the set of markings that each marking can reach. */
+    /** Compared with the definitions, with the set of markings that each marking can reach. */
     @Test
     void components_ofRandomNets_agreeWithTheDefinitions() {
         var several = 0;

@@ -8,11 +8,11 @@ import java.lang.management.ManagementFactory;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What searches take, and how they end when there is no more. */
+/** The memory that searches use, and how they end when there is no more. */
 class MemoryTest {
     private static final long MIB = 1 << 20;
 
-    /** n switches that are thrown once, in any order: 2^n markings, n 2^(n-1) edges, one dead marking. */
+    /** n switches that are switched once, in any order: 2^n markings, n 2^(n-1) edges, one dead marking. */
     private static PetriNet switches(int count) {
         var net = PetriNet.builder("switches");
         for (var i = 0; i < count; i++) {
@@ -21,7 +21,7 @@ class MemoryTest {
         return net.build();
     }
 
-    /** Each of n steps goes left or right, for good: 2^n dead markings, n firings away. */
+    /** Each of n steps goes left or right, irrevocably: 2^n dead markings, n firings away. */
     private static PetriNet choices(int count) {
         var net = PetriNet.builder("choices").place("p0", 1);
         for (var i = 0; i < count; i++) {
@@ -47,9 +47,7 @@ class MemoryTest {
         return threads.getCurrentThreadAllocatedBytes() - before;
     }
 
-    /**
-     * With equal priorities nothing differs; with two, stubborn sets follow all, so that both see the same markings.
-     */
+    /** With two priorities stubborn sets follow all transitions, so that both searches visit the same markings. */
     @Test
     void deadlockSearch_keepsNoEdges() {
         var net = switches(14).toBuilder()
@@ -89,7 +87,7 @@ class MemoryTest {
                 .endsWith("0 dead so far; out of memory");
     }
 
-    /** As when the virtual machine has no memory left; the markings found are not lost with it. */
+    /** Simulates a virtual machine without memory; the markings found so far are kept. */
     @Test
     void outOfMemoryError_endsTheSearchWithWhatItHas() {
         var net = switches(10);
@@ -129,7 +127,7 @@ class MemoryTest {
         assertThat(dead.get(4095).trace()).hasSize(12);
     }
 
-    /** A row of places: compared with each other, 2,000 transitions would make 4,000,000 pairs and hundreds of MiB. */
+    /** A row of places. Comparing all pairs of 2,000 transitions would need 4,000,000 pairs and hundreds of MiB. */
     @Test
     void stubbornSets_ofALargeNet_areMadeFromItsArcs() {
         var net = PetriNet.builder("row").place("p0", 1);

@@ -226,8 +226,8 @@ class PaperNetsTest {
                 .filter(state -> state.marking().covers(net.marking("R10")))
                 .toList();
 
-        // the longest way from each stopping state up to, without, Tstop; a cycle would not settle within so many
-        // rounds
+        // the longest firing sequence from each stopping state to Tstop, which is excluded; a cycle would not settle
+        // within this number of rounds
         var longest = new HashMap<ReachabilityGraph.State, Integer>();
         for (var round = 0; round <= stopping.size(); round++) {
             for (var state : stopping) {

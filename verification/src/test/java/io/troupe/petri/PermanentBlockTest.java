@@ -68,7 +68,7 @@ class PermanentBlockTest {
                 .withMessage("maxPlaces is 0, expected 1 or more");
     }
 
-    /** Against the definition, tried on every set of one and of two places. */
+    /** Compared with the definition, tested on every set of one and of two places. */
     @Test
     void blocks_ofRandomNets_agreeWithTheDefinition() {
         var found = 0;

@@ -19,7 +19,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What other tools write: read where it is a plain net, with a warning, and refused where it is not. */
+/** Files of other tools: read with a warning if they contain a plain net, otherwise rejected. */
 class PnmlOfOtherToolsTest {
     private static final String STANDARD = "<pnml xmlns='" + Pnml.NAMESPACE + "'><net id='n' type='" + Pnml.NET_TYPE
             + "'><page id='g'>\n%s\n</page></net></pnml>";
@@ -38,7 +38,7 @@ class PnmlOfOtherToolsTest {
                 .hasMessage("other.pnml:" + line + ": " + reason);
     }
 
-    /** As TAPAAL writes it: read as an ordinary arc, the net would be dead where it is not, and the reverse. */
+    /** As TAPAAL writes it: read as an ordinary arc, it would change which markings are dead. */
     @Test
     void inhibitorArc_asAnAttribute_isRefusedWithItsLine() {
         assertRefused(
@@ -124,7 +124,7 @@ class PnmlOfOtherToolsTest {
                 .hasMessageStartingWith("other.pnml:1: the root element is <pnml> in namespace \"urn:other\"");
     }
 
-    /** PIPE's way: values with a colour, capacities, rates and orientations that say nothing. */
+    /** As PIPE writes it: values with a colour, capacities, rates and orientations without an effect. */
     @Test
     void netOfPipe_isRead() {
         var net = read(OPEN, "P/T net", """

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ProgressSearchTest {
     private static final SearchLimits LIMITS = SearchLimits.markings(100_000);
 
-    /** Circles of {@code length} places, each with a token that goes round on its own. */
+    /** Circles of {@code length} places, each with a token that moves round independently. */
     private static PetriNet circles(int count, int length) {
         var net = PetriNet.builder("circles");
         for (var c = 0; c < count; c++) {
@@ -96,7 +96,7 @@ class ProgressSearchTest {
                         .containsExactlyInAnyOrder("Tm1", "Ts1''", "Tms1''", "Tms2''"));
     }
 
-    /** Whatever the net: the terminal components of the full graph lose the same transitions. */
+    /** For any net: the terminal components of the full graph lose the same transitions. */
     @Test
     void search_ofRandomNets_losesWhatTheFullGraphLoses() {
         var compared = 0;

@@ -3,7 +3,7 @@ package io.troupe.petri;
 import java.util.LinkedHashSet;
 import java.util.Random;
 
-/** Small nets for tests; the same random numbers give the same net. */
+/** Small random nets for tests; the same random numbers give the same net. */
 public final class RandomNets {
     private RandomNets() {}
 
@@ -12,7 +12,7 @@ public final class RandomNets {
         return random.nextInt(3) == 0 ? tangle(random, random.nextInt(3) == 0) : components(random);
     }
 
-    /** Any arcs and weights, often not bounded. */
+    /** Any arcs and weights, often unbounded. */
     static PetriNet tangle(Random random, boolean prioritised) {
         var net = PetriNet.builder("tangle");
         var places = 2 + random.nextInt(6);
@@ -37,7 +37,7 @@ public final class RandomNets {
         return net.build();
     }
 
-    /** State machines, each with one or two tokens, some of whose steps are taken together; always bounded. */
+    /** State machines, each with one or two tokens, which share some of their steps; always bounded. */
     static PetriNet components(Random random) {
         var net = PetriNet.builder("components");
         var components = 2 + random.nextInt(4);

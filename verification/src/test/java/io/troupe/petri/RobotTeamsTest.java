@@ -68,7 +68,7 @@ class RobotTeamsTest {
         assertThat(Liveness.of(graph).terminalComponents()).hasSize(54).allMatch(TerminalComponent::isDead);
     }
 
-    /** With the middleware and the service up for good, only what happens once at their start is not live. */
+    /** The middleware and the service never stop, so only what happens once at their start is not live. */
     @Test
     void robotsStoppingOneByOne_loseTheRegistrationOnly() {
         var liveness = Liveness.of(ReachabilityGraph.explore(RobotTeams.stoppingOneByOne(2)));

@@ -20,11 +20,11 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The Javadoc pages of actor-core, as its users get them, show the API and no machinery. What is public for technical
- * reasons only has the tag {@code @hidden}.
+ * The Javadoc pages of actor-core, as its users get them, show the API and no internal types. A type that is public for
+ * technical reasons only has the tag {@code @hidden}.
  */
 class ApiPagesTest {
-    /** Public for technical reasons, but the type of a constructor's parameter in the API. */
+    /** Public for technical reasons, but shown because a constructor of the API has a parameter of this type. */
     private static final String SHOWN = "io.troupe.actor.promise.Home";
 
     @TempDir

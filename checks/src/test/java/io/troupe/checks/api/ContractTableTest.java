@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Every point in {@code docs/contract-actor-core.md} names a test, and the tests it names exist. */
+/** Every row in {@code docs/contract-actor-core.md} names a test, and the tests exist. */
 class ContractTableTest {
     @Test
     void everyPoint_namesATest() throws IOException {

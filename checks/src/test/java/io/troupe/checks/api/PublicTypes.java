@@ -19,11 +19,11 @@ public final class PublicTypes {
     /**
      * A public top-level type.
      *
-     * @param name with its package
-     * @param javadoc text of its comment in one line; empty if it has none
+     * @param name the qualified name
+     * @param javadoc the text of its comment in one line; empty if it has none
      */
     public record PublicType(String name, String javadoc) {
-        /** Its comment says that it is public for technical reasons only. */
+        /** Whether its comment marks it as public for technical reasons only. */
         public boolean isForTheLibraryOnly() {
             String text = javadoc.toLowerCase(java.util.Locale.ROOT);
             return text.contains("for generated code") || text.contains("for the rooms of this library");

@@ -1,4 +1,4 @@
-/** What actor-core promises: the size of its public API, and a test for each point of its contract. */
+/** Checks of actor-core's API: its size, its pages, and a test for each point of its contract. */
 @NullMarked
 package io.troupe.checks.api;
 

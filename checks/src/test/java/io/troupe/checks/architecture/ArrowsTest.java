@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** Who may import whom. */
+/** The allowed dependencies between packages. */
 class ArrowsTest {
     private static final String PROMISE = "io.troupe.actor.promise";
     private static final String TIME = "io.troupe.actor.time";
@@ -129,7 +129,10 @@ class ArrowsTest {
         slices().matching("io.troupe.(**)").should().beFreeOfCycles().check(Classes.MAIN);
     }
 
-    /** Classes in {@code from} see themselves, the packages in {@code to}, and whatever is not Troupe's. */
+    /**
+     * Classes in {@code from} may depend on each other, on the packages in {@code to}, and on classes outside of
+     * Troupe.
+     */
     private static ArchRule arrow(String from, String... to) {
         var seen = Stream.concat(Stream.of(from), Stream.of(to)).toArray(String[]::new);
         var allowed = resideInAnyPackage(seen).or(resideOutsideOfPackage("io.troupe.."));

@@ -11,11 +11,11 @@ import java.util.function.Predicate;
 /**
  * The compiled main classes of the modules, read from the folders of the build that runs this test.
  *
- * <p><b>Role.</b> Folders, not the class path: a class is known by the module it was compiled in, and a module that is
- * missing from the class path of {@code checks} is not missed.
+ * <p><b>Role.</b> It reads folders, not the class path. So the module of each class is known, and a module that is not
+ * on the class path of {@code checks} is included too.
  */
 final class Classes {
-    /** Every module but {@code stress}, whose tests sit in the packages they test. */
+    /** Every module but {@code stress}, whose tests are in the packages that they test. */
     static final JavaClasses MAIN = read(module -> !module.equals("stress"));
 
     static final JavaClasses STRESS = of("stress");

@@ -20,7 +20,7 @@ import java.util.TreeSet;
 import java.util.random.RandomGenerator;
 import org.junit.jupiter.api.Test;
 
-/** What no class does, with the few named places that may. */
+/** What no class may do, with the named exceptions. */
 class HabitsTest {
     /** The mutable statics that the design allows, each by name. */
     private static final Set<String> MUTABLE_STATICS = Set.of(
@@ -33,7 +33,7 @@ class HabitsTest {
             // home, one per thread
             "io.troupe.player.PlayerPorts.OPEN"); // the in-process Player ports
 
-    /** What a machine says of the time, and waiting for it. */
+    /** The classes that may read the clock or wait for a time. */
     private static final Map<String, Set<String>> CLOCKS = Map.of(
             "java.lang.System", Set.of("nanoTime", "currentTimeMillis"),
             "java.lang.Thread", Set.of("sleep"),
@@ -79,7 +79,8 @@ class HabitsTest {
     }
 
     /**
-     * What waits for an exit in the common pool can block there while a surviving child of the process holds its pipe.
+     * A thread of the common pool that waits for an exit can block while a surviving child of the process holds its
+     * pipe.
      */
     @Test
     void endsOfProcesses_areAwaitedByThreadsOnly() {
@@ -108,7 +109,7 @@ class HabitsTest {
                 .check(Classes.MAIN);
     }
 
-    /** Finds the map behind a field that is declared as {@code Map}. */
+    /** Also finds a mutable map in a field that is declared as {@code Map}. */
     @Test
     void staticInitializers_makeNothingThatIsMadeToChange() {
         var made = Classes.MAIN.stream()

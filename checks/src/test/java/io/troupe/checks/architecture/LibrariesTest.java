@@ -5,7 +5,7 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Which library is allowed in which room. */
+/** The libraries that each module and package may use. */
 class LibrariesTest {
     @Test
     void jbox2d_staysInThePhysicsRoom_andWhereItIsAPeer() {

@@ -1,4 +1,4 @@
-/** Architecture as tests: who may import whom, what is allowed where, and that the scan sees the classes at all. */
+/** Checks of the architecture: allowed dependencies, libraries and habits, and that the classes are scanned at all. */
 @NullMarked
 package io.troupe.checks.architecture;
 

@@ -8,7 +8,7 @@ import java.util.Set;
 
 /** A whole build as read from its files; modules by name. */
 record Build(String tool, String group, String version, Map<String, Module> modules) {
-    /** Every difference to the other build, each in one line that names it; empty when they agree. */
+    /** All differences from the other build, each described in one line; empty if they agree. */
     List<String> differencesTo(Build other) {
         var found = new ArrayList<String>();
         compare("group", group, other, other.group, found);

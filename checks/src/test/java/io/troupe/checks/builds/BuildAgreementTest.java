@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 
-/** The two builds of this repository say the same. */
+/** The Gradle and the Maven build of this repository agree. */
 class BuildAgreementTest {
     private static final Module SAMPLE = module(new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9"));
 

@@ -1,6 +1,6 @@
 package io.troupe.checks.builds;
 
-/** Something in a build file that its reader does not understand, and therefore does not compare. */
+/** A part of a build file that its reader does not understand, and therefore cannot compare. */
 final class BuildFileException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

@@ -14,8 +14,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * What a test reads outside its class path is declared as an input of Gradle's test task: with the build cache on, a
- * test whose undeclared file was broken would not run, and be reported as passed.
+ * A file that a test reads outside its class path is declared as an input of Gradle's test task. Otherwise a change of
+ * that file would not run the test again: with the build cache on, it would be reported as passed.
  */
 class DeclaredInputsTest {
     private static final Pattern PATH = Pattern.compile("\\bPath\\.of\\(\\s*(\"[^\"]*\"(?:\\s*,\\s*\"[^\"]*\")*)");
@@ -52,7 +52,10 @@ class DeclaredInputsTest {
         assertThat(undeclared(module)).containsExactly("m: ATest.java reads worlds/deep");
     }
 
-    /** Paths in the test sources that exist, seen from the module, where its tests run, and no input of its script. */
+    /**
+     * Paths in the test sources that exist, relative to the module, where its tests run, and that are no input of its
+     * script.
+     */
     private static List<String> undeclared(Path module) throws IOException {
         List<Path> inputs = inputs(module);
         List<String> undeclared = new ArrayList<>();

@@ -5,8 +5,8 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 
 /**
- * One library or module that a module asks for; {@code coordinates} are {@code group:artifact}, and so are those of
- * what it would bring and must not.
+ * A library or module that a module depends on. {@code coordinates} are {@code group:artifact}, as are the excluded
+ * transitive dependencies in {@code without}.
  */
 record Dependency(Scope scope, String coordinates, String version, SortedSet<String> without) {
     Dependency(Scope scope, String coordinates, String version) {
@@ -17,7 +17,7 @@ record Dependency(Scope scope, String coordinates, String version, SortedSet<Str
         return new Dependency(scope, coordinates, version, new TreeSet<>(excluded));
     }
 
-    /** What makes two entries the same dependency: a library may also be its own annotation processor. */
+    /** The identity of a dependency: a library may also be its own annotation processor. */
     String key() {
         return scope == Scope.PROCESSOR ? coordinates + " (processor)" : coordinates;
     }

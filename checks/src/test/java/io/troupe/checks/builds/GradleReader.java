@@ -17,8 +17,8 @@ import java.util.regex.Pattern;
 /**
  * The Gradle build, read from its scripts without running Gradle.
  *
- * <p><b>Errors.</b> It understands the few forms that our scripts are written in. Whatever it does not understand is a
- * {@link BuildFileException}, as is a part it passes over that speaks of anything the two builds must agree on.
+ * <p><b>Errors.</b> It understands the few forms that our scripts use. Anything else is a {@link BuildFileException};
+ * so is a skipped part that mentions a subject on which the two builds must agree.
  */
 final class GradleReader {
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
@@ -56,7 +56,7 @@ final class GradleReader {
         return of(root).readBuild(root);
     }
 
-    /** The libraries of the catalog that no script asks for. */
+    /** The libraries of the catalog that no script uses. */
     static Set<String> unusedLibraries(Path root) throws IOException {
         var reader = of(root);
         reader.readBuild(root);
@@ -164,7 +164,7 @@ final class GradleReader {
         return new Module(description, release, automaticName, dependencies);
     }
 
-    /** With the scope that the POM which Gradle publishes gives it, if the module is published. */
+    /** A dependency with the scope that it gets in the POM which Gradle publishes, if the module is published. */
     private Dependency dependency(String file, boolean isPublished, Statement statement) {
         var onModule = ON_MODULE.matcher(statement.head());
         if (!statement.block() && onModule.matches()) {
@@ -179,7 +179,7 @@ final class GradleReader {
         throw notUnderstood(file, statement);
     }
 
-    /** What the block behind a library leaves out of all that the library would bring. */
+    /** The transitive dependencies that the block after a library excludes. */
     private static List<String> excluded(String file, Statement statement) {
         List<String> excluded = new ArrayList<>();
         for (var inner : statement.inner(file)) {
@@ -192,7 +192,7 @@ final class GradleReader {
         return excluded;
     }
 
-    /** JUnit's launcher has no twin: Surefire brings its own. */
+    /** Skips JUnit's launcher, which has no counterpart: Surefire adds its own. */
     private void addLibrary(List<Dependency> dependencies, String configuration, String alias) {
         var library = catalog.library(scope(configuration), alias);
         if (!library.coordinates().equals("org.junit.platform:junit-platform-launcher")) {

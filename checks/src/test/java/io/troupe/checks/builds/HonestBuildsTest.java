@@ -10,13 +10,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Lines of the build files that hold a promise to users, and whose loss no other test would notice. */
+/** Lines of the build files that users rely on, and whose loss no other test would notice. */
 class HonestBuildsTest {
     private static String file(String path) throws IOException {
         return Files.readString(Repository.root().resolve(path));
     }
 
-    /** jcstress itself exits with 0 when no law ran, or each ended in an error; LawsMain counts. */
+    /** jcstress itself exits with 0 if no test ran, or if each ended in an error; LawsMain counts them. */
     @ParameterizedTest
     @ValueSource(strings = {"stress/pom.xml", "stress/build.gradle.kts"})
     void laws_areRunByTheMainThatCountsThem(String script) throws IOException {
@@ -32,7 +32,7 @@ class HonestBuildsTest {
                 .contains("tasks.withType<JavaExec>().configureEach { javaLauncher.convention(launcher) }");
     }
 
-    /** What Maven would write by itself names the JDK that runs Maven, so that the same sources make other jars. */
+    /** Maven's default entry names the JDK that runs Maven, so that the same sources would give different jars. */
     @ParameterizedTest
     @ValueSource(strings = {"maven-jar-plugin", "maven-source-plugin", "maven-javadoc-plugin"})
     void manifests_haveNoEntryOfTheJdkThatRunsMaven(String plugin) throws IOException {
@@ -45,7 +45,7 @@ class HonestBuildsTest {
     }
 
     /**
-     * The start script needs a class path, and other users the copied libraries; the main job ends in the phase
+     * The start script needs a class path, and other users need the copied libraries; the main job ends in the phase
      * compile.
      */
     @Test
@@ -75,7 +75,7 @@ class HonestBuildsTest {
         assertThat(file("jmh/build.gradle.kts")).contains("listOf(\"-foe\", \"true\")");
     }
 
-    /** What a real Gradle showed and no Maven build can: each of these lines was missing once. */
+    /** Found with a real Gradle, which no Maven build can replace: each of these lines was missing once. */
     @Test
     void gradleScripts_keepWhatARealGradleNeeds() throws IOException {
         assertThat(file("stress/build.gradle.kts"))

@@ -4,10 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Cuts a plain Gradle script into its statements. It knows comments, strings and brackets, and nothing else of Kotlin.
+ * Splits a plain Gradle script into its statements. It knows comments, strings and brackets, and nothing else of
+ * Kotlin.
  */
 final class KotlinScript {
-    /** {@code head { body }}, or a head alone; {@code block} tells which. */
+    /** {@code head { body }} if {@code block} is true, otherwise a head alone. */
     record Statement(String head, boolean block, String body) {
         List<Statement> inner(String file) {
             return statements(file, body);
@@ -56,7 +57,7 @@ final class KotlinScript {
     }
 
     /**
-     * Where the block begins that ends the statement, or -1: the brace must be outside of strings and other brackets.
+     * The start of the block that ends the statement, or -1. The brace must be outside of strings and other brackets.
      */
     private static int openingBrace(String statement) {
         if (!statement.endsWith("}")) {

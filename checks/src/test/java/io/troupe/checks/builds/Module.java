@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.SequencedCollection;
 
-/** One module as a build describes it; {@code automaticName} is empty when its jar gives no module name. */
+/** A module as described by a build; {@code automaticName} is empty if its jar sets no module name. */
 record Module(String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
     /** The artifact id of the module in a folder: with the name of the project, since jars meet in one folder. */
     static String artifact(String folder) {

@@ -20,8 +20,8 @@ import org.xml.sax.SAXException;
 /**
  * The Maven build, read from its POMs without running Maven.
  *
- * <p><b>Errors.</b> As {@link GradleReader}: what it does not understand, and Gradle would have to say too, is a
- * {@link BuildFileException}.
+ * <p><b>Errors.</b> As in {@link GradleReader}: a part that it does not understand, and that Gradle would have to
+ * repeat, is a {@link BuildFileException}.
  */
 final class PomReader {
     private static final Set<String> UNDERSTOOD = Set.of(
@@ -126,7 +126,7 @@ final class PomReader {
         };
     }
 
-    /** Whatever could add a dependency or change the release level by another road than the ones that are read. */
+    /** Rejects everything else that could add a dependency or change the release level. */
     private static void requireUnderstood(String file, Element project) {
         for (Element child : children(project)) {
             if (!UNDERSTOOD.contains(child.getTagName())) {

@@ -50,7 +50,7 @@ class PomReaderTest {
         assertThat(module.dependencies().getLast()).hasToString("compile a:b:2 without [c:d]");
     }
 
-    /** As users of the module meet it: a property has its value from outside of the profiles. */
+    /** As for users of the module: the property has the value from outside of the profiles. */
     @Test
     void scope_thatIsAProperty_isRead() {
         var module = read("<properties><inner>runtime</inner></properties>"

@@ -1,6 +1,6 @@
 package io.troupe.checks.builds;
 
-/** What a dependency is for, in Maven's words. */
+/** The purpose of a dependency, in Maven's words. */
 enum Scope {
     COMPILE,
     PROVIDED,

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 
-/** {@code gradle/libs.versions.toml}, of which it understands versions, and libraries that name module and version. */
+/** Reads {@code gradle/libs.versions.toml}; it understands versions, and libraries with module and version. */
 final class VersionCatalog {
     private static final String FILE = "libs.versions.toml: ";
     private static final Pattern VERSION = Pattern.compile("([\\w-]+)\\s*=\\s*\"([^\"]+)\"");
@@ -37,8 +37,7 @@ final class VersionCatalog {
     }
 
     /**
-     * Gradle's "2.57!!" means this version and no newer one, which is what Maven does with any version of a direct
-     * dependency.
+     * Reads one version. Gradle's "2.57!!" means exactly this version, which Maven assumes for every direct dependency.
      */
     private void version(String line) {
         var match = VERSION.matcher(line);
@@ -69,7 +68,7 @@ final class VersionCatalog {
         return new Dependency(scope, library.coordinates(), library.version());
     }
 
-    /** The libraries that nothing has asked for yet. */
+    /** The libraries that were not requested yet. */
     Set<String> unused() {
         var unused = new TreeSet<>(libraries.keySet());
         unused.removeAll(used);

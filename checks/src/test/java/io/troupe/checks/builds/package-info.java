@@ -1,6 +1,4 @@
-/**
- * Agreement of the Gradle and the Maven build: both are read into the same records, and every difference has a name.
- */
+/** Agreement of the Gradle and the Maven build: both are read into the same records, and every difference is named. */
 @NullMarked
 package io.troupe.checks.builds;
 

@@ -9,7 +9,7 @@ import java.nio.file.Files;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** The page about the paper's six challenges has all of them, each with tests that exist. */
+/** The page about the paper's six challenges contains all of them, each with tests that exist. */
 class ChallengesTest {
     private static List<String> rows() throws IOException {
         return Files.readAllLines(Repository.root().resolve("docs/guide/08-challenges.md")).stream()

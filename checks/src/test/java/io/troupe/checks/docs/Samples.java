@@ -8,10 +8,10 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
- * The samples of a Markdown page or of Javadoc, and whether a source holds them.
+ * The samples of a Markdown page or of Javadoc, and their comparison with sources.
  *
- * <p><b>Role.</b> A sample is cut in pieces by empty lines, and each piece must occur in one and the same source. What
- * the formatter decides, and what no compiler reads, does not count: white space, {@code //} comments,
+ * <p><b>Role.</b> A sample is split at empty lines, and each piece must occur in one and the same source. The
+ * comparison ignores what the formatter decides and what no compiler reads: white space, {@code //} comments,
  * {@code @Override}.
  */
 final class Samples {
@@ -61,7 +61,7 @@ final class Samples {
         return samples;
     }
 
-    /** Where the brace is that closes an inline tag; its content has as many that open as that close. */
+    /** The index of the brace that closes an inline tag, whose content has balanced braces. */
     private static int endOfSnippet(String java, int start) {
         int depth = 1;
         for (int end = start; end < java.length(); end++) {
@@ -73,7 +73,7 @@ final class Samples {
         throw new IllegalArgumentException("a snippet without an end: " + java.substring(start));
     }
 
-    /** The text without what does not count. */
+    /** The text without what the comparison ignores. */
     static String essence(String java) {
         String code = COMMENT.matcher(JAVADOC.matcher(java).replaceAll(""))
                 .replaceAll("")
@@ -83,12 +83,12 @@ final class Samples {
     }
 
     /**
-     * What is wrong with a sample: nothing if one of the sources holds it.
+     * The errors of a sample: empty if one of the sources contains it.
      *
      * @param sources essences by path
      */
     static Set<String> missing(Sample sample, Map<String, String> sources) {
-        var missingOf = new TreeMap<Integer, Set<String>>(); // by how many pieces are missing
+        var missingOf = new TreeMap<Integer, Set<String>>(); // by the number of missing pieces
         for (String essence : sources.values()) {
             var missing = sample.pieces().stream()
                     .filter(piece -> !essence.contains(essence(piece)))

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The samples of the documentation occur in a source that the build compiles, and tests run. */
+/** The samples of the documentation occur in a source that the build compiles and whose tests it runs. */
 class SamplesTest {
     @ParameterizedTest
     @ValueSource(
@@ -67,9 +67,7 @@ class SamplesTest {
         assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
     }
 
-    /**
-     * What a page of the API says without a sample: exceptions, and types that users meet without writing their names.
-     */
+    /** Types whose API page needs no sample: exceptions, and types that users meet without writing their names. */
     private static final Set<String> WITHOUT_A_SAMPLE = Set.of(
             "ActorException", "ActorStoppedException", "ActorTypeException", "MailboxFullException", "Clock", "Home");
 
@@ -146,7 +144,7 @@ class SamplesTest {
         for (Path source : Repository.javaSources()) {
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }
-        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on us, of the README
+        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
             Path source = Repository.root().resolve("docs/examples/consumer").resolve(script);
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }

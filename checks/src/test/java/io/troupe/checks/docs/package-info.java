@@ -1,4 +1,4 @@
-/** What the documentation says is what the build compiles and runs. */
+/** Checks that the documentation agrees with what the build compiles and runs. */
 @NullMarked
 package io.troupe.checks.docs;
 

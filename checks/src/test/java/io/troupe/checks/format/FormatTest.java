@@ -16,12 +16,12 @@ import java.util.List;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
-/** All Java sources look as palantir-java-format prints them, Javadoc too, imports sorted and in use. */
+/** All Java sources are formatted by palantir-java-format, with Javadoc, sorted imports and no unused ones. */
 class FormatTest {
     private static final JavaFormatterOptions.Style STYLE = JavaFormatterOptions.Style.PALANTIR;
-    /** Where a snippet begins: first in its line of a Javadoc comment. */
+    /** The start of a snippet: first in its line of a Javadoc comment. */
     private static final Pattern SNIPPET = Pattern.compile("(?m)^ *\\* (\\{@snippet)");
-    /** Marks a protected snippet; written so that this file does not contain it. */
+    /** Marks a protected snippet; concatenated so that this file does not contain it. */
     private static final String PRE = "<pre " + "id=snippet>";
 
     private static final String PRE_END = "</pre>";
@@ -29,7 +29,7 @@ class FormatTest {
             JavaFormatterOptions.builder().style(STYLE).formatJavadoc(true).build());
 
     /**
-     * With {@code -Dformat=write}, which the profile {@code format} sets, the sources are rewritten instead of judged.
+     * With {@code -Dformat=write}, which the profile {@code format} sets, the sources are rewritten instead of checked.
      */
     @Test
     void sources_areFormatted() throws IOException {
@@ -96,8 +96,8 @@ class FormatTest {
     }
 
     /**
-     * The formatter does not know snippets of code in Javadoc and would fill their lines, but it leaves {@code pre}
-     * alone.
+     * Protects snippets in Javadoc, whose lines the formatter would fill: it does not know them, but it leaves
+     * {@code pre} alone.
      */
     private static String withSnippetsInPre(String source) {
         var result = new StringBuilder();
@@ -121,7 +121,7 @@ class FormatTest {
         return result.append(source.substring(end)).toString();
     }
 
-    /** Index after the brace that closes the one at {@code start}. */
+    /** The index after the brace that closes the one at {@code start}. */
     private static int endOfBraces(String source, int start) {
         int open = 0;
         for (int i = start; i < source.length(); i++) {

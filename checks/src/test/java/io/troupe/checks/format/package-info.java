@@ -1,4 +1,4 @@
-/** One look for all Java sources, checked by both builds. */
+/** Check of the format of all Java sources, run by both builds. */
 @NullMarked
 package io.troupe.checks.format;
 

@@ -52,13 +52,13 @@ record WiringStudy(String name, Wiring wiring, WiringResult result) {
     String verdict() {
         return switch (result) {
             case WiringResult.Deadlock deadlock ->
-                "can deadlock: " + deadlock.story().sentence()
+                "can deadlock: " + deadlock.counterexample().sentence()
                         + deadlock.repair()
                                 .map(repair -> "\n    repair: stop together; "
                                         + (repair.isProved() ? "proved free of deadlock" : "not proved"))
                                 .orElse("");
             case WiringResult.Blocked blocked ->
-                "a component can wait for ever: " + blocked.story().sentence();
+                "a component can wait for ever: " + blocked.counterexample().sentence();
             case WiringResult.Proved proved -> proved.toString();
             case WiringResult.DeadlockFree free -> free.toString();
             case WiringResult.Unknown unknown ->

@@ -28,7 +28,7 @@ class TroupeWiringTest {
     void withDirectCalls_ofTwoRobots_deadlocks() {
         var result = (WiringResult.Deadlock) WiringCheck.check(TroupeWiring.withDirectCalls(2));
 
-        assertThat(result.story().sentence())
+        assertThat(result.counterexample().sentence())
                 .isEqualTo(
                         "service1 waits for arbitrator.colour; arbitrator waits for service1.stop: all ask and nobody"
                                 + " answers");

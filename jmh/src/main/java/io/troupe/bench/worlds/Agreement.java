@@ -5,23 +5,24 @@ import java.util.List;
 import java.util.stream.Stream;
 
 /**
- * Whether the contenders simulate the same scene: what their robots sense after a second in which nobody drives.
+ * The agreement of the contenders on one scene: they must sense the same after a second in which no robot drives.
  *
- * @param largestM the largest difference between a sonar reading of ours and one of another contender, grazing rays
- *     left out
- * @param grazing rays that differ by more: they just touch a corner, which is a hit for one and a miss for another
+ * @param largestM the largest difference between a sonar reading of ours and one of another contender, without grazing
+ *     rays
+ * @param grazing the number of rays that differ by more: they just touch a corner, which one contender hits and the
+ *     other misses
  */
 record Agreement(double largestM, int grazing) {
-    /** More than this would not be rounding, and not a body's skin either. */
+    /** Larger than rounding errors and the skin of a body. */
     static final double TOLERANCE_M = 0.02;
 
     private static final int INTERVALS = 1000 / TiledScene.INTERVAL_MILLIS;
 
-    /** One ray in so many may graze. */
+    /** At most one ray in this many may graze. */
     private static final int RAYS_PER_GRAZING = 5_000;
 
     /**
-     * Lets all contenders simulate a second.
+     * Lets all contenders simulate a second, and compares their readings.
      *
      * <p><b>Errors.</b> {@link IllegalStateException} if readings differ by more than {@link #TOLERANCE_M} in more than
      * one ray of 5,000, or two images by more than a column.

@@ -1,13 +1,13 @@
 package io.troupe.bench.worlds;
 
-/** One way to simulate a {@link TiledScene}. Its devices have been read once when it is new. */
+/** One way to simulate a {@link TiledScene}. A new world has read its devices once. */
 interface BenchWorld {
     /**
-     * So many intervals of simulated time, each of them commands by the newest readings, the physics steps, all
+     * Simulates {@code intervals} intervals: in each, commands from the latest readings, the physics steps, and all
      * devices.
      */
     void advance(int intervals);
 
-    /** The newest ones; the same object always. */
+    /** The latest readings; always the same object. */
     Readings readings();
 }

@@ -6,7 +6,7 @@ import io.troupe.sim.scenario.WorldSpec;
 import java.util.Arrays;
 import java.util.List;
 
-/** The columns of an image in which a coloured object can be, if nothing hides it: the others need no ray. */
+/** The columns of an image in which a coloured object can be, if nothing hides it. The other columns need no ray. */
 final class ColouredColumns {
     private final double[] x;
     private final double[] y;
@@ -24,7 +24,7 @@ final class ColouredColumns {
         columnRad = camera.fovRad() / camera.widthPx();
     }
 
-    /** Looks from a place into a direction. */
+    /** Finds the columns for a position and a direction. */
     void seek(double fromX, double fromY, double cos, double sin) {
         Arrays.fill(possible, false);
         double reachM = TiledScene.CAMERA_RANGE_M + TiledScene.COLOURED_RADIUS_M;

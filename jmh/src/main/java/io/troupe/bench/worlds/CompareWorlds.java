@@ -12,12 +12,13 @@ import java.util.Random;
 import java.util.TreeMap;
 
 /**
- * Our simulator against two physics engines with the same robots on top.
+ * Compares our simulator with two physics engines that carry the same robots.
  *
- * <p><b>Role.</b> Every contender has a JVM of its own; they take turns of fixed wall-clock time in random order while
- * the others wait, so that all see the same machine. What counts is the ratio to ours in the same round.
+ * <p><b>Role.</b> Every contender runs in a separate JVM. They take turns of fixed wall-clock time in random order
+ * while the others wait, so that all of them run under the same conditions. The result is the ratio to ours in the same
+ * round.
  *
- * <p><b>Errors.</b> Contenders that do not sense the same after a second, or that fail, end the comparison.
+ * <p><b>Errors.</b> The comparison ends if contenders do not sense the same after a second, or if one fails.
  */
 public final class CompareWorlds {
     private final WorldsOptions options;
@@ -44,7 +45,7 @@ public final class CompareWorlds {
 
     private void run() throws IOException {
         agree();
-        weigh();
+        measureRetained();
         List<WorldPipe> pipes = new ArrayList<>();
         try {
             for (WorldKind kind : options.only()) {
@@ -80,8 +81,8 @@ public final class CompareWorlds {
         System.out.println();
     }
 
-    /** In a JVM of its own. */
-    private void weigh() throws IOException {
+    /** Measures the retained bytes in a separate JVM. */
+    private void measureRetained() throws IOException {
         try (var pipe = new WorldPipe(WorldKind.TROUPE)) {
             for (int robots : options.robots()) {
                 if (robots > 1) {
@@ -118,7 +119,7 @@ public final class CompareWorlds {
         return turns;
     }
 
-    /** With many robots the others are tried, not measured at length. */
+    /** With many robots the other contenders get only a few turns. */
     private static boolean isShort(int robots, WorldPipe pipe) {
         return robots > WorldsOptions.MANY_ROBOTS && !pipe.kind().isOurs();
     }

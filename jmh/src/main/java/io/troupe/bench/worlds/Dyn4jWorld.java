@@ -18,8 +18,8 @@ import org.dyn4j.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * dyn4j with its tree and its rays. Sleep is off, since robots always move, and continuous collision too, since they
- * are slow.
+ * dyn4j with its tree and its ray casts. Sleep is off, since robots always move, and so is continuous collision, since
+ * they are slow.
  */
 final class Dyn4jWorld extends RayWorld {
     private final World<Body> world = new World<>();
@@ -29,7 +29,7 @@ final class Dyn4jWorld extends RayWorld {
     private final NotTheCaster notTheCaster = new NotTheCaster();
     private int hitColour = NO_COLOUR;
 
-    /** Rays pass through the robot that casts them. */
+    /** Lets rays pass through the robot that casts them. */
     private static final class NotTheCaster extends DetectFilter<Body, BodyFixture> {
         private @Nullable Body caster;
 
@@ -63,7 +63,7 @@ final class Dyn4jWorld extends RayWorld {
         sense();
     }
 
-    /** A body that stands still for ever if its density is 0. */
+    /** Adds a body; one of density 0 never moves. */
     private Body add(Pose pose, Shape shape, double kgPerM2, int colour) {
         var corners = shape.polygons().getFirst().stream()
                 .map(each -> new Vector2(each.x(), each.y()))

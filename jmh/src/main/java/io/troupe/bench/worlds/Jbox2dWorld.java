@@ -17,8 +17,8 @@ import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 
 /**
- * jbox2d as it comes: its own tree, continuous collision as it is by default, its own rays. Only sleep is off, since
- * robots always move.
+ * jbox2d with its defaults: its own tree, continuous collision, its own ray casts. Only sleep is off, since robots
+ * always move.
  */
 final class Jbox2dWorld extends RayWorld implements RayCastCallback {
     private final World world = new World(new Vec2(0, 0));
@@ -118,7 +118,10 @@ final class Jbox2dWorld extends RayWorld implements RayCastCallback {
         return nearest * maxM;
     }
 
-    /** Guarded, since a later hit may be farther; what is returned lets the tree leave out all that is. */
+    /**
+     * Keeps the nearest hit, since later hits may be farther. The returned fraction makes the tree skip everything
+     * behind it.
+     */
     @Override
     public float reportFixture(Fixture fixture, Vec2 point, Vec2 normal, float fraction) {
         Body body = fixture.getBody();

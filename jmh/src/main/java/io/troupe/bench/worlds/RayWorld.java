@@ -11,11 +11,11 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A physics engine with robots on top: what somebody writes who has the engine and no simulator.
+ * A physics engine with robots on top, as a user of the engine without a simulator would write it.
  *
- * <p>Nothing is allocated here for a step or a ray, and sines are taken once for a robot and interval; what the engine
- * does for itself is its own. A camera casts all its columns, or, to be sparse, only those in which a coloured object
- * can be, as ours does.
+ * <p>This class allocates nothing for a step or a ray, and computes sines once for each robot and interval; the
+ * engine's own allocations are its cost. A camera casts a ray for every column or, in the sparse variant, only for
+ * those in which a coloured object can be, as our simulator does.
  */
 abstract class RayWorld implements BenchWorld {
     static final int VELOCITY_ITERATIONS = 8;
@@ -69,7 +69,7 @@ abstract class RayWorld implements BenchWorld {
 
     abstract void step();
 
-    /** How far the nearest thing is that is not this robot; the greatest distance if there is none. */
+    /** The distance of the nearest object other than this robot; {@code maxM} if there is none. */
     abstract double cast(int robot, double x, double y, double dirX, double dirY, double maxM);
 
     /** The colour of what the last ray hit, or {@link #NO_COLOUR}. */

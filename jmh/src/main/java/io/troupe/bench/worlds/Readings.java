@@ -1,8 +1,8 @@
 package io.troupe.bench.worlds;
 
 /**
- * What all robots sensed last: {@link TiledScene#SONARS} ranges in metres, and how many columns of each half of the
- * image see a coloured object.
+ * The latest readings of all robots: {@link TiledScene#SONARS} ranges in metres, and the number of columns in each half
+ * of the image that see a coloured object.
  */
 final class Readings {
     private final double[] sonarM;
@@ -23,7 +23,7 @@ final class Readings {
         sonarM[robot * TiledScene.SONARS + sonar] = rangeM;
     }
 
-    /** One run of image columns with one colour. */
+    /** Adds one run of image columns with one colour. */
     void addRun(int robot, int first, int last) {
         int middle = TiledScene.COLUMNS / 2;
         colouredLeft[robot] += Math.max(0, Math.min(last + 1, middle) - first);

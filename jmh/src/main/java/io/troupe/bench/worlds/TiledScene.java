@@ -15,8 +15,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * The scene that everybody simulates: tiles of 16 m by 16 m, each with six wall boxes, three coloured objects and at
- * most 64 robots, and four walls around all of them. The middle is the origin.
+ * The scene that all contenders simulate: tiles of 16 m by 16 m, each with six wall boxes, three coloured objects and
+ * at most 64 robots, and four walls around all of them. The middle is the origin.
  */
 final class TiledScene {
     static final int SONARS = 16;
@@ -65,12 +65,12 @@ final class TiledScene {
         return new WorldSpec("tiles", Path.of("tiles.world"), INTERVAL_MILLIS, scene.robots(), scene.obstacles());
     }
 
-    /** Whether a thing of this colour is one of the coloured objects. */
+    /** Whether this is the colour of a coloured object, not of a wall or a robot. */
     static boolean isColoured(int colour) {
         return colour != WALL && colour != ROBOT;
     }
 
-    /** Robots go round the tiles; within a tile 27, which is odd, leads to all 64 slots. */
+    /** Distributes the robots over the tiles in turn; within a tile, steps of 27, which is odd, reach all 64 slots. */
     private List<RobotSpec> robots() {
         List<RobotSpec> robots = new ArrayList<>();
         for (int i = 0; i < robotCount; i++) {

@@ -1,8 +1,8 @@
 package io.troupe.bench.worlds;
 
 /**
- * The rule by which all robots drive: on, towards the freer side and away from colours; with something ahead, turn to
- * one side until the way is free.
+ * The control law of all robots: drive on, towards the freer side and away from colours; with an obstacle ahead, turn
+ * to one side until the way is free.
  */
 final class Wander {
     private static final double FREE_M = 0.6;

@@ -8,11 +8,11 @@ import java.util.function.BiFunction;
 /** The contenders. */
 enum WorldKind {
     TROUPE("troupe", (spec, driving) -> new TroupeWorld(spec, driving, 1)),
-    /** Reading its devices with two threads. */
+    /** Reads its devices with two threads. */
     TROUPE_2("troupe-2", (spec, driving) -> new TroupeWorld(spec, driving, 2)),
     JBOX2D("jbox2d", (spec, driving) -> new Jbox2dWorld(spec, driving, false)),
     DYN4J("dyn4j", (spec, driving) -> new Dyn4jWorld(spec, driving, false)),
-    /** With our way to leave out rays that can meet nothing coloured. */
+    /** Skips rays that can hit nothing coloured, as our simulator does. */
     JBOX2D_SPARSE("jbox2d-sparse", (spec, driving) -> new Jbox2dWorld(spec, driving, true)),
     /** See {@link #JBOX2D_SPARSE}. */
     DYN4J_SPARSE("dyn4j-sparse", (spec, driving) -> new Dyn4jWorld(spec, driving, true));

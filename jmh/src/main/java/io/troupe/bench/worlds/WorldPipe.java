@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** The coordinator's end of a {@link WorldProcess}. Between two questions that process waits, and uses no processor. */
+/** The coordinator's end of a {@link WorldProcess}. Between two requests that process waits, and uses no processor. */
 final class WorldPipe implements AutoCloseable {
     private final WorldKind kind;
     private final Process process;
@@ -21,7 +21,7 @@ final class WorldPipe implements AutoCloseable {
         process = new ProcessBuilder(List.of(
                         java,
                         "-Xmx2g",
-                        "-XX:+UseSerialGC", // one thread, the collector included
+                        "-XX:+UseSerialGC", // one thread, including the collector
                         "-cp",
                         System.getProperty("java.class.path"),
                         WorldProcess.class.getName(),

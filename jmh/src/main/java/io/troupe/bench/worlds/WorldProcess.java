@@ -10,13 +10,13 @@ import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The main class of a contender's own JVM. It waits at its standard input for {@code retained <robots>}, answered by
- * bytes per robot, {@code build <robots>}, {@code turn <millis>}, answered by a {@link WorldTurn}, and {@code drop};
- * the end of the input is the end of the process.
+ * The main class of a contender's JVM. It reads requests from standard input: {@code retained <robots>}, answered by
+ * bytes per robot; {@code build <robots>}; {@code turn <millis>}, answered by a {@link WorldTurn}; and {@code drop}. It
+ * exits at the end of its input.
  */
 final class WorldProcess {
     private static final int COLLECTIONS = 4;
-    /** Until what is made on demand was made. */
+    /** Enough for everything that is created on demand. */
     private static final int SETTLING_INTERVALS = 5;
 
     private final WorldKind kind;
@@ -29,7 +29,7 @@ final class WorldProcess {
 
     public static void main(String[] args) throws IOException {
         PrintStream answers = System.out;
-        System.setOut(System.err); // what a library prints is no answer
+        System.setOut(System.err); // output of libraries must not mix with the answers
         var commands = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         var process = new WorldProcess(WorldKind.named(args[0]));
         answers.println("ready");
@@ -65,12 +65,15 @@ final class WorldProcess {
         };
     }
 
-    /** What a robot adds to the heap: the world with all of them against the same one with the first of them only. */
+    /**
+     * What a robot adds to the heap: the difference between the world with all robots and the same world with the first
+     * of them only.
+     */
     private double retainedBytes(int robotCount) {
         WorldSpec full = TiledScene.of(robotCount);
         var lonely = new WorldSpec(
                 full.name(), full.file(), full.intervalMillis(), full.robots().subList(0, 1), full.obstacles());
-        keptBytes(lonely); // classes and pools that all worlds share
+        keptBytes(lonely); // loads classes and fills pools that all worlds share
         return (double) (keptBytes(full) - keptBytes(lonely)) / (robotCount - 1);
     }
 

@@ -4,27 +4,27 @@ import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 
 /**
- * One turn of a contender.
+ * The result of one turn of a contender.
  *
  * @param factor simulated seconds per second of wall clock
- * @param bytesPerStep what all threads of its JVM allocated, sensing and driving included, divided by the physics steps
+ * @param bytesPerStep the bytes that all threads of its JVM allocated, for sensing and driving too, per physics step
  */
 record WorldTurn(double factor, double bytesPerStep) {
-    /** Kept, since looking it up allocates. */
+    /** In a field, because looking it up allocates. */
     private static final ThreadMXBean THREADS = ManagementFactory.getPlatformMXBean(ThreadMXBean.class);
 
-    /** Calls grow, so that what is done once for a call matters little, while a turn has at least this many of them. */
+    /** Calls grow until this part of the turn is over: so a call has little overhead, and a turn has many calls. */
     private static final int GROWTH = 16;
 
-    /** Of a turn that goes as expected. */
+    /** The number of calls in a turn of the expected length. */
     private static final int CALLS = 4;
 
     private static final int MOST_AT_ONCE = 1_000;
 
     /**
-     * Runs the world for about so long, one interval at least.
+     * Runs the world for about {@code budgetNanos}, at least for one interval.
      *
-     * @param expectedFactor what an earlier turn gave, 0 if there was none
+     * @param expectedFactor the factor of an earlier turn, 0 if there was none
      */
     static WorldTurn run(BenchWorld world, long budgetNanos, double expectedFactor) {
         long bytes = THREADS.getTotalThreadAllocatedBytes();
@@ -46,7 +46,7 @@ record WorldTurn(double factor, double bytesPerStep) {
         return new WorldTurn(simulatedNanos / spent, (double) bytes / (intervals * TiledScene.STEPS_PER_INTERVAL));
     }
 
-    /** As a line of the pipe. */
+    /** This turn as a line of the pipe. */
     String line() {
         return factor + " " + bytesPerStep;
     }

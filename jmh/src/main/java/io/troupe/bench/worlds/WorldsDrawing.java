@@ -10,7 +10,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
-/** How many times faster than real time, by the number of robots, as a drawing (SVG); both axes are logarithmic. */
+/**
+ * Draws how many times faster than real time the contenders are, by the number of robots, as SVG. Both axes are
+ * logarithmic.
+ */
 record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
     private static final double LINE_HEIGHT = 13;
     private static final int LEFT = 60;
@@ -65,7 +68,7 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
                         (LEFT + x(Math.pow(10, robotDecades))) / 2, height - 32, height - 10);
     }
 
-    /** The finding: the number of robots that still run in real time, as far as it was measured. */
+    /** The result: the largest measured number of robots that still runs in real time. */
     private String title() {
         int most = factors.keySet().stream()
                 .filter(robots -> factors.get(robots).containsKey(WorldKind.TROUPE))
@@ -86,7 +89,7 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
         return WorldsReport.format(factor < 100 ? "%.1f" : "%,.0f", factor);
     }
 
-    /** What stands at the end of a curve. */
+    /** The label of a curve. */
     private static String explained(WorldKind kind) {
         return switch (kind) {
             case TROUPE -> "troupe, one thread";
@@ -112,7 +115,7 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
         return WorldsReport.format("%,.0f", Math.pow(10, decade));
     }
 
-    /** The medians, joined; the name stands at the end. */
+    /** The medians, joined by lines. */
     private String curve(WorldKind kind) {
         String style = switch (kind) {
             case TROUPE -> "m";
@@ -144,12 +147,12 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
                 + marks;
     }
 
-    /** Where a curve ends. */
+    /** The y coordinate of a curve's last point. */
     private double end(WorldKind kind) {
         return y(Math.log10(quartiles(robotsOf(kind).getLast(), kind).median()));
     }
 
-    /** At the ends of the curves, moved down where they would stand on each other. */
+    /** The labels, at the ends of the curves, moved down where they would overlap. */
     private String labels() {
         List<WorldKind> drawn = Stream.of(WorldKind.values())
                 .filter(kind -> !robotsOf(kind).isEmpty())

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The command line of {@link CompareWorlds}.
  *
- * @param robots how many, in ascending order
+ * @param robots the numbers of robots, in ascending order
  * @param only the contenders, ours first
  */
 record WorldsOptions(
@@ -20,7 +20,7 @@ record WorldsOptions(
         long seed,
         List<WorldKind> only,
         @Nullable Path figure) {
-    /** Above this, the others get {@link #FEW_ROUNDS} turns and a warm-up of one interval. */
+    /** Above this number, the other contenders get {@link #FEW_ROUNDS} turns and a warm-up of one interval. */
     static final int MANY_ROBOTS = 1_000;
 
     static final int FEW_ROUNDS = 3;

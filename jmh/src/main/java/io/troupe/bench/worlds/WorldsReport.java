@@ -3,14 +3,14 @@ package io.troupe.bench.worlds;
 import io.troupe.bench.Quartiles;
 import java.util.Locale;
 
-/** The results as a table in Markdown. */
+/** Formats the results as a table in Markdown. */
 record WorldsReport(WorldsOptions options, WorldsResults results) {
     private static final String HEAD = """
             | robots | contender | simulated seconds per second | divided by ours, same round | bytes per physics step | bytes kept per robot |
             |---|---|---|---|---|---|
             """;
 
-    /** Factors and ratios as median (lower quartile..upper quartile), bytes as median. */
+    /** The table: factors and ratios as median (lower quartile..upper quartile), bytes as median. */
     String table() {
         var text = new StringBuilder(format(
                 "Java %s, %d processors, %d rounds of %d ms, seed %d%n%n",

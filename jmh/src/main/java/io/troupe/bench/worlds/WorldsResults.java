@@ -6,10 +6,10 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * What was measured.
+ * The results of a comparison.
  *
  * @param turns by number of robots and contender, one turn for each round; the round is the index
- * @param retainedBytes what a robot of ours keeps of the heap, by number of robots
+ * @param retainedBytes the bytes of the heap that one of our robots retains, by number of robots
  */
 record WorldsResults(Map<Integer, Map<WorldKind, List<WorldTurn>>> turns, Map<Integer, Double> retainedBytes) {
     Quartiles factor(int robots, WorldKind kind) {

@@ -1,4 +1,4 @@
-/** The simulator against other ways to simulate the same robots. */
+/** Benchmarks that compare the simulator with other ways to simulate the same robots. */
 @NullMarked
 package io.troupe.bench.worlds;
 

@@ -27,7 +27,7 @@ class BenchWorldTest {
         theirs.advance(INTERVALS_PER_SECOND);
         var readings = theirs.readings();
         assertThat(readings.sonarM(0, 0) + readings.sonarM(1, 0)).isNotCloseTo(beforeM, within(0.1));
-        // a ray may just pass what another one hits
+        // a ray may just miss what another contender's ray hits
         assertThat(IntStream.range(0, 2 * TiledScene.SONARS)
                         .filter(ray -> Math.abs(readings.sonarM(ray / 16, ray % 16)
                                         - ours.readings().sonarM(ray / 16, ray % 16))

@@ -16,7 +16,9 @@ import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
 class WorldsReportTest {
-    /** The peer is half as fast as ours in each round, whatever the machine did meanwhile. */
+    /**
+     * The other contender is half as fast as ours in each round, although the machine's speed changes between rounds.
+     */
     private final WorldsResults results = new WorldsResults(
             new TreeMap<>(Map.of(
                     2,

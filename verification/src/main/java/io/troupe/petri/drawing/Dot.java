@@ -1,11 +1,11 @@
 package io.troupe.petri.drawing;
 
-/** What Graphviz' language asks of text. */
+/** Quoting for DOT, the language of Graphviz. */
 final class Dot {
     private Dot() {}
 
     /**
-     * A quoted label that shows exactly this text: backslashes, quotes and entities mean nothing, a line break is one.
+     * A quoted label that shows exactly this text: backslashes, quotes and entities are escaped, a line break is kept.
      */
     static String quoted(String text) {
         return '"'

@@ -8,13 +8,16 @@ import java.util.BitSet;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What both kinds of graph drawings show: nodes by their number in the graph, edges with what was coloured. */
+/**
+ * The contents common to both kinds of graph drawings: nodes by their number in the graph, and edges, some of them on
+ * the coloured path.
+ */
 final class GraphContent {
     /** An edge between two markings, given by their numbers. */
     record Edge(int from, Transition transition, int to, boolean onPath) {}
 
     final ReachabilityGraph graph;
-    /** Whether markings and all transitions are written out. */
+    /** Whether the drawing has the text of the markings and the names of all transitions. */
     final boolean written;
 
     final List<State> states;
@@ -40,7 +43,7 @@ final class GraphContent {
         }
     }
 
-    /** Notes for each state on the path which transition fires there; a shortest path visits none twice. */
+    /** Records for each state on the path which transition fires there; a shortest path visits no state twice. */
     private void walk(State end, @Nullable Transition[] firings) {
         var at = states.getFirst();
         onPath.set(at.index());
@@ -71,7 +74,7 @@ final class GraphContent {
         return written || edge.onPath();
     }
 
-    /** The marked places in words of one place each. */
+    /** The marked places, one word for each. */
     static List<String> words(State state) {
         var marking = state.marking();
         var words = marking.marked().stream()
@@ -80,7 +83,7 @@ final class GraphContent {
         return words.isEmpty() ? List.of("{}") : words;
     }
 
-    /** What is special about the marking. */
+    /** The properties of the marking that the drawing points out. */
     String remarks(State state) {
         return (isInitial(state) ? ", initial" : "")
                 + (isDead(state) ? ", dead" : "")
@@ -105,8 +108,8 @@ final class GraphContent {
 
     String fill(State state) {
         if (isDead(state)) {
-            return Colours.DEAD_FILL;
+            return Palette.DEAD_FILL;
         }
-        return isOnPath(state) ? Colours.PATH_FILL : "white";
+        return isOnPath(state) ? Palette.PATH_FILL : "white";
     }
 }

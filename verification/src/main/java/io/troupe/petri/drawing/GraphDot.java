@@ -2,7 +2,7 @@ package io.troupe.petri.drawing;
 
 import io.troupe.petri.ReachabilityGraph.State;
 
-/** Writes one reachability graph for Graphviz: the markings are s0, s1, .. in the order of the graph. */
+/** Writes one reachability graph as DOT: the markings are s0, s1, .. in the order of the graph. */
 final class GraphDot {
     private final GraphContent content;
     private final StringBuilder dot = new StringBuilder();
@@ -14,13 +14,13 @@ final class GraphDot {
     String write() {
         var title = content.graph.toString();
         dot.append("digraph {\n  graph [label=").append(Dot.quoted(title)).append(", fontname=\"Helvetica\"];\n");
-        dot.append("  node [fontname=\"Helvetica\", fontsize=11, margin=0.06, color=\"" + Colours.LINE + "\", ");
+        dot.append("  node [fontname=\"Helvetica\", fontsize=11, margin=0.06, color=\"" + Palette.LINE + "\", ");
         dot.append(
                 content.written
                         ? "shape=box, style=\"rounded,filled\", fillcolor=\"white\", height=0.3];\n"
                         : "shape=circle, style=filled, fillcolor=\"white\", label=\"\", width=0.12, fixedsize=true];\n");
         dot.append("  edge [fontname=\"Helvetica\", fontsize=10, arrowsize=0.6, color=\"");
-        dot.append(content.written ? Colours.LINE : Colours.FAINT).append("\"];\n");
+        dot.append(content.written ? Palette.LINE : Palette.FAINT).append("\"];\n");
         content.states.forEach(this::state);
         content.edges.forEach(this::edge);
         return dot.append("}\n").toString();
@@ -35,9 +35,9 @@ final class GraphDot {
         }
         dot.append("tooltip=").append(Dot.quoted(state + content.remarks(state)));
         dot.append(content.isInitial(state) ? " peripheries=2" : "");
-        dot.append(content.isDead(state) ? " fillcolor=\"" + Colours.DEAD_FILL + "\"" : "");
+        dot.append(content.isDead(state) ? " fillcolor=\"" + Palette.DEAD_FILL + "\"" : "");
         dot.append(state.isOpen() ? " style=\"dashed,filled\"" : "");
-        dot.append(content.isOnPath(state) ? " color=\"" + Colours.PATH + "\" penwidth=2" : "");
+        dot.append(content.isOnPath(state) ? " color=\"" + Palette.PATH + "\" penwidth=2" : "");
         dot.append("];\n");
     }
 
@@ -45,7 +45,7 @@ final class GraphDot {
         dot.append("  s").append(edge.from()).append(" -> s").append(edge.to()).append(" [");
         dot.append(
                 content.isNamed(edge) ? "label=" + Dot.quoted(edge.transition().name()) + " " : "");
-        dot.append(edge.onPath() ? "color=\"" + Colours.PATH + "\" penwidth=2" : "");
+        dot.append(edge.onPath() ? "color=\"" + Palette.PATH + "\" penwidth=2" : "");
         dot.append("];\n");
     }
 }

@@ -7,12 +7,12 @@ import io.troupe.petri.ReachabilityGraph.State;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A picture of a reachability graph: the initial marking with a double border, dead markings filled, open ones dashed,
- * and, if wanted, a shortest path in colour.
+ * A drawing of a reachability graph: the initial marking has a double border, dead markings are filled, open ones
+ * dashed, and an optional shortest path is coloured.
  *
- * <p>Up to {@link #MOST_WRITTEN_MARKINGS} markings are written out, and the edges have the names of their transitions;
- * in a larger graph the markings are dots in rows, each row a firing farther from the initial marking, and of the edges
- * only those of the path have names, at the left of their rows.
+ * <p>In a graph of up to {@link #MOST_WRITTEN_MARKINGS} markings, all markings and transitions are labelled. In a
+ * larger graph the markings are dots in rows, one row for each distance from the initial marking, and only the edges of
+ * the path are labelled, at the left of their rows.
  *
  * <p><b>Role.</b> {@code GraphDrawing.of(graph).pathTo(graph.dead().getFirst()).svg()}.
  *
@@ -23,13 +23,13 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> {@link #svg} takes some seconds for {@link #MOST_SVG_MARKINGS} markings.
  */
 public final class GraphDrawing {
-    /** The size of the largest graph whose markings and edges are all written out. */
+    /** The size of the largest graph whose markings and edges are all labelled. */
     public static final int MOST_WRITTEN_MARKINGS = 60;
 
     /** The size of the largest graph that {@link #svg} draws. */
     public static final int MOST_SVG_MARKINGS = 2000;
 
-    /** The number of edges up to which {@link #svg} draws a graph. */
+    /** The most edges of a graph that {@link #svg} draws. */
     public static final int MOST_SVG_EDGES = 6000;
 
     private final ReachabilityGraph graph;
@@ -46,7 +46,7 @@ public final class GraphDrawing {
     }
 
     /**
-     * The same picture with the shortest path to this marking, and no other, in colour.
+     * The same drawing with only the shortest path to this marking coloured.
      *
      * @throws IllegalArgumentException if the state is of another graph
      */
@@ -57,7 +57,7 @@ public final class GraphDrawing {
         return new GraphDrawing(graph, state);
     }
 
-    /** For Graphviz, which lays it out; for a graph of any size. */
+    /** DOT, which Graphviz lays out; for a graph of any size. */
     public String dot() {
         return new GraphDot(content()).write();
     }

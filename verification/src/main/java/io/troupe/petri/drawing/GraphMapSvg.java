@@ -6,10 +6,11 @@ import java.util.List;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
 /**
- * Writes a reachability graph too large for names as dots in rows, one row for each distance from the initial marking.
+ * Writes a reachability graph that is too large for labels as dots in rows, one row for each distance from the initial
+ * marking.
  *
- * <p>Only the edges to the next row take part in the layout: the others, bent and in another colour, would pull it
- * apart.
+ * <p>Only the edges to the next row take part in the layout. The others, which are bent and in another colour, would
+ * distort it.
  */
 final class GraphMapSvg {
     private static final double FONT_PX = 12;
@@ -20,12 +21,12 @@ final class GraphMapSvg {
     /** Height over width, as far as the rows allow. */
     private static final double SHAPE = 0.75;
 
-    private static final Sketch.Style STYLE =
-            new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
+    private static final LayoutGraph.Style STYLE =
+            new LayoutGraph.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 5, 10, 1);
 
     private final GraphContent content;
     private final int[] distances;
-    private final Point[] centres;
+    private final PixelPoint[] centres;
     private final double left;
     private final double row;
     private final Size size;
@@ -34,25 +35,28 @@ final class GraphMapSvg {
     GraphMapSvg(GraphContent content) {
         this.content = content;
         distances = distances();
-        var layout = Layout.of(sketch());
+        var layout = Layout.of(layoutGraph());
         var rows = Arrays.stream(distances).max().orElse(0) + 1;
         var width = layout.size().width();
         row = Math.clamp(width * SHAPE / rows, FLATTEST_ROWS, STEEPEST_ROWS);
         left = MARGIN
                 + content.edges.stream()
                         .filter(GraphContent.Edge::onPath)
-                        .mapToDouble(edge -> Lettering.width(edge.transition().name(), FONT_PX))
+                        .mapToDouble(edge -> TextMetrics.width(edge.transition().name(), FONT_PX))
                         .max()
                         .orElse(0);
         centres = content.states.stream()
-                .map(state -> new Point(
+                .map(state -> new PixelPoint(
                         left + layout.node(state.index()).x() + RADIUS, MARGIN + row * distances[state.index()]))
-                .toArray(Point[]::new);
+                .toArray(PixelPoint[]::new);
         size = new Size(left + width, 2 * MARGIN + row * (rows - 1));
         svg = new Svg(size, content.graph.toString(), FONT_PX);
     }
 
-    /** The graph is in breadth-first order, so the first edge into a marking comes from the row above. */
+    /**
+     * The distance of each marking. The graph is in breadth-first order, so the first edge into a marking comes from
+     * the row above.
+     */
     private int[] distances() {
         var found = new int[content.states.size()];
         for (var edge : content.edges) {
@@ -63,11 +67,11 @@ final class GraphMapSvg {
         return found;
     }
 
-    private Sketch sketch() {
-        var sketch = new Sketch(STYLE);
-        content.states.forEach(state -> sketch.node(new Size(2 * RADIUS, 2 * RADIUS), null));
-        content.edges.stream().filter(this::isForward).forEach(edge -> sketch.edge(edge.from(), edge.to(), null));
-        return sketch;
+    private LayoutGraph layoutGraph() {
+        var layoutGraph = new LayoutGraph(STYLE);
+        content.states.forEach(state -> layoutGraph.node(new Size(2 * RADIUS, 2 * RADIUS), null));
+        content.edges.stream().filter(this::isForward).forEach(edge -> layoutGraph.edge(edge.from(), edge.to(), null));
+        return layoutGraph;
     }
 
     private boolean isForward(GraphContent.Edge edge) {
@@ -75,12 +79,12 @@ final class GraphMapSvg {
     }
 
     String write() {
-        // back first, path last: what matters more lies on top
-        content.edges.stream().filter(edge -> !isForward(edge)).forEach(edge -> edge(edge, Colours.BACK));
+        // backward edges first and the path last, which then lies on top
+        content.edges.stream().filter(edge -> !isForward(edge)).forEach(edge -> edge(edge, Palette.BACK));
         content.edges.stream()
                 .filter(edge -> isForward(edge) && !edge.onPath())
-                .forEach(edge -> edge(edge, Colours.FAINT));
-        content.edges.stream().filter(GraphContent.Edge::onPath).forEach(edge -> edge(edge, Colours.PATH));
+                .forEach(edge -> edge(edge, Palette.FAINT));
+        content.edges.stream().filter(GraphContent.Edge::onPath).forEach(edge -> edge(edge, Palette.PATH));
         content.states.forEach(this::state);
         return svg.end();
     }
@@ -102,15 +106,15 @@ final class GraphMapSvg {
         svg.close("g");
     }
 
-    private List<Point> straight(GraphContent.Edge edge) {
+    private List<PixelPoint> straight(GraphContent.Edge edge) {
         var from = centres[edge.from()];
         var to = centres[edge.to()];
         return List.of(towards(from, to), towards(to, from));
     }
 
     /**
-     * A curve that leaves the straight way by a tenth, so that edges there and back stay apart; a loop from a marking
-     * to itself.
+     * A curve that deviates from the straight line by a tenth, so that edges in both directions stay apart; a loop for
+     * an edge from a marking to itself.
      */
     private Svg.Curve bent(GraphContent.Edge edge) {
         var from = centres[edge.from()];
@@ -118,23 +122,23 @@ final class GraphMapSvg {
         if (edge.from() == edge.to()) {
             var side = from.x() + RADIUS;
             return new Svg.Curve(
-                    new Point(side, from.y() - 1),
-                    new Point(side + 2 * RADIUS, from.y() - 2 * RADIUS),
-                    new Point(side + 2 * RADIUS, from.y() + 2 * RADIUS),
-                    new Point(side, from.y() + 1));
+                    new PixelPoint(side, from.y() - 1),
+                    new PixelPoint(side + 2 * RADIUS, from.y() - 2 * RADIUS),
+                    new PixelPoint(side + 2 * RADIUS, from.y() + 2 * RADIUS),
+                    new PixelPoint(side, from.y() + 1));
         }
         var x = (from.x() + to.x()) / 2 + (to.y() - from.y()) * 0.1;
         var y = (from.y() + to.y()) / 2 - (to.x() - from.x()) * 0.1;
-        var bend = new Point(Math.clamp(x, left, size.width()), Math.clamp(y, 0, size.height()));
+        var bend = new PixelPoint(Math.clamp(x, left, size.width()), Math.clamp(y, 0, size.height()));
         return new Svg.Curve(towards(from, bend), bend, bend, towards(to, bend));
     }
 
-    /** Where the way from the centre of a dot to another point leaves the dot. */
-    private static Point towards(Point centre, Point other) {
+    /** The point where the line from the centre of a dot to another point leaves the dot. */
+    private static PixelPoint towards(PixelPoint centre, PixelPoint other) {
         var dx = other.x() - centre.x();
         var dy = other.y() - centre.y();
         var length = Math.max(Math.hypot(dx, dy), RADIUS);
-        return new Point(centre.x() + dx / length * RADIUS, centre.y() + dy / length * RADIUS);
+        return new PixelPoint(centre.x() + dx / length * RADIUS, centre.y() + dy / length * RADIUS);
     }
 
     private void state(State state) {
@@ -160,7 +164,7 @@ final class GraphMapSvg {
                 "fill",
                 content.fill(state),
                 "stroke",
-                content.isOnPath(state) ? Colours.PATH : Colours.LINE,
+                content.isOnPath(state) ? Palette.PATH : Palette.LINE,
                 "stroke-width",
                 content.isOnPath(state) ? 1.5 : 0.8,
                 "stroke-dasharray",

@@ -4,14 +4,14 @@ import io.troupe.petri.ReachabilityGraph.State;
 import java.util.List;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 
-/** Lays out and writes a reachability graph that is small enough to name all markings and edges. */
+/** Lays out and writes a reachability graph that is small enough to label all markings and edges. */
 final class GraphSvg {
     private static final double FONT_PX = 12;
     private static final double EDGE_FONT_PX = 11;
     private static final double WRAP_PX = 90;
     private static final double GAP_PX = 3;
-    private static final Sketch.Style STYLE =
-            new Sketch.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 16, 18, 8);
+    private static final LayoutGraph.Style STYLE =
+            new LayoutGraph.Style(true, false, CycleBreakingStrategy.MODEL_ORDER, 16, 18, 8);
 
     private final GraphContent content;
     private final Layout layout;
@@ -19,29 +19,29 @@ final class GraphSvg {
 
     GraphSvg(GraphContent content) {
         this.content = content;
-        layout = Layout.of(sketch());
+        layout = Layout.of(layoutGraph());
         svg = new Svg(layout.size(), content.graph.toString(), FONT_PX);
     }
 
-    private Sketch sketch() {
-        var sketch = new Sketch(STYLE);
-        content.states.forEach(state -> sketch.node(size(state), null));
-        content.edges.forEach(edge -> sketch.edge(edge.from(), edge.to(), label(edge)));
-        return sketch;
+    private LayoutGraph layoutGraph() {
+        var layoutGraph = new LayoutGraph(STYLE);
+        content.states.forEach(state -> layoutGraph.node(size(state), null));
+        content.edges.forEach(edge -> layoutGraph.edge(edge.from(), edge.to(), label(edge)));
+        return layoutGraph;
     }
 
     private Size size(State state) {
         var border = content.isInitial(state) ? 2 * GAP_PX : 0;
-        var text = Lettering.size(lines(state), FONT_PX);
+        var text = TextMetrics.size(lines(state), FONT_PX);
         return new Size(Math.max(30, text.width() + 10) + border, text.height() + 8 + border);
     }
 
     private static List<String> lines(State state) {
-        return Lettering.wrapped(GraphContent.words(state), FONT_PX, WRAP_PX);
+        return TextMetrics.wrapped(GraphContent.words(state), FONT_PX, WRAP_PX);
     }
 
     private static Size label(GraphContent.Edge edge) {
-        return Lettering.size(List.of(edge.transition().name()), EDGE_FONT_PX);
+        return TextMetrics.size(List.of(edge.transition().name()), EDGE_FONT_PX);
     }
 
     String write() {
@@ -59,14 +59,14 @@ final class GraphSvg {
 
     private void edge(int number) {
         var edge = content.edges.get(number);
-        var colour = edge.onPath() ? Colours.PATH : Colours.LINE;
+        var colour = edge.onPath() ? Palette.PATH : Palette.LINE;
         svg.open("g", "class", edge.onPath() ? "edge path" : "edge");
         svg.title(content.title(edge));
         svg.arrow(layout.route(number), colour, edge.onPath() ? 2 : 1, 8);
         var corner = layout.label(number);
         var label = label(edge);
         if (corner != null) {
-            var centre = new Point(corner.x() + label.width() / 2, corner.y() + label.height() / 2);
+            var centre = new PixelPoint(corner.x() + label.width() / 2, corner.y() + label.height() / 2);
             svg.lines(List.of(edge.transition().name()), centre, EDGE_FONT_PX, colour);
         }
         svg.close("g");
@@ -81,15 +81,15 @@ final class GraphSvg {
         if (content.isInitial(state)) {
             border(
                     state,
-                    new Point(corner.x() + GAP_PX, corner.y() + GAP_PX),
+                    new PixelPoint(corner.x() + GAP_PX, corner.y() + GAP_PX),
                     new Size(size.width() - 2 * GAP_PX, size.height() - 2 * GAP_PX));
         }
-        var centre = new Point(corner.x() + size.width() / 2, corner.y() + size.height() / 2);
+        var centre = new PixelPoint(corner.x() + size.width() / 2, corner.y() + size.height() / 2);
         svg.lines(lines(state), centre, FONT_PX, "black");
         svg.close("g");
     }
 
-    private void border(State state, Point corner, Size size) {
+    private void border(State state, PixelPoint corner, Size size) {
         svg.empty(
                 "rect",
                 "x",
@@ -105,7 +105,7 @@ final class GraphSvg {
                 "fill",
                 content.fill(state),
                 "stroke",
-                content.isOnPath(state) ? Colours.PATH : Colours.LINE,
+                content.isOnPath(state) ? Palette.PATH : Palette.LINE,
                 "stroke-width",
                 content.isOnPath(state) ? 2 : 1,
                 "stroke-dasharray",

@@ -20,49 +20,50 @@ import org.eclipse.elk.graph.util.ElkGraphUtil;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where everything of a {@link Sketch} goes, by the layered algorithm of the Eclipse Layout Kernel.
+ * Positions everything in a {@link LayoutGraph} by the layered algorithm of the Eclipse Layout Kernel.
  *
- * <p><b>Order.</b> The same sketch gets the same layout: the algorithm's random numbers have a fixed seed.
+ * <p><b>Order.</b> The same layoutGraph gets the same layout: the algorithm's random numbers have a fixed seed.
  */
 final class Layout {
     private static final int SEED = 1;
     private static final double ASPECT_RATIO = 1.6;
 
     /**
-     * Among many long arcs the best placement takes a minute for 250 nodes; a good one, Brandes and Köpf's, does not.
+     * The most nodes for the best node placement, which takes a minute for 250 nodes with many long arcs; larger graphs
+     * use that of Brandes and Köpf, which is good and fast.
      */
     private static final int MOST_EXACT_NODES = 90;
 
-    /** What a label says does not matter here, but ELK passes over empty ones. */
+    /** Any text: it has no effect here, but ELK ignores empty labels. */
     private static final String TEXT = "label";
 
     private final Size size;
-    private final List<Point> nodes = new ArrayList<>();
-    private final List<List<Point>> routes = new ArrayList<>();
-    private final List<@Nullable Point> labels = new ArrayList<>();
+    private final List<PixelPoint> nodes = new ArrayList<>();
+    private final List<List<PixelPoint>> routes = new ArrayList<>();
+    private final List<@Nullable PixelPoint> labels = new ArrayList<>();
 
     private Layout(Size size) {
         this.size = size;
     }
 
-    static Layout of(Sketch sketch) {
-        // ELK's options can be read only after its registry has found them; it finds them once
+    static Layout of(LayoutGraph layoutGraph) {
+        // makes ELK's registry find its options, which is needed once before they are read
         LayoutMetaDataService.getInstance(Layout.class.getClassLoader());
         var graph = ElkGraphUtil.createGraph();
-        configure(graph, sketch.style, sketch.nodes.size());
-        var nodes = sketch.nodes.stream().map(node -> add(graph, node)).toList();
-        var edges = sketch.edges.stream()
+        configure(graph, layoutGraph.style, layoutGraph.nodes.size());
+        var nodes = layoutGraph.nodes.stream().map(node -> add(graph, node)).toList();
+        var edges = layoutGraph.edges.stream()
                 .map(edge -> add(nodes.get(edge.from()), nodes.get(edge.to()), edge.label()))
                 .toList();
         new LayeredLayoutProvider().layout(graph, new NullElkProgressMonitor());
 
         var layout = new Layout(new Size(graph.getWidth(), graph.getHeight()));
-        nodes.forEach(node -> layout.nodes.add(new Point(node.getX(), node.getY())));
+        nodes.forEach(node -> layout.nodes.add(new PixelPoint(node.getX(), node.getY())));
         edges.forEach(layout::read);
         return layout;
     }
 
-    private static void configure(ElkNode graph, Sketch.Style style, int nodes) {
+    private static void configure(ElkNode graph, LayoutGraph.Style style, int nodes) {
         graph.setProperty(LayeredOptions.RANDOM_SEED, SEED);
         graph.setProperty(LayeredOptions.DIRECTION, style.downwards() ? Direction.DOWN : Direction.RIGHT);
         graph.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
@@ -84,7 +85,7 @@ final class Layout {
         }
     }
 
-    private static ElkNode add(ElkNode graph, Sketch.Node sketched) {
+    private static ElkNode add(ElkNode graph, LayoutGraph.Node sketched) {
         var node = ElkGraphUtil.createNode(graph);
         node.setDimensions(sketched.size().width(), sketched.size().height());
         var caption = sketched.caption();
@@ -107,37 +108,37 @@ final class Layout {
 
     private void read(ElkEdge edge) {
         var section = edge.getSections().get(0);
-        var route = new ArrayList<Point>();
-        route.add(new Point(section.getStartX(), section.getStartY()));
-        section.getBendPoints().forEach(bend -> route.add(new Point(bend.getX(), bend.getY())));
-        route.add(new Point(section.getEndX(), section.getEndY()));
+        var route = new ArrayList<PixelPoint>();
+        route.add(new PixelPoint(section.getStartX(), section.getStartY()));
+        section.getBendPoints().forEach(bend -> route.add(new PixelPoint(bend.getX(), bend.getY())));
+        route.add(new PixelPoint(section.getEndX(), section.getEndY()));
         routes.add(List.copyOf(route));
         labels.add(
                 edge.getLabels().isEmpty()
                         ? null
-                        : new Point(
+                        : new PixelPoint(
                                 edge.getLabels().get(0).getX(),
                                 edge.getLabels().get(0).getY()));
     }
 
-    /** Of the whole drawing, with a margin. */
+    /** The size of the whole drawing, with a margin. */
     Size size() {
         return size;
     }
 
-    /** The upper left corner. */
-    Point node(int number) {
+    /** The upper left corner of a node. */
+    PixelPoint node(int number) {
         return nodes.get(number);
     }
 
-    /** From the border of the one node's rectangle to that of the other. */
-    List<Point> route(int edge) {
+    /** The points of an edge, from the border of one node's rectangle to that of the other. */
+    List<PixelPoint> route(int edge) {
         return routes.get(edge);
     }
 
-    /** The upper left corner of the edge's label, if it has one. */
+    /** The upper left corner of an edge's label, if it has one. */
     @Nullable
-    Point label(int edge) {
+    PixelPoint label(int edge) {
         return labels.get(edge);
     }
 }

@@ -8,7 +8,7 @@ import java.util.Set;
 
 /** Writes the arcs of a net. */
 final class NetArcs {
-    /** An arc as it is drawn. */
+    /** An arc to draw. */
     record Drawn(Transition transition, Place place, boolean input, int weight) {
         String from() {
             return input ? place.name() : transition.name();
@@ -29,7 +29,7 @@ final class NetArcs {
         this.highlighted = highlighted;
     }
 
-    /** In the order of the edges of the layout. */
+    /** Writes the arcs, which are in the order of the layout's edges. */
     void write(List<Drawn> arcs) {
         // coloured arcs last, so that they lie on top
         for (var coloured : List.of(false, true)) {
@@ -46,10 +46,10 @@ final class NetArcs {
         svg.title(arc.from() + " → " + arc.to() + (arc.weight == 1 ? "" : ", weight " + arc.weight));
         var route = new ArrayList<>(layout.route(number));
         var corner = layout.node(arc.place.index());
-        var centre = new Point(corner.x() + NetSvg.RADIUS, corner.y() + NetSvg.RADIUS);
+        var centre = new PixelPoint(corner.x() + NetSvg.RADIUS, corner.y() + NetSvg.RADIUS);
         var end = arc.input ? 0 : route.size() - 1;
         route.set(end, ontoCircle(route.get(end), route.get(arc.input ? 1 : end - 1), centre));
-        svg.arrow(route, coloured ? Colours.PATH : Colours.LINE, coloured ? 2 : 1, 8);
+        svg.arrow(route, coloured ? Palette.PATH : Palette.LINE, coloured ? 2 : 1, 8);
         var label = layout.label(number);
         if (label != null) {
             weight(arc.weight, label, coloured);
@@ -57,28 +57,25 @@ final class NetArcs {
         svg.close("g");
     }
 
-    private void weight(int weight, Point corner, boolean coloured) {
+    private void weight(int weight, PixelPoint corner, boolean coloured) {
         var text = List.of(String.valueOf(weight));
-        var size = Lettering.size(text, NetSvg.FONT_PX);
+        var size = TextMetrics.size(text, NetSvg.FONT_PX);
         svg.lines(
                 text,
-                new Point(corner.x() + size.width() / 2, corner.y() + size.height() / 2),
+                new PixelPoint(corner.x() + size.width() / 2, corner.y() + size.height() / 2),
                 NetSvg.FONT_PX,
-                coloured ? Colours.PATH : Colours.LINE);
+                coloured ? Palette.PATH : Palette.LINE);
     }
 
-    /**
-     * The layout ends an arc at the square around the circle: it goes on, in the direction it has, until it meets the
-     * circle.
-     */
-    private static Point ontoCircle(Point end, Point before, Point centre) {
+    /** Extends the end of an arc to the circle: the layout ends it at the square around the circle. */
+    private static PixelPoint ontoCircle(PixelPoint end, PixelPoint before, PixelPoint centre) {
         if (before.y() == end.y()) {
             var dy = end.y() - centre.y();
             var dx = Math.sqrt(Math.max(0, NetSvg.RADIUS * NetSvg.RADIUS - dy * dy));
-            return new Point(centre.x() + Math.copySign(dx, end.x() - centre.x()), end.y());
+            return new PixelPoint(centre.x() + Math.copySign(dx, end.x() - centre.x()), end.y());
         }
         var dx = end.x() - centre.x();
         var dy = Math.sqrt(Math.max(0, NetSvg.RADIUS * NetSvg.RADIUS - dx * dx));
-        return new Point(end.x(), centre.y() + Math.copySign(dy, end.y() - centre.y()));
+        return new PixelPoint(end.x(), centre.y() + Math.copySign(dy, end.y() - centre.y()));
     }
 }

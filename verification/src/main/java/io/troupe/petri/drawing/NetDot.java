@@ -6,7 +6,7 @@ import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
 import java.util.Set;
 
-/** Writes one net for Graphviz: places are p0, p1, .., transitions t0, t1, .. in the order of the net. */
+/** Writes one net as DOT: places are p0, p1, .., transitions t0, t1, .. in the order of the net. */
 final class NetDot {
     private static final int MOST_DOTS = 4;
 
@@ -24,8 +24,8 @@ final class NetDot {
     String write() {
         dot.append("digraph {\n");
         dot.append("  graph [rankdir=LR, label=").append(Dot.quoted(net.name())).append(", fontname=\"Helvetica\"];\n");
-        dot.append("  node [fontname=\"Helvetica\", fontsize=11, margin=0.04, color=\"" + Colours.LINE + "\"];\n");
-        dot.append("  edge [fontname=\"Helvetica\", fontsize=11, arrowsize=0.7, color=\"" + Colours.LINE + "\"];\n");
+        dot.append("  node [fontname=\"Helvetica\", fontsize=11, margin=0.04, color=\"" + Palette.LINE + "\"];\n");
+        dot.append("  edge [fontname=\"Helvetica\", fontsize=11, arrowsize=0.7, color=\"" + Palette.LINE + "\"];\n");
         net.places().forEach(this::place);
         net.transitions().forEach(this::transition);
         net.transitions().forEach(this::arcs);
@@ -37,7 +37,7 @@ final class NetDot {
         var held = tokens <= MOST_DOTS ? "●".repeat(tokens) : String.valueOf(tokens);
         dot.append("  p").append(place.index()).append(" [shape=circle, label=");
         dot.append(Dot.quoted(place.name() + (tokens == 0 ? "" : "\n" + held)));
-        dot.append(tokens == 0 ? "" : ", style=filled, fillcolor=\"" + Colours.MARKED_FILL + "\"");
+        dot.append(tokens == 0 ? "" : ", style=filled, fillcolor=\"" + Palette.MARKED_FILL + "\"");
         dot.append("];\n");
     }
 
@@ -48,7 +48,7 @@ final class NetDot {
         dot.append(", style=filled, fillcolor=\"");
         dot.append(
                 highlighted.contains(transition)
-                        ? Colours.PATH_FILL + "\", color=\"" + Colours.PATH + "\", penwidth=2"
+                        ? Palette.PATH_FILL + "\", color=\"" + Palette.PATH + "\", penwidth=2"
                         : "#eeeeee\"");
         dot.append("];\n");
     }
@@ -63,7 +63,7 @@ final class NetDot {
     private void arc(String from, String to, int weight, boolean coloured) {
         dot.append("  ").append(from).append(" -> ").append(to).append(" [");
         dot.append(weight == 1 ? "" : "label=\"" + weight + "\" ");
-        dot.append(coloured ? "color=\"" + Colours.PATH + "\" penwidth=2" : "");
+        dot.append(coloured ? "color=\"" + Palette.PATH + "\" penwidth=2" : "");
         dot.append("];\n");
     }
 }

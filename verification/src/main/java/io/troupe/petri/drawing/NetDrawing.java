@@ -15,8 +15,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * A picture of a net: places as circles with their tokens, transitions as boxes, weights on arcs and priorities where
- * they are not 1 and 0.
+ * A drawing of a net: places are circles with their tokens, transitions are boxes; weights of arcs and priorities are
+ * shown where they are not 1 and 0.
  *
  * <p><b>Role.</b> {@code NetDrawing.of(net).marked(dead).highlighting(trace).svg()}.
  *
@@ -27,10 +27,10 @@ import java.util.Set;
  * <p><b>Errors.</b> A marking or a transition of another net throws {@link IllegalArgumentException}.
  */
 public final class NetDrawing {
-    /** The places and transitions up to which {@link #svg} draws a net; the layout of thousands takes minutes. */
+    /** The most places and transitions of a net that {@link #svg} draws; the layout of thousands takes minutes. */
     public static final int MOST_SVG_NODES = 400;
 
-    /** The arcs up to which {@link #svg} draws a net. */
+    /** The most arcs of a net that {@link #svg} draws. */
     public static final int MOST_SVG_ARCS = 1500;
 
     private final PetriNet net;
@@ -51,7 +51,7 @@ public final class NetDrawing {
         return new NetDrawing(requireNonNull(net, "net"), net.initialMarking(), Set.of(), Map.of());
     }
 
-    /** The same picture in another marking. */
+    /** The same drawing in another marking. */
     public NetDrawing marked(Marking other) {
         for (var place : other.marked()) {
             require(isOfNet(place), "place " + place + " of marking " + other + " is not of net ");
@@ -66,10 +66,10 @@ public final class NetDrawing {
     }
 
     /**
-     * The same picture with these transitions and their arcs coloured, and no others; a trace may name one many times.
+     * The same drawing with only these transitions and their arcs coloured; a trace may name a transition many times.
      */
     public NetDrawing highlighting(Collection<Transition> firings) {
-        var distinct = new LinkedHashSet<Transition>(firings); // an error names the first that is wrong
+        var distinct = new LinkedHashSet<Transition>(firings); // in order, so that an error names the first wrong one
         var all = net.transitions();
         for (var firing : distinct) {
             require(
@@ -80,9 +80,8 @@ public final class NetDrawing {
     }
 
     /**
-     * The same picture with the places of each component in a tint of their own, and a legend with the components'
-     * names. A transition has a tint if all places around it belong to one component; those of several components stay
-     * grey.
+     * The same drawing with a separate fill colour for the places of each component, and a legend with the components'
+     * names. A transition gets this fill if all places around it belong to one component; all others stay grey.
      *
      * @param places by the name of the component, in the order of the legend; only {@link #svg} shows them
      */
@@ -97,7 +96,7 @@ public final class NetDrawing {
         return new NetDrawing(net, marking, highlighted, Collections.unmodifiableMap(copy));
     }
 
-    /** For Graphviz, which lays it out. */
+    /** DOT, which Graphviz lays out. */
     public String dot() {
         return new NetDot(net, marking, highlighted).write();
     }

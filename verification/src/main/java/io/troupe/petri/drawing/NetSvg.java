@@ -23,7 +23,7 @@ final class NetSvg {
     private static final double LEGEND_PX = 30;
     private static final double SAMPLE_PX = 14;
     private static final int MOST_DOTS = 4;
-    /** Up to so many nodes, one long chain is the clearest. */
+    /** The most nodes of a net that is drawn as one long chain, which is the clearest layout for small nets. */
     private static final int FEW_NODES = 24;
     /** Width over height of a large net, unless it is drawn in rows. */
     private static final double MOST_SHAPE = 3;
@@ -43,7 +43,7 @@ final class NetSvg {
         this.highlighted = highlighted;
         this.components = List.copyOf(components.keySet());
         for (var i = 0; i < this.components.size(); i++) {
-            var tint = Colours.TINTS.get(i % Colours.TINTS.size());
+            var tint = Palette.TINTS.get(i % Palette.TINTS.size());
             components.get(this.components.get(i)).forEach(place -> tints.put(place, tint));
         }
         for (var transition : net.transitions()) {
@@ -62,33 +62,33 @@ final class NetSvg {
         svg = new Svg(size, net + " in " + marking, FONT_PX);
     }
 
-    /** A small net as one chain; a large one breadth first or, where that would be a long strip, in rows. */
+    /** Lays out a small net as one chain, and a large one breadth first or, if that is too long and flat, in rows. */
     private Layout layout() {
         if (net.places().size() + net.transitions().size() <= FEW_NODES) {
-            return Layout.of(sketch(false, CycleBreakingStrategy.DEPTH_FIRST));
+            return Layout.of(layoutGraph(false, CycleBreakingStrategy.DEPTH_FIRST));
         }
-        var compact = Layout.of(sketch(false, CycleBreakingStrategy.BFS_NODE_ORDER));
+        var compact = Layout.of(layoutGraph(false, CycleBreakingStrategy.BFS_NODE_ORDER));
         var canWrap = arcs.stream().allMatch(arc -> arc.weight() == 1);
         return canWrap && compact.size().width() > MOST_SHAPE * compact.size().height()
-                ? Layout.of(sketch(true, CycleBreakingStrategy.DEPTH_FIRST))
+                ? Layout.of(layoutGraph(true, CycleBreakingStrategy.DEPTH_FIRST))
                 : compact;
     }
 
-    private Sketch sketch(boolean wrapped, CycleBreakingStrategy order) {
-        var sketch = new Sketch(new Sketch.Style(false, wrapped, order, 14, 22, 9));
+    private LayoutGraph layoutGraph(boolean wrapped, CycleBreakingStrategy order) {
+        var layoutGraph = new LayoutGraph(new LayoutGraph.Style(false, wrapped, order, 14, 22, 9));
         for (var place : net.places()) {
-            sketch.node(new Size(2 * RADIUS, 2 * RADIUS), Lettering.size(List.of(place.name()), FONT_PX));
+            layoutGraph.node(new Size(2 * RADIUS, 2 * RADIUS), TextMetrics.size(List.of(place.name()), FONT_PX));
         }
         for (var transition : net.transitions()) {
-            sketch.node(size(transition), null);
+            layoutGraph.node(size(transition), null);
         }
         for (var arc : arcs) {
-            var label = arc.weight() == 1 ? null : Lettering.size(List.of(String.valueOf(arc.weight())), FONT_PX);
+            var label = arc.weight() == 1 ? null : TextMetrics.size(List.of(String.valueOf(arc.weight())), FONT_PX);
             var place = arc.place().index();
             var transition = number(arc.transition());
-            sketch.edge(arc.input() ? place : transition, arc.input() ? transition : place, label);
+            layoutGraph.edge(arc.input() ? place : transition, arc.input() ? transition : place, label);
         }
-        return sketch;
+        return layoutGraph;
     }
 
     private int number(Transition transition) {
@@ -96,9 +96,9 @@ final class NetSvg {
     }
 
     private static Size size(Transition transition) {
-        var name = Lettering.width(transition.name(), FONT_PX);
-        var more = Lettering.width(priority(transition), SMALL_FONT_PX);
-        var height = BOX_HEIGHT + (transition.priority() == 0 ? 0 : Lettering.lineHeight(SMALL_FONT_PX));
+        var name = TextMetrics.width(transition.name(), FONT_PX);
+        var more = TextMetrics.width(priority(transition), SMALL_FONT_PX);
+        var height = BOX_HEIGHT + (transition.priority() == 0 ? 0 : TextMetrics.lineHeight(SMALL_FONT_PX));
         return new Size(Math.max(BOX_WIDTH, Math.max(name, more) + 8), height);
     }
 
@@ -114,7 +114,7 @@ final class NetSvg {
         return svg.end();
     }
 
-    /** Below the net: a sample of each tint. */
+    /** Draws a sample of each fill below the net. */
     private void legend() {
         var middle = layout.size().height() + LEGEND_PX / 2 - MARGIN_PX / 2;
         for (var i = 0; i < components.size(); i++) {
@@ -132,9 +132,9 @@ final class NetSvg {
                     "height",
                     SAMPLE_PX,
                     "fill",
-                    Colours.TINTS.get(i % Colours.TINTS.size()),
+                    Palette.TINTS.get(i % Palette.TINTS.size()),
                     "stroke",
-                    Colours.LINE);
+                    Palette.LINE);
             svg.text(components.get(i), "x", x + SAMPLE_PX + 6, "y", middle + FONT_PX * 0.35);
         }
     }
@@ -143,30 +143,30 @@ final class NetSvg {
         return MARGIN_PX
                 + components.stream()
                         .limit(number)
-                        .mapToDouble(component -> SAMPLE_PX + 6 + Lettering.width(component, FONT_PX) + 18)
+                        .mapToDouble(component -> SAMPLE_PX + 6 + TextMetrics.width(component, FONT_PX) + 18)
                         .sum();
     }
 
     private String fill(Place place, int tokens) {
-        return tints.getOrDefault(place, tokens > 0 ? Colours.MARKED_FILL : "white");
+        return tints.getOrDefault(place, tokens > 0 ? Palette.MARKED_FILL : "white");
     }
 
-    /** The tint that all places around a transition have, or grey. */
+    /** The fill that all places around a transition share, or grey. */
     private String fill(Transition transition) {
         if (highlighted.contains(transition)) {
-            return Colours.PATH_FILL;
+            return Palette.PATH_FILL;
         }
         var around = Stream.concat(transition.inputs().stream(), transition.outputs().stream())
-                .map(arc -> tints.getOrDefault(arc.place(), Colours.BETWEEN_FILL))
+                .map(arc -> tints.getOrDefault(arc.place(), Palette.BETWEEN_FILL))
                 .distinct()
                 .toList();
-        return around.size() == 1 ? around.getFirst() : Colours.BETWEEN_FILL;
+        return around.size() == 1 ? around.getFirst() : Palette.BETWEEN_FILL;
     }
 
     private void place(Place place) {
         var tokens = marking.tokens(place);
         var corner = layout.node(place.index());
-        var centre = new Point(corner.x() + RADIUS, corner.y() + RADIUS);
+        var centre = new PixelPoint(corner.x() + RADIUS, corner.y() + RADIUS);
         svg.open("g", "class", "place");
         svg.title(place.name() + ": " + tokens + (tokens == 1 ? " token" : " tokens"));
         svg.empty(
@@ -180,16 +180,16 @@ final class NetSvg {
                 "fill",
                 fill(place, tokens),
                 "stroke",
-                Colours.LINE,
+                Palette.LINE,
                 "stroke-width",
                 tokens > 0 && tints.containsKey(place) ? 2.4 : 1.3);
         tokens(tokens, centre);
-        var below = new Point(centre.x(), centre.y() + RADIUS + 2 + Lettering.lineHeight(FONT_PX) / 2);
+        var below = new PixelPoint(centre.x(), centre.y() + RADIUS + 2 + TextMetrics.lineHeight(FONT_PX) / 2);
         svg.lines(List.of(place.name()), below, FONT_PX, "black");
         svg.close("g");
     }
 
-    private void tokens(int tokens, Point centre) {
+    private void tokens(int tokens, PixelPoint centre) {
         if (tokens > MOST_DOTS) {
             svg.lines(List.of(String.valueOf(tokens)), centre, tokens < 1000 ? FONT_PX : 6, "black");
             return;
@@ -229,14 +229,15 @@ final class NetSvg {
                 "fill",
                 fill(transition),
                 "stroke",
-                coloured ? Colours.PATH : Colours.LINE,
+                coloured ? Palette.PATH : Palette.LINE,
                 "stroke-width",
                 coloured ? 2 : 1.3);
         var middle = corner.x() + size.width() / 2;
-        svg.lines(List.of(transition.name()), new Point(middle, corner.y() + BOX_HEIGHT / 2), FONT_PX, "black");
+        svg.lines(List.of(transition.name()), new PixelPoint(middle, corner.y() + BOX_HEIGHT / 2), FONT_PX, "black");
         if (transition.priority() != 0) {
-            var below = new Point(middle, corner.y() + size.height() - Lettering.lineHeight(SMALL_FONT_PX) / 2 - 2);
-            svg.lines(List.of(priority(transition)), below, SMALL_FONT_PX, Colours.LINE);
+            var below =
+                    new PixelPoint(middle, corner.y() + size.height() - TextMetrics.lineHeight(SMALL_FONT_PX) / 2 - 2);
+            svg.lines(List.of(priority(transition)), below, SMALL_FONT_PX, Palette.LINE);
         }
         svg.close("g");
     }

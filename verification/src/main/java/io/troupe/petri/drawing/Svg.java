@@ -10,8 +10,8 @@ final class Svg {
     /** Half the width of an arrow's head over its length. */
     private static final double HEAD_SLIMNESS = 0.375;
 
-    /** A cubic curve and the two points that bend it. */
-    record Curve(Point from, Point first, Point second, Point to) {}
+    /** A cubic curve with its two control points. */
+    record Curve(PixelPoint from, PixelPoint first, PixelPoint second, PixelPoint to) {}
 
     private final StringBuilder text = new StringBuilder();
 
@@ -34,14 +34,14 @@ final class Svg {
                 "aria-label",
                 title,
                 "font-family",
-                Lettering.FONTS,
+                TextMetrics.FONTS,
                 "font-size",
                 fontPx);
         title(title);
         empty("rect", "width", "100%", "height", "100%", "fill", "white");
     }
 
-    /** Starts an element; attributes are names and values in turn. */
+    /** Starts an element; {@code attributes} alternates names and values. */
     void open(String element, Object... attributes) {
         tag(element, attributes);
         text.append('>');
@@ -56,24 +56,24 @@ final class Svg {
         text.append("/>");
     }
 
-    /** What viewers show when the pointer rests on the element around it. */
+    /** Adds the text that viewers show as a tooltip of the enclosing element. */
     void title(String title) {
         open("title");
         text.append(escaped(title));
         close("title");
     }
 
-    /** One line of text. */
+    /** Writes one line of text. */
     void text(String line, Object... attributes) {
         open("text", attributes);
         text.append(escaped(line));
         close("text");
     }
 
-    /** Lines one below the other, centred in a box. */
-    void lines(List<String> lines, Point centre, double fontPx, String colour) {
-        var lineHeight = Lettering.lineHeight(fontPx);
-        // the middle of a line is about a third of the font's size above its base line
+    /** Writes lines below each other, centred in a box. */
+    void lines(List<String> lines, PixelPoint centre, double fontPx, String colour) {
+        var lineHeight = TextMetrics.lineHeight(fontPx);
+        // the middle of a line is about a third of the font size above its base line
         var y = centre.y() - (lines.size() - 1) * lineHeight / 2 + fontPx * 0.35;
         for (var line : lines) {
             text(line, "x", centre.x(), "y", y, "text-anchor", "middle", "font-size", fontPx, "fill", colour);
@@ -90,8 +90,8 @@ final class Svg {
         }
     }
 
-    /** An arrow along {@code route}, with rounded corners. */
-    void arrow(List<Point> route, String colour, double widthPx, double headPx) {
+    /** Draws an arrow along {@code route}, with rounded corners. */
+    void arrow(List<PixelPoint> route, String colour, double widthPx, double headPx) {
         var end = route.size() - 1;
         var shortened = new ArrayList<>(route);
         shortened.set(end, nearer(route.get(end), route.get(end - 1), headPx));
@@ -99,7 +99,7 @@ final class Svg {
         head(route.get(end - 1), route.get(end), colour, headPx);
     }
 
-    /** An arrow along a cubic curve. */
+    /** Draws an arrow along a cubic curve. */
     void arrow(Curve curve, String colour, double widthPx, double headPx) {
         var shortened = nearer(curve.to, curve.second, headPx);
         line(
@@ -113,14 +113,14 @@ final class Svg {
         empty("path", "d", data, "fill", "none", "stroke", colour, "stroke-width", widthPx);
     }
 
-    /** A plain triangle: not all renderers draw SVG's markers, and some turn them wrongly. */
-    private void head(Point before, Point tip, String colour, double lengthPx) {
+    /** Draws an arrow head as a plain triangle: not all renderers draw SVG's markers, and some rotate them wrongly. */
+    private void head(PixelPoint before, PixelPoint tip, String colour, double lengthPx) {
         var dx = tip.x() - before.x();
         var dy = tip.y() - before.y();
         var length = Math.hypot(dx, dy);
         var x = length == 0 ? 1 : dx / length;
         var y = length == 0 ? 0 : dy / length;
-        var base = new Point(tip.x() - lengthPx * x, tip.y() - lengthPx * y);
+        var base = new PixelPoint(tip.x() - lengthPx * x, tip.y() - lengthPx * y);
         var half = lengthPx * HEAD_SLIMNESS;
         empty(
                 "path",
@@ -128,21 +128,21 @@ final class Svg {
                 "head",
                 "d",
                 "M" + pair(tip)
-                        + " L" + pair(new Point(base.x() - half * y, base.y() + half * x))
-                        + " L" + pair(new Point(base.x() + half * y, base.y() - half * x)) + " z",
+                        + " L" + pair(new PixelPoint(base.x() - half * y, base.y() + half * x))
+                        + " L" + pair(new PixelPoint(base.x() + half * y, base.y() - half * x)) + " z",
                 "fill",
                 colour);
     }
 
-    /** Ends a line under the triangle, so that it does not look out at the tip. */
-    private static Point nearer(Point tip, Point before, double headPx) {
+    /** The end of the line under an arrow head, short of the tip so that it does not show there. */
+    private static PixelPoint nearer(PixelPoint tip, PixelPoint before, double headPx) {
         var length = Math.hypot(tip.x() - before.x(), tip.y() - before.y());
         var part = length == 0 ? 0 : Math.min(1, headPx / 2 / length);
-        return new Point(tip.x() + (before.x() - tip.x()) * part, tip.y() + (before.y() - tip.y()) * part);
+        return new PixelPoint(tip.x() + (before.x() - tip.x()) * part, tip.y() + (before.y() - tip.y()) * part);
     }
 
     /** The data of a path along {@code route} with rounded corners. */
-    private static String along(List<Point> route) {
+    private static String along(List<PixelPoint> route) {
         var data = new StringBuilder("M").append(pair(route.getFirst()));
         for (var i = 1; i < route.size() - 1; i++) {
             var corner = route.get(i);
@@ -153,16 +153,16 @@ final class Svg {
         return data.append(" L").append(pair(route.getLast())).toString();
     }
 
-    /** A point a little from the corner, at most half of the way, so that two corners do not meet. */
-    private static Point towards(Point corner, Point other) {
+    /** A point near the corner, at most half of the way, so that two rounded corners do not overlap. */
+    private static PixelPoint towards(PixelPoint corner, PixelPoint other) {
         var dx = other.x() - corner.x();
         var dy = other.y() - corner.y();
         var length = Math.hypot(dx, dy);
         var part = length == 0 ? 0 : Math.min(CORNER_PX, length / 2) / length;
-        return new Point(corner.x() + dx * part, corner.y() + dy * part);
+        return new PixelPoint(corner.x() + dx * part, corner.y() + dy * part);
     }
 
-    private static String pair(Point point) {
+    private static String pair(PixelPoint point) {
         return number(point.x()) + "," + number(point.y());
     }
 

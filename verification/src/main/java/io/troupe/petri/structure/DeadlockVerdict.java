@@ -4,7 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import java.util.List;
 
-/** What the siphons of a net say about dead markings. */
+/** What the siphons of a net prove about dead markings. */
 public sealed interface DeadlockVerdict {
     /**
      * Proved: no reachable marking is dead. In a dead marking the unmarked places form a siphon, but no minimal siphon
@@ -24,8 +24,8 @@ public sealed interface DeadlockVerdict {
     }
 
     /**
-     * Not decided: these minimal siphons may perhaps be emptied. Even one that really is emptied need not lead to a
-     * dead marking; only a search of the markings can tell.
+     * Undecided: these minimal siphons may be emptied. Even a siphon that is emptied need not lead to a dead marking;
+     * only a search of the markings can decide that.
      */
     record Candidates(List<SiphonVerdict> siphons) implements DeadlockVerdict {
         public Candidates {
@@ -33,7 +33,7 @@ public sealed interface DeadlockVerdict {
         }
     }
 
-    /** Siphons cannot decide it for this net, or not all of them are known; and why. */
+    /** Undecided, with the reason: siphons cannot decide it for this net, or not all of them are known. */
     record Undecided(String reason) implements DeadlockVerdict {
         public Undecided {
             requireNonNull(reason, "reason");

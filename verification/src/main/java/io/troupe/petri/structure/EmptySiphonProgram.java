@@ -15,15 +15,15 @@ import org.ojalgo.optimisation.integer.IntegerStrategy;
 import org.ojalgo.optimisation.integer.IntegerStrategy.GMICutConfiguration;
 
 /**
- * One mixed-integer program that asks whether any siphon at all can be emptied, without a list of siphons.
+ * A mixed-integer program that decides whether any siphon at all can be emptied, without listing the siphons.
  *
  * <p>Its unknowns are firing counts s, the marking m = m0 + C s, and for every place whether it belongs to a siphon
- * that is empty in m. All places must have a bound by the state equation. The source looks for the largest such siphon;
- * here any will do, which is faster, and a minimal one in it is reported. The firing counts need not be integer: they
- * have no bounds, so that branching on them need not end. This can only add candidates.
+ * that is empty in m. All places must have a bound by the state equation. The source maximises the siphon; here any
+ * siphon will do, which is faster, and a minimal one in it is reported. The firing counts need not be integer: they
+ * have no bounds, so branching on them might not terminate. This can only add candidates.
  *
- * <p><b>Cost.</b> A mixed-integer program of the size of the net: about ten seconds for 40 places. Where the siphons
- * are few enough to be listed, {@link SiphonAnalysis} is faster and its proofs are exact.
+ * <p><b>Cost.</b> A mixed-integer program of the size of the net: about ten seconds for 40 places. If the siphons are
+ * few enough to be listed, {@link SiphonAnalysis} is faster and its proofs are exact.
  *
  * <p><b>Source.</b> Chu and Xie, Deadlock analysis of Petri nets using siphons and mathematical programming (1997).
  */
@@ -50,7 +50,7 @@ public final class EmptySiphonProgram {
     /**
      * Solves the program.
      *
-     * @param limit how long the solver may take, longer than zero
+     * @param limit the longest time that the solver may take, more than zero
      */
     public static EmptySiphonVerdict solve(PetriNet net, Duration limit) {
         requireNonNull(net, "net");
@@ -111,8 +111,9 @@ public final class EmptySiphonProgram {
     }
 
     /**
-     * Branch and bound alone. The cutting planes of ojAlgo 56.1.1 cut off all solutions of a net of ours in which a
-     * siphon really is emptied; so they are asked for only beyond a violation that never occurs.
+     * Selects branch and bound without cutting planes. The cuts of ojAlgo 56.1.1 remove all solutions of one of our
+     * nets in which a siphon really is emptied. They cannot be switched off, so the threshold for them is set to a
+     * violation that never occurs.
      */
     private static IntegerStrategy withoutCuts() {
         return IntegerStrategy.newConfigurable()
@@ -121,7 +122,7 @@ public final class EmptySiphonProgram {
                         .withFractionality(0.9999));
     }
 
-    /** Rounds the siphon of the solution, and checks that it is one. */
+    /** Rounds the siphon of the solution, and checks that it is a siphon. */
     private EmptySiphonVerdict candidate(Optimisation.Result result) {
         var siphon = new BitSet();
         for (var at = 0; at < empty.size(); at++) {

@@ -11,17 +11,17 @@ import java.util.function.BooleanSupplier;
 import java.util.function.ToIntFunction;
 
 /**
- * Minimal semi-positive invariants in integers: weights of places whose sum of weighted tokens no firing changes, and
- * firing counts that in the end change nothing.
+ * Minimal semi-positive invariants in integers. A place invariant weighs the places so that no firing changes the
+ * weighted sum of tokens; a transition invariant gives firing counts that together change no marking.
  *
- * <p>A semi-positive invariant has weights of 0 or more, not all 0; it is minimal if no other has its support within
- * its own, and its weights have no common divisor. Every other semi-positive invariant is a sum of minimal ones times
- * positive fractions. These, not a basis of the null space (which may need negative weights), are what bounds tokens
- * and names cycles.
+ * <p>A semi-positive invariant has weights of 0 or more, not all 0. It is minimal if its support contains the support
+ * of no other, and its weights have no common divisor. Every other semi-positive invariant is a sum of minimal ones
+ * times positive fractions. Only semi-positive invariants bound tokens and identify cycles; a basis of the null space
+ * may need negative weights.
  *
- * <p><b>Threads.</b> For any.
+ * <p><b>Threads.</b> Thread-safe.
  *
- * <p><b>Cost.</b> There can be exponentially many; and the work can be much more than the result.
+ * <p><b>Cost.</b> There can be exponentially many invariants, and the work can be much more than the result.
  *
  * <p><b>Errors.</b> A weight beyond a {@code long} throws {@link ArithmeticException}.
  *
@@ -37,9 +37,9 @@ public final class Invariants {
     /**
      * Invariants, largest support last.
      *
-     * @param invariants each is minimal, also when the search stopped early; its weights above 0
-     * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may
-     *     be more
+     * @param invariants each is minimal, even if the search ended early; only weights above 0 are included
+     * @param isComplete whether these are all; if not, the search reached its limit or was cancelled, and there may be
+     *     more
      */
     public record Found<T>(List<Map<T, Long>> invariants, boolean isComplete) {
         public Found {
@@ -47,40 +47,42 @@ public final class Invariants {
         }
     }
 
-    /** P-invariants: in every reachable marking the weighted sum of the tokens is that of the initial marking. */
+    /**
+     * Computes the P-invariants: in every reachable marking the weighted sum of the tokens is that of the initial
+     * marking.
+     */
     public static Found<Place> ofPlaces(PetriNet net) {
         return ofPlaces(net, DEFAULT_MAX_ROWS);
     }
 
-    /** P-invariants, on the way to which there are never more than {@code maxRows} (1 or more) combinations. */
+    /** Computes the P-invariants, with at most {@code maxRows} (1 or more) intermediate combinations at a time. */
     public static Found<Place> ofPlaces(PetriNet net, int maxRows) {
         return ofPlaces(net, maxRows, () -> false);
     }
 
-    /**
-     * P-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true.
-     */
+    /** Computes the P-invariants until {@code cancelled} is true; it is called often, on the calling thread. */
     public static Found<Place> ofPlaces(PetriNet net, int maxRows, BooleanSupplier cancelled) {
-        var matrix = new Effects(net).onPlaces();
+        var matrix = new IncidenceMatrix(net).onPlaces();
         var search = new SemiPositive(matrix, net.transitions().size(), cancelled);
         return find(search, net.places(), Place::index, maxRows);
     }
 
-    /** T-invariants: a firing sequence with these counts leads back to where it began; there need not be one. */
+    /**
+     * Computes the T-invariants: a firing sequence with these counts leads back to the marking it started from, if
+     * there is such a sequence.
+     */
     public static Found<Transition> ofTransitions(PetriNet net) {
         return ofTransitions(net, DEFAULT_MAX_ROWS);
     }
 
-    /** T-invariants, on the way to which there are never more than {@code maxRows} (1 or more) combinations. */
+    /** Computes the T-invariants, with at most {@code maxRows} (1 or more) intermediate combinations at a time. */
     public static Found<Transition> ofTransitions(PetriNet net, int maxRows) {
         return ofTransitions(net, maxRows, () -> false);
     }
 
-    /**
-     * T-invariants, as far as they are known when {@code cancelled}, asked many times on the calling thread, is true.
-     */
+    /** Computes the T-invariants until {@code cancelled} is true; it is called often, on the calling thread. */
     public static Found<Transition> ofTransitions(PetriNet net, int maxRows, BooleanSupplier cancelled) {
-        var matrix = new Effects(net).ofTransitions();
+        var matrix = new IncidenceMatrix(net).ofTransitions();
         var search = new SemiPositive(matrix, net.places().size(), cancelled);
         return find(search, net.transitions(), Transition::index, maxRows);
     }

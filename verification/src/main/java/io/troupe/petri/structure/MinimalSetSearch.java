@@ -6,13 +6,15 @@ import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
 
-/*
- * All minimal closed sets (siphons or traps, by the needs given), each found once, by splitting as Cordone, Ferrarini
- * and Piroddi do. A problem asks for the minimal sets that hold all of `required` and nothing outside `allowed`. Let S
- * be some closed set among them, as small as can be had by taking places away. Every other minimal set lacks a place of
- * S, or it would not be minimal; by the first one it lacks the problem falls into disjoint smaller ones. S itself may
- * contain a smaller closed set that lacks a required place; then S is not reported, but the split is right all the
- * same. (Without that test the method reports sets that are not minimal.)
+/**
+ * Finds all minimal closed sets (siphons or traps, depending on the needs), each once, by the splitting of Cordone,
+ * Ferrarini and Piroddi.
+ *
+ * <p>A problem is to find the minimal sets that contain all of {@code required} and nothing outside {@code allowed}.
+ * Let S be one closed set among them, from which no further place can be removed. Every other minimal set lacks a place
+ * of S, otherwise it would not be minimal; the first place that it lacks splits the problem into disjoint smaller ones.
+ * S may still contain a smaller closed set that lacks a required place. Then S is not reported, but the split remains
+ * correct. (Without that test the method reports sets that are not minimal.)
  */
 final class MinimalSetSearch {
     private record Problem(BitSet allowed, BitSet required) {}
@@ -25,11 +27,11 @@ final class MinimalSetSearch {
         this.needs = needs;
     }
 
-    /** Looks at up to {@code maxSteps} problems, unless it is cancelled; whether that were all. */
+    /** Solves up to {@code maxSteps} problems. Returns false if the search was cancelled or problems are left. */
     boolean run(long maxSteps) {
         try {
             return search(maxSteps);
-        } catch (Needs.OutOfTime cancelled) {
+        } catch (Needs.Cancelled end) {
             return false;
         }
     }
@@ -42,7 +44,7 @@ final class MinimalSetSearch {
             if (step == maxSteps) {
                 return false;
             }
-            needs.requireTime();
+            needs.requireNotCancelled();
             solve(open.pop());
         }
         return true;
@@ -62,7 +64,7 @@ final class MinimalSetSearch {
         var inside = (BitSet) required.clone();
         needs.shrinkToLargest(inside);
         if (!inside.isEmpty()) {
-            // a minimal set that contains this closed one is this one
+            // a minimal set that contains this closed set equals it
             if (inside.equals(required)) {
                 report(inside);
             }
@@ -73,7 +75,10 @@ final class MinimalSetSearch {
         split(small, allowed, required);
     }
 
-    /** Adds what follows: the only allowed place that meets a need of a required one. False if the needs clash. */
+    /**
+     * Adds the places that follow: the only allowed place that meets a need of a required one. False if a need cannot
+     * be met.
+     */
     private boolean require(BitSet required, BitSet allowed) {
         var pending = new ArrayDeque<Integer>();
         required.stream().forEach(pending::add);
@@ -97,7 +102,7 @@ final class MinimalSetSearch {
         return true;
     }
 
-    /** A closed set between the two from which no place can be taken without losing a required one. */
+    /** A closed set between the two from which no place can be removed without losing a required one. */
     BitSet smallest(BitSet allowed, BitSet required) {
         var small = (BitSet) allowed.clone();
         for (var place = small.nextSetBit(0); place >= 0; place = small.nextSetBit(place + 1)) {
@@ -132,7 +137,7 @@ final class MinimalSetSearch {
             if (kept.get(place)) {
                 continue;
             }
-            needs.requireTime();
+            needs.requireNotCancelled();
             var without = (BitSet) allowed.clone();
             without.clear(place);
             open.push(new Problem(without, (BitSet) kept.clone()));

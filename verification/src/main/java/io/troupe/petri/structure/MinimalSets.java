@@ -7,9 +7,8 @@ import java.util.List;
  *
  * <p><b>Order.</b> Smaller sets first, then by their places in the order of the net.
  *
- * @param sets each is minimal, also when the search stopped early
- * @param isComplete whether these are all; if not, the search stopped at its limit, or was cancelled, and there may be
- *     more
+ * @param sets each is minimal, even if the search ended early
+ * @param isComplete whether these are all; if not, the search reached its limit or was cancelled, and there may be more
  */
 public record MinimalSets(List<PlaceSet> sets, boolean isComplete) {
     public MinimalSets {

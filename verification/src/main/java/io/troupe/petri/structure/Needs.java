@@ -8,9 +8,9 @@ import java.util.BitSet;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 
-/*
- * For every place the sets of places of which a siphon with this place must hold one: the inputs of each transition
- * that puts a token there. For traps the same with the arrows turned round.
+/**
+ * The conditions for a siphon, by place. Each need is a set of places, of which a siphon with this place must contain
+ * one: the inputs of a transition that puts a token on the place. For traps the arcs are reversed.
  */
 final class Needs {
     private final List<List<BitSet>> needs = new ArrayList<>();
@@ -21,7 +21,7 @@ final class Needs {
         this.cancelled = cancelled;
         net.places().forEach(place -> needs.add(new ArrayList<>()));
         for (var t : net.transitions()) {
-            requireTime();
+            requireNotCancelled();
             var helpers = places(siphons ? t.inputs() : t.outputs());
             places(siphons ? t.outputs() : t.inputs()).stream()
                     .filter(place -> !helpers.get(place))
@@ -33,7 +33,7 @@ final class Needs {
         return ofSiphons(net, () -> false);
     }
 
-    /** Each of their methods throws {@link OutOfTime} once {@code cancelled} says so. */
+    /** The needs of siphons. Every method throws {@link Cancelled} once {@code cancelled} is true. */
     static Needs ofSiphons(PetriNet net, BooleanSupplier cancelled) {
         return new Needs(net, true, cancelled);
     }
@@ -42,27 +42,27 @@ final class Needs {
         return ofTraps(net, () -> false);
     }
 
-    /** Each of their methods throws {@link OutOfTime} once {@code cancelled} says so. */
+    /** The needs of traps. Every method throws {@link Cancelled} once {@code cancelled} is true. */
     static Needs ofTraps(PetriNet net, BooleanSupplier cancelled) {
         return new Needs(net, false, cancelled);
     }
 
-    /** Ends a search that was cancelled; caught where it began. */
-    static final class OutOfTime extends RuntimeException {
+    /** Ends a cancelled search; it is caught where the search began. */
+    static final class Cancelled extends RuntimeException {
         private static final long serialVersionUID = 1L;
 
-        OutOfTime() {
+        Cancelled() {
             super("cancelled", null, false, false);
         }
     }
 
-    void requireTime() {
+    void requireNotCancelled() {
         if (cancelled.getAsBoolean()) {
-            throw new OutOfTime();
+            throw new Cancelled();
         }
     }
 
-    /** Keeps only the strongest needs: one that contains another follows from it. */
+    /** Adds a need, and keeps only the strongest ones: a need that contains another follows from it. */
     private static void add(List<BitSet> known, BitSet need) {
         if (known.stream().noneMatch(other -> isSubset(other, need))) {
             known.removeIf(other -> isSubset(need, other));
@@ -78,12 +78,12 @@ final class Needs {
         return needs.size();
     }
 
-    /** Takes from the set, until it is stable, every place with a need that nothing in the set meets. */
+    /** Removes the places with an unmet need from the set, until none is left. */
     void shrinkToLargest(BitSet set) {
         var changed = true;
         while (changed) {
             changed = false;
-            requireTime();
+            requireNotCancelled();
             for (var place = set.nextSetBit(0); place >= 0; place = set.nextSetBit(place + 1)) {
                 if (!isMet(place, set)) {
                     set.clear(place);

@@ -12,8 +12,7 @@ import java.util.List;
 /**
  * A set of places of one net.
  *
- * <p><b>Role.</b> What {@link Siphons} finds, and what its questions are about. Equal when the members and the places
- * of the net are equal.
+ * <p><b>Role.</b> Result and argument of {@link Siphons}. Equal when the members and the places of the net are equal.
  *
  * <p><b>Threads.</b> Immutable.
  *
@@ -23,7 +22,7 @@ public final class PlaceSet {
     private final PetriNet net;
     private final BitSet members;
 
-    /** Takes over {@code members}. */
+    /** Creates a set that owns {@code members}, without a copy. */
     PlaceSet(PetriNet net, BitSet members) {
         this.net = net;
         this.members = members;
@@ -42,7 +41,7 @@ public final class PlaceSet {
         return new PlaceSet(net, members);
     }
 
-    /** The set of the places of these names. */
+    /** The set of the places with these names. */
     public static PlaceSet of(PetriNet net, String... placeNames) {
         return of(net, List.of(placeNames).stream().map(net::place).toList());
     }
@@ -68,7 +67,7 @@ public final class PlaceSet {
         return members.get(place.index()) && net.places().get(place.index()).equals(place);
     }
 
-    /** Whether all members of the other set, which must be of the same net, are members of this one. */
+    /** Whether all members of the other set are members of this one; both sets must be of the same net. */
     public boolean containsAll(PlaceSet other) {
         requirePlacesOf(other.net);
         var missing = other.bits();

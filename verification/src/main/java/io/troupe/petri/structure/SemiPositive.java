@@ -7,24 +7,24 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 
-/*
- * All minimal semi-positive integer vectors x with x A = 0, by the method of Farkas, as refined by Martinez and Silva:
- * start from the unit vectors and cancel one column of A after the other by positive combinations of two rows; a row
- * whose support contains that of another row goes.
+/**
+ * Computes all minimal semi-positive integer vectors x with x A = 0, by the method of Farkas, as refined by Martinez
+ * and Silva. It starts from the unit vectors and cancels the columns of A one after the other by positive combinations
+ * of two rows. A row whose support contains that of another row is dropped.
  */
 final class SemiPositive {
-    /** A combination of the rows of A: the factors, and what the sum still is. */
+    /** A combination of the rows of A: its factors, and the remaining sum. */
     private record Row(long[] factors, long[] rest, BitSet support) {}
 
     private final int columns;
     private final BooleanSupplier cancelled;
-    /** Whether it was cancelled before all rows were here. */
+    /** Whether the search was cancelled before all rows were added. */
     private boolean isCut;
 
     private List<Row> rows = new ArrayList<>();
     private final BitSet open = new BitSet();
 
-    /** Takes A by rows, each by column. */
+    /** Takes the rows of A, each by column. */
     SemiPositive(List<Map<Integer, Long>> matrix, int columns, BooleanSupplier cancelled) {
         this.columns = columns;
         this.cancelled = cancelled;
@@ -42,7 +42,9 @@ final class SemiPositive {
         }
     }
 
-    /** Whether it got to the end without ever holding more than {@code maxRows} combinations, or being cancelled. */
+    /**
+     * Computes the solutions. Returns false if it was cancelled or would need more than {@code maxRows} combinations.
+     */
     boolean run(int maxRows) {
         if (isCut) {
             return false;
@@ -80,7 +82,7 @@ final class SemiPositive {
         return true;
     }
 
-    /** The factors of the combinations that are 0 in all columns: all of them after a complete run. */
+    /** The factors of the combinations that are 0 in all columns: all solutions, after a complete run. */
     List<long[]> solutions() {
         return rows.stream()
                 .filter(row -> Arrays.stream(row.rest()).allMatch(value -> value == 0))
@@ -88,7 +90,7 @@ final class SemiPositive {
                 .toList();
     }
 
-    /** The column whose cancelling adds the fewest rows. */
+    /** The column that adds the fewest rows when it is cancelled. */
     private int cheapest() {
         var best = -1;
         var least = Long.MAX_VALUE;
@@ -120,7 +122,7 @@ final class SemiPositive {
         return sum;
     }
 
-    /** The row in its smallest integers. */
+    /** The row divided by the common divisor of its factors. */
     private Row row(long[] factors, long[] rest) {
         var divisor = 0L;
         for (var factor : factors) {
@@ -132,7 +134,7 @@ final class SemiPositive {
             support.set(i, factors[i] != 0);
         }
         for (var i = 0; i < columns; i++) {
-            rest[i] /= divisor; // a combination of rows of integers: divides as its factors do
+            rest[i] /= divisor; // a combination of integer rows is divisible by what divides its factors
         }
         return new Row(factors, rest, support);
     }

@@ -12,12 +12,12 @@ import java.util.function.Supplier;
 /**
  * The minimal siphons of a net, whether each can be emptied, and what follows for dead markings.
  *
- * <p><b>Role.</b> Asks the cheapest proof first: a marked trap, then the state equation. What neither decides is a
- * candidate, for {@link #confirm}.
+ * <p><b>Role.</b> Tries the cheapest proof first: a marked trap, then the state equation. A siphon that neither decides
+ * is a candidate for {@link #confirm}.
  *
- * <p><b>Cost.</b> The search for all minimal siphons, and two linear programs for each without a marked trap.
+ * <p><b>Cost.</b> The search for all minimal siphons, and two linear programs for each siphon without a marked trap.
  *
- * @param siphons what the search found
+ * @param siphons the result of the search
  * @param verdicts one for each of these siphons, in their order
  */
 public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdict> verdicts) {
@@ -38,10 +38,10 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
     }
 
     /**
-     * Judges the minimal siphons found in up to {@code maxSteps} (1 or more) steps, as long as there is time.
+     * Judges the minimal siphons found in up to {@code maxSteps} (1 or more) steps, within a time limit.
      *
-     * @param left how much time is left, asked often and on the calling thread; once it is zero or less, the search
-     *     ends, and a siphon that is not judged yet may be emptied, for all that is known
+     * @param left the remaining time, called often and on the calling thread; once it is zero or less, the search ends,
+     *     and siphons that are not judged yet count as {@link SiphonVerdict.MayBeEmptied}
      */
     public static SiphonAnalysis of(PetriNet net, long maxSteps, Supplier<Duration> left) {
         BooleanSupplier cancelled = () -> !left.get().isPositive();
@@ -57,10 +57,7 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
                         .toList());
     }
 
-    /**
-     * Whether the siphon can be emptied, as far as traps and the state equation tell: a proof that it cannot, or a
-     * candidate.
-     */
+    /** Judges a siphon by traps and the state equation: a proof that it cannot be emptied, or a candidate. */
     public static SiphonVerdict judge(PlaceSet siphon) {
         requireSiphon(siphon);
         return judge(siphon, new StateEquation(siphon.net()));
@@ -85,8 +82,8 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
     }
 
     /**
-     * Whether the siphon is empty in some marking of the graph: the nearest one, or that there is none, or, if the
-     * graph is not complete, that none was seen.
+     * Searches the graph for a marking in which the siphon is empty: the result is the nearest one, a proof that there
+     * is none, or, if the graph is incomplete, a candidate.
      */
     public static SiphonVerdict confirm(PlaceSet siphon, ReachabilityGraph graph) {
         requireSiphon(siphon);
@@ -109,7 +106,7 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
         }
     }
 
-    /** What follows for dead markings of the net, with its priorities if it has any. */
+    /** What follows for dead markings of the net; its priorities are respected. */
     public DeadlockVerdict deadlock() {
         var unfit = whyUnfit(net);
         if (unfit.isPresent()) {
@@ -131,7 +128,7 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
         return new DeadlockVerdict.NoDeadMarking(proofs);
     }
 
-    /** Why a dead marking of this net need not have an empty siphon, if so. */
+    /** The reason why a dead marking of this net need not have an empty siphon; empty if there is none. */
     static Optional<String> whyUnfit(PetriNet net) {
         if (net.transitions().isEmpty()) {
             return Optional.of("net " + net.name() + " has no transitions: its only marking is dead");

@@ -5,7 +5,7 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.petri.ReachabilityGraph;
 import java.util.OptionalDouble;
 
-/** What is known about whether one siphon is empty in some reachable marking, and what proves it. */
+/** Whether one siphon is empty in some reachable marking, as far as it is known, with the proof. */
 public sealed interface SiphonVerdict {
     PlaceSet siphon();
 
@@ -13,7 +13,7 @@ public sealed interface SiphonVerdict {
     sealed interface CannotBeEmptied extends SiphonVerdict {}
 
     /**
-     * The siphon contains a trap that is marked initially, and so for ever.
+     * The siphon contains a trap that is marked initially, and therefore always.
      *
      * @param trap the largest one in the siphon
      */
@@ -28,7 +28,7 @@ public sealed interface SiphonVerdict {
         }
     }
 
-    /** The state equation leaves at least one token in the siphon. */
+    /** By the state equation the siphon always holds at least one token. */
     record HoldsTokens(TokenBound bound) implements CannotBeEmptied {
         public HoldsTokens {
             if (bound.tokens() < 1) {
@@ -59,10 +59,9 @@ public sealed interface SiphonVerdict {
     }
 
     /**
-     * A candidate only: nothing excludes that the siphon is emptied, and nothing shows that it is. Confirm it by
-     * {@link SiphonAnalysis#confirm}.
+     * A candidate: neither proved nor refuted. Confirm it by {@link SiphonAnalysis#confirm}.
      *
-     * @param leastTokens the fewest tokens by the state equation; nothing if its solver failed
+     * @param leastTokens the fewest tokens by the state equation; empty if the solver failed
      */
     record MayBeEmptied(PlaceSet siphon, OptionalDouble leastTokens) implements SiphonVerdict {
         public MayBeEmptied {

@@ -12,14 +12,14 @@ import java.util.function.Supplier;
  * Siphons and traps of a net.
  *
  * <p>A siphon is a set of places such that every transition that puts a token into it also takes one from it: once
- * empty, it stays empty. A trap is the reverse: every transition that takes from it also puts into it, so once marked,
- * it stays marked. Both are properties of the arcs alone, for any weights and priorities. The empty set is both, and is
- * never reported.
+ * empty, it stays empty. A trap is the reverse: every transition that takes a token from it also puts one into it, so
+ * once marked, it stays marked. Both are properties of the arcs alone, for any weights and priorities. The empty set is
+ * both, and is never reported.
  *
- * <p><b>Threads.</b> For any.
+ * <p><b>Threads.</b> Thread-safe.
  *
- * <p><b>Cost.</b> The largest one in a set takes time in proportion to arcs x places. There can be exponentially many
- * minimal ones.
+ * <p><b>Cost.</b> The largest siphon or trap in a set takes time in proportion to arcs x places. There can be
+ * exponentially many minimal ones.
  *
  * <p><b>Source.</b> The search splits as in Cordone, Ferrarini and Piroddi, Enumeration algorithms for minimal siphons
  * in Petri nets based on place constraints (2005).
@@ -30,37 +30,35 @@ public final class Siphons {
 
     private Siphons() {}
 
-    /** Searches all minimal siphons in up to {@link #DEFAULT_MAX_STEPS} steps. */
+    /** Finds all minimal siphons in up to {@link #DEFAULT_MAX_STEPS} steps. */
     public static MinimalSets minimalSiphons(PetriNet net) {
         return minimalSiphons(net, DEFAULT_MAX_STEPS);
     }
 
-    /** Searches all minimal siphons; each step (of {@code maxSteps}, 1 or more) finds at most one. */
+    /** Finds all minimal siphons; each step (of {@code maxSteps}, 1 or more) finds at most one. */
     public static MinimalSets minimalSiphons(PetriNet net, long maxSteps) {
         return minimalSiphons(net, maxSteps, () -> false);
     }
 
     /**
-     * Searches all minimal siphons in up to {@code maxSteps} (1 or more) steps, or until {@code cancelled} is true. It
-     * is asked many times in each step, on the calling thread; a limit of time is one that compares a clock.
+     * Finds all minimal siphons in up to {@code maxSteps} (1 or more) steps, or until {@code cancelled} is true. It is
+     * called often in each step, on the calling thread; to limit the time, let it compare a clock.
      */
     public static MinimalSets minimalSiphons(PetriNet net, long maxSteps, BooleanSupplier cancelled) {
         return minimal(net, () -> Needs.ofSiphons(net, cancelled), maxSteps);
     }
 
-    /** Searches all minimal traps in up to {@link #DEFAULT_MAX_STEPS} steps. */
+    /** Finds all minimal traps in up to {@link #DEFAULT_MAX_STEPS} steps. */
     public static MinimalSets minimalTraps(PetriNet net) {
         return minimalTraps(net, DEFAULT_MAX_STEPS);
     }
 
-    /** Searches all minimal traps; each step (of {@code maxSteps}, 1 or more) finds at most one. */
+    /** Finds all minimal traps; each step (of {@code maxSteps}, 1 or more) finds at most one. */
     public static MinimalSets minimalTraps(PetriNet net, long maxSteps) {
         return minimalTraps(net, maxSteps, () -> false);
     }
 
-    /**
-     * Searches all minimal traps, within the same limits as {@link #minimalSiphons(PetriNet, long, BooleanSupplier)}.
-     */
+    /** Finds all minimal traps, within the same limits as {@link #minimalSiphons(PetriNet, long, BooleanSupplier)}. */
     public static MinimalSets minimalTraps(PetriNet net, long maxSteps, BooleanSupplier cancelled) {
         return minimal(net, () -> Needs.ofTraps(net, cancelled), maxSteps);
     }
@@ -73,12 +71,12 @@ public final class Siphons {
         return Needs.ofTraps(set.net()).isClosed(set.bits());
     }
 
-    /** The siphon within {@code set} that contains all others there; perhaps empty. */
+    /** The siphon within {@code set} that contains all others there; may be empty. */
     public static PlaceSet largestSiphonIn(PlaceSet set) {
         return largest(Needs.ofSiphons(set.net()), set);
     }
 
-    /** The trap within {@code set} that contains all others there; perhaps empty. */
+    /** The trap within {@code set} that contains all others there; may be empty. */
     public static PlaceSet largestTrapIn(PlaceSet set) {
         return largest(Needs.ofTraps(set.net()), set);
     }
@@ -96,7 +94,7 @@ public final class Siphons {
         Needs needs;
         try {
             needs = made.get();
-        } catch (Needs.OutOfTime cancelled) {
+        } catch (Needs.Cancelled end) {
             return new MinimalSets(List.of(), false);
         }
         var search = new MinimalSetSearch(needs);

@@ -21,13 +21,13 @@ import org.ojalgo.optimisation.Variable;
  * Bounds on tokens by linear programs over the state equation: markings m = m0 + C s with m and s not negative, where C
  * is the incidence matrix and s counts firings.
  *
- * <p><b>Role.</b> Every reachable marking is such an m, but not every m is reachable, and s need not be integer: a
- * bound holds for all reachable markings, but may not be met by any. Priorities only take markings away, so it holds
- * with them, too.
+ * <p><b>Role.</b> Every reachable marking satisfies the equation, but not every solution m is reachable, and s need not
+ * be integer. So a bound holds for all reachable markings, but need not be tight. Priorities only exclude markings, so
+ * the bounds hold with them, too.
  *
  * <p><b>Threads.</b> Immutable.
  *
- * <p><b>Cost.</b> One or two linear programs for each question.
+ * <p><b>Cost.</b> One or two linear programs for each bound.
  */
 public final class StateEquation {
     private static final int MAX_SCALE = 1000;
@@ -35,26 +35,27 @@ public final class StateEquation {
     private static final Duration FOR_EVER = Duration.ofDays(365);
 
     private final PetriNet net;
-    private final Effects effects;
+    private final IncidenceMatrix effects;
     private final Supplier<Duration> left;
 
     public StateEquation(PetriNet net) {
         this(net, () -> FOR_EVER);
     }
 
-    /** No program takes longer than what is {@code left} at its beginning: then the solver fails. */
+    /** Limits each program to the time that {@code left} returns at its start; after that the solver fails. */
     StateEquation(PetriNet net, Supplier<Duration> left) {
         this.net = requireNonNull(net, "net");
         this.left = left;
-        this.effects = new Effects(net);
+        this.effects = new IncidenceMatrix(net);
     }
 
     /**
-     * The fewest tokens that the set holds in a marking of the state equation, as the solver found it in floating
+     * The fewest tokens that the set holds in a marking of the state equation, as computed by the solver in floating
      * point.
      *
-     * <p>About 0 means that the state equation does not exclude that the set is empty. More than 0 means that it never
-     * is, up to the accuracy of the solver; {@link #lowerBound} is the exact proof. Nothing if the solver failed.
+     * <p>A value near 0 means that the state equation does not exclude an empty set. A larger value means that the set
+     * is never empty, up to the accuracy of the solver; {@link #lowerBound} is the exact proof. Empty if the solver
+     * failed.
      */
     public OptionalDouble leastTokens(PlaceSet set) {
         set.requirePlacesOf(net);
@@ -71,8 +72,8 @@ public final class StateEquation {
     }
 
     /**
-     * A proof that the set is never empty, or nothing: then the state equation does not exclude it, or the solver did
-     * not come close enough to a proof in integers.
+     * A proof that the set is never empty. Empty if the state equation does not exclude it, or if the solver's result
+     * was too inaccurate for a proof in integers.
      */
     public Optional<TokenBound> lowerBound(PlaceSet set) {
         set.requirePlacesOf(net);
@@ -112,11 +113,11 @@ public final class StateEquation {
         try {
             return Optional.of(new TokenBound(set, weights, scale)).filter(bound -> bound.tokens() > 0);
         } catch (IllegalArgumentException | ArithmeticException notQuite) {
-            return Optional.empty(); // rounded to something else; a larger scale may fit
+            return Optional.empty(); // rounded to a wrong value; a larger scale may fit
         }
     }
 
-    /** The most tokens a place can hold, proved in integers; nothing if it has no such bound, or none was found. */
+    /** The most tokens that a place can hold, proved in integers; empty if it has no such bound, or none was found. */
     OptionalLong upperBound(Place place) {
         var model = newModel();
         var weights = net.places().stream()
@@ -135,7 +136,7 @@ public final class StateEquation {
         return IntStream.rangeClosed(1, MAX_SCALE)
                 .mapToObj(scale -> scaled(result, scale)
                         .filter(scaled -> isUpperProof(place, scaled, scale))
-                        .map(scaled -> Math.floorDiv(Effects.initialSum(net, at -> scaled[at]), (long) scale)))
+                        .map(scaled -> Math.floorDiv(IncidenceMatrix.initialSum(net, at -> scaled[at]), (long) scale)))
                 .flatMap(Optional::stream)
                 .mapToLong(Long::longValue)
                 .findFirst();
@@ -144,10 +145,11 @@ public final class StateEquation {
     private boolean isUpperProof(Place place, long[] weights, int scale) {
         return weights[place.index()] >= scale
                 && IntStream.range(0, weights.length).allMatch(at -> weights[at] >= 0)
-                && effects.ofTransitions().stream().allMatch(effect -> Effects.sum(effect, at -> weights[at]) <= 0);
+                && effects.ofTransitions().stream()
+                        .allMatch(effect -> IncidenceMatrix.sum(effect, at -> weights[at]) <= 0);
     }
 
-    /** The values times scale, if these are integers but for rounding errors. */
+    /** The values times scale, if these are integers up to rounding errors. */
     private static Optional<long[]> scaled(Optimisation.Result result, int scale) {
         var scaled = new long[result.size()];
         for (var i = 0; i < scaled.length; i++) {
@@ -160,7 +162,7 @@ public final class StateEquation {
         return Optional.of(scaled);
     }
 
-    /** tokens = m0 + C counts. */
+    /** Adds tokens = m0 + C counts. */
     void addEquation(ExpressionsBasedModel model, List<Variable> tokens, List<Variable> counts) {
         for (var place : net.places()) {
             var balance = model.newExpression("balance " + place).level(place.tokens());

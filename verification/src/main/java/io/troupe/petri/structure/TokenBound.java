@@ -10,9 +10,9 @@ import java.util.Map;
  * that sum. So the set always holds at least the initial sum divided by {@code scale}. The weights are the dual
  * solution of the linear program of {@link StateEquation}, in integers.
  *
- * <p><b>Cost.</b> Made in time in proportion to the arcs, which is what checking the proof takes.
+ * <p><b>Cost.</b> The constructor checks the proof in time in proportion to the arcs.
  *
- * <p><b>Errors.</b> Weights that prove nothing throw {@link IllegalArgumentException}: who holds one holds a proof in
+ * <p><b>Errors.</b> Weights that are no proof throw {@link IllegalArgumentException}: every instance is a proof in
  * exact arithmetic. A sum beyond a {@code long} throws {@link ArithmeticException}.
  *
  * @param weights of places of the net; the others weigh 0
@@ -51,7 +51,7 @@ public record TokenBound(PlaceSet set, Map<Place, Long> weights, long scale) {
         return Math.addExact(sum, Math.multiplyExact((long) arcs, weight));
     }
 
-    /** The tokens that the set holds at least, in every reachable marking; 0 or less says nothing. */
+    /** The lower bound of the set's tokens in every reachable marking; 0 or less proves nothing. */
     public long tokens() {
         var initial = 0L;
         for (var weight : weights.entrySet()) {

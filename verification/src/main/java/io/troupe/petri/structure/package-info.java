@@ -1,5 +1,5 @@
 /**
- * What the structure of a Petri net proves without visiting its markings: invariants, siphons, traps, state equation.
+ * Analysis of the structure of a Petri net, without visiting its markings: invariants, siphons, traps, state equation.
  */
 @NullMarked
 package io.troupe.petri.structure;

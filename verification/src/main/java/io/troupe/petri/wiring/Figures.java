@@ -6,16 +6,17 @@ import io.troupe.petri.SearchEnd;
 import java.util.List;
 
 /**
- * What a search of all markings saw.
+ * The figures of a search of all markings.
  *
  * @param places of the net
  * @param transitions of the net
  * @param arcs of the net
- * @param markings that were visited
- * @param edges between these
- * @param deadMarkings among these
+ * @param markings the number of visited markings
+ * @param edges the number of firings between these
+ * @param deadMarkings the number of dead ones among these
  * @param end why the search ended; {@link SearchEnd#COMPLETE} if these are all reachable markings
- * @param neverReached the places that no visited marking marks, states of a component as {@code component.state}
+ * @param neverReached the places that no visited marking marks; states of a component are written as
+ *     {@code component.state}
  */
 public record Figures(
         int places,
@@ -30,7 +31,7 @@ public record Figures(
         neverReached = List.copyOf(neverReached);
     }
 
-    /** Of the graph of {@code net}, or of one that differs from it in names only. */
+    /** The figures of a graph of {@code net}, or of a net that differs from it in names only. */
     static Figures of(PetriNet net, ReachabilityGraph graph) {
         return new Figures(
                 net.places().size(),
@@ -54,7 +55,7 @@ public record Figures(
     @Override
     public String toString() {
         var text = places + " places, " + transitions + " transitions, " + arcs + " arcs; " + markings + " markings"
-                + told(end) + ", " + edges + " edges, " + deadMarkings + " dead";
+                + endNote(end) + ", " + edges + " edges, " + deadMarkings + " dead";
         if (neverReached.isEmpty()) {
             return text;
         }
@@ -64,7 +65,7 @@ public record Figures(
                         : "; " + neverReached.size() + " places not reached so far");
     }
 
-    static String told(SearchEnd end) {
+    static String endNote(SearchEnd end) {
         return switch (end) {
             case COMPLETE -> "";
             case LIMIT -> " (stopped at this limit)";

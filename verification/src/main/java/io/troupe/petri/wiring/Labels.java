@@ -1,6 +1,6 @@
 package io.troupe.petri.wiring;
 
-/* How the places and transitions of a wiring's net are called, in the words of the declaration. */
+/** Names for the places and transitions of a wiring's net, in the words of the declaration. */
 record Labels(Wiring wiring) {
     String label(String component, Protocol protocol, Step step) {
         return switch (step) {
@@ -26,7 +26,7 @@ record Labels(Wiring wiring) {
                 + where(component, request);
     }
 
-    /** Told only if the same call is made in several states. */
+    /** The state of a call; empty unless the same call is made in several states. */
     String where(String component, Step.Requests request) {
         var provider = wiring.provider(component, request);
         var same = wiring.protocol(component).requests().stream()

@@ -5,13 +5,13 @@ import java.util.Comparator;
 import java.util.Locale;
 import java.util.regex.Pattern;
 
-/** Names of components and calls: what they may look like, and what somebody may have meant. */
+/** Names of components and calls: checks them, and suggests the nearest known name for an unknown one. */
 final class Names {
     private static final Pattern WORD = Pattern.compile("[\\p{L}\\p{N}_-]+");
 
     private Names() {}
 
-    /** Components and calls are written as {@code component.call} and stand in sentences. */
+    /** Rejects a name that cannot be part of {@code component.call} and of a sentence. */
     static void requireWord(String what, String name) {
         if (!WORD.matcher(name).matches()) {
             throw new IllegalArgumentException(
@@ -19,7 +19,7 @@ final class Names {
         }
     }
 
-    /** What to add to a message about an unknown name. */
+    /** The suggestion that a message about an unknown name ends with. */
     static String hint(String wanted, Collection<String> known) {
         if (known.isEmpty()) {
             return "there are none";
@@ -32,7 +32,7 @@ final class Names {
         return (close ? "did you mean " + nearest + "? known: " : "known: ") + String.join(", ", known);
     }
 
-    /** Insertions, deletions and replacements between two names, case aside (Levenshtein). */
+    /** The edit distance of two names (Levenshtein): insertions, deletions and replacements, ignoring case. */
     static int distance(String one, String other) {
         var a = one.toLowerCase(Locale.ROOT);
         var b = other.toLowerCase(Locale.ROOT);

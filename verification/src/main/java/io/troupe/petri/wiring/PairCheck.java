@@ -8,7 +8,10 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 
-/* Every two components that call each other, by themselves. Of pairs whose nets are alike one is searched. */
+/**
+ * Checks every two components that call each other separately from the rest. Of several pairs with the same net only
+ * one is searched.
+ */
 final class PairCheck {
     private final Wiring wiring;
     private final SearchLimits limits;
@@ -33,7 +36,7 @@ final class PairCheck {
         return List.copyOf(results);
     }
 
-    /** How many nets were searched. */
+    /** The number of nets that were searched. */
     int searched() {
         return searched.size();
     }
@@ -46,7 +49,7 @@ final class PairCheck {
     private PairResult result(String one, String other) {
         var net = new WiringNet(wiring, new LinkedHashSet<>(List.of(one, other)));
         var graph = searched.computeIfAbsent(net.shape(), shape -> ReachabilityGraph.explore(net.net(), limits));
-        var search = new Search(wiring, net, graph);
+        var search = new WiringSearch(wiring, net, graph);
         var deadlocks = search.deadlocks();
         return new PairResult(one, other, search.figures(), deadlocks.isEmpty() ? search.blocks() : deadlocks);
     }

@@ -3,31 +3,31 @@ package io.troupe.petri.wiring;
 import java.util.List;
 
 /**
- * What two components do to each other while everybody else answers and calls them at any time.
+ * The result for two components while all others answer and call them at any time.
  *
- * <p>A pair that is in trouble is a suspect with a short explanation: in the whole, the others may keep it from getting
- * there. Pairs without trouble prove nothing about a circle of three.
+ * <p>A pair that can deadlock is a suspect with a short explanation: in the whole, the other components may prevent it.
+ * Pairs without a deadlock do not exclude a circle of three.
  *
- * @param one the one that was added to the wiring first
+ * @param one the component that was added to the wiring first
  * @param figures of the net of the two
- * @param stories of its dead markings, nearest first, at most 16; without any of these, how one of the two can wait for
- *     ever although the other goes on
+ * @param counterexamples of its dead markings, nearest first, at most 16; if there are none, how one of the two can
+ *     wait for ever although the other goes on
  */
-public record PairResult(String one, String other, Figures figures, List<Story> stories) {
+public record PairResult(String one, String other, Figures figures, List<Counterexample> counterexamples) {
     public PairResult {
-        stories = List.copyOf(stories);
+        counterexamples = List.copyOf(counterexamples);
     }
 
-    /** Whether all markings of the pair were visited, and from each of them both can go on. */
+    /** Whether all markings of the pair were visited, and both components can go on from each of them. */
     public boolean isFree() {
-        return stories.isEmpty() && figures.isComplete();
+        return counterexamples.isEmpty() && figures.isComplete();
     }
 
-    /** The figures and the sentences of the stories. */
+    /** The figures and the sentences of the counterexamples. */
     @Override
     public String toString() {
         var text = new StringBuilder(one + " and " + other + ": " + figures);
-        stories.forEach(story -> text.append("\n  ").append(story.sentence()));
+        counterexamples.forEach(counterexample -> text.append("\n  ").append(counterexample.sentence()));
         return text.toString();
     }
 }

@@ -9,7 +9,7 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * The paper's four components as declarations, in the reading in which the service gets ready by a private step.
+ * The paper's four components as declarations, in the reading in which the service first takes a private step.
  *
  * <p><b>Errors.</b> Fewer than one robot throws {@link IllegalArgumentException}.
  *
@@ -59,7 +59,7 @@ public final class PaperWiring {
                 .build();
     }
 
-    /** One of each. */
+    /** The wiring with one of each component. */
     public static Wiring wiring() {
         return Wiring.of("paper")
                 .component(robot())
@@ -69,7 +69,7 @@ public final class PaperWiring {
                 .build();
     }
 
-    /** Each robot has a player session of its own; they share the middleware and the service. */
+    /** Each robot has a separate player session; all share the middleware and the service. */
     public static Wiring robots(int count) {
         var wiring =
                 Wiring.of(count + " robots").components("robot", count, robot()).components("player", count, player());
@@ -79,7 +79,7 @@ public final class PaperWiring {
         return wiring.component(middleware()).component(service()).build();
     }
 
-    /** Each robot stops together with its own player; the middleware and the service never stop. */
+    /** Each robot stops together with its player session; the middleware and the service never stop. */
     public static Wiring robotsStoppingOneByOne(int count) {
         return robots(count)
                 .withSynchronisedStops(IntStream.rangeClosed(1, count)

@@ -8,12 +8,12 @@ import java.util.List;
 import java.util.TreeSet;
 
 /**
- * What one kind of component does: its states, the calls it makes and offers in them, its private steps, and where it
- * may stop.
+ * The behaviour of one kind of component: its states, the calls that it makes and offers in them, its private steps,
+ * and where it may stop.
  *
- * <p>Several steps out of one state are a choice: a private step and a request are taken when the component likes, an
- * offer when somebody calls. A component that made a request waits until it is answered; one that offers a call in a
- * state waits there for it.
+ * <p>Several steps out of one state are a choice. The component chooses a private step or a request at any time; an
+ * offer is taken when another component calls. A component that made a request waits until it is answered; one that
+ * offers a call in a state waits there for it.
  *
  * {@snippet :
  * var client = Protocol.of("client")
@@ -25,12 +25,12 @@ import java.util.TreeSet;
  *         .build();
  * }
  *
- * <p><b>Role.</b> Put to work under a name in a {@link Wiring}, as often as wanted.
+ * <p><b>Role.</b> Added to a {@link Wiring} under a name, as often as required.
  *
  * <p><b>Threads.</b> Immutable.
  *
  * <p><b>Errors.</b> {@link ProtocolBuilder} throws {@link IllegalArgumentException} for a call that is offered twice, a
- * step to an undeclared state, a state that cannot be reached, and one that nothing leads out of.
+ * step to an undeclared state, an unreachable state, and a state without a way out.
  */
 public final class Protocol {
     private final String name;
@@ -43,41 +43,41 @@ public final class Protocol {
         this.steps = List.copyOf(steps);
     }
 
-    /** Starts a declaration; the first state that is declared is the one the component starts in. */
+    /** Starts a declaration; a component starts in the state that is declared first. */
     public static ProtocolBuilder of(String name) {
         return new ProtocolBuilder(name);
     }
 
-    /** A private step; the label says what it does, for the stories. */
-    public static Way.Open does(String label) {
-        return new Way.Open(Way.Kind.DOES, label);
+    /** A private step; the label describes it in the counterexamples. */
+    public static Branch.Builder does(String label) {
+        return new Branch.Builder(Branch.Kind.DOES, label);
     }
 
-    /** A call, written {@code component.call}, that is waited for. */
-    public static Way.Open requests(String target) {
-        return new Way.Open(Way.Kind.REQUESTS, target);
+    /** A call, written {@code component.call}; the component waits for its answer. */
+    public static Branch.Builder requests(String target) {
+        return new Branch.Builder(Branch.Kind.REQUESTS, target);
     }
 
-    /** A call that others may make while the component is in this state. */
-    public static Way.Open provides(String call) {
-        return new Way.Open(Way.Kind.PROVIDES, call);
+    /** A call that other components may make while the component is in this state. */
+    public static Branch.Builder provides(String call) {
+        return new Branch.Builder(Branch.Kind.PROVIDES, call);
     }
 
-    /** The component may stop here: it goes back to its first state. */
-    public static Way stops() {
-        return new Way(Way.Kind.STOPS, "", "");
+    /** Allows the component to stop here: it goes back to its first state. */
+    public static Branch stops() {
+        return new Branch(Branch.Kind.STOPS, "", "");
     }
 
     public String name() {
         return name;
     }
 
-    /** The states as declared, the first one first. */
+    /** The states in the order of their declaration. */
     public List<String> states() {
         return states;
     }
 
-    /** The calls that are offered, as declared. */
+    /** The calls that are offered, in the order of their declaration. */
     public List<String> provided() {
         return steps.stream()
                 .filter(Step.Provides.class::isInstance)
@@ -112,7 +112,7 @@ public final class Protocol {
         return provided().contains(requireNonNull(call, "call"));
     }
 
-    /** Where it may stop, as declared. */
+    /** The states in which it may stop, in the order of their declaration. */
     List<String> stopStates() {
         return steps.stream()
                 .filter(Step.Stops.class::isInstance)
@@ -121,8 +121,9 @@ public final class Protocol {
     }
 
     /**
-     * Where it waits for its next call on the way on from where it may stop: the stop's own state if only calls lead
-     * out of it, otherwise those that private steps lead to. Where there is none, the stop stays.
+     * The states in which it takes part in a synchronised stop: where it waits for its next call after it could stop.
+     * That is the state of the stop itself if only calls lead out of it, otherwise the waiting states that private
+     * steps lead to. If there are none, it is the state of the stop.
      */
     List<String> synchronisedStops() {
         var found = new TreeSet<Integer>();

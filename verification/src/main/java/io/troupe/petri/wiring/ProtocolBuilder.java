@@ -10,12 +10,12 @@ import java.util.List;
 /**
  * Collects the states of a {@link Protocol}.
  *
- * <p><b>Role.</b> From {@link Protocol#of}; goes on with {@link #in}.
+ * <p><b>Role.</b> From {@link Protocol#of}; continue with {@link #in}.
  *
- * <p><b>Threads.</b> For one thread.
+ * <p><b>Threads.</b> Not thread-safe.
  *
- * <p><b>Errors.</b> A bad name throws {@link IllegalArgumentException} at once; what needs the whole declaration is
- * told by {@link #build}.
+ * <p><b>Errors.</b> An illegal name throws {@link IllegalArgumentException} at once; {@link #build} throws it for
+ * errors that need the whole declaration.
  */
 public final class ProtocolBuilder {
     private final String name;
@@ -28,42 +28,43 @@ public final class ProtocolBuilder {
     }
 
     /**
-     * Declares a state and the ways out of it: one is what happens next, several are a choice.
+     * Declares a state and the ways out of it: one way is the next step, several are a choice.
      *
      * <p>For example {@code in("ready", provides("setValues").then("loaded"), stops())}.
      */
-    public ProtocolBuilder in(String state, Way... ways) {
+    public ProtocolBuilder in(String state, Branch... branches) {
         requireReadable("state", state);
         require(!states.contains(state), "state " + state + " is declared twice");
-        require(ways.length > 0, "nothing leads out of state " + state + "; expected a step or a stop");
+        require(branches.length > 0, "nothing leads out of state " + state + "; expected a step or a stop");
         states.add(state);
-        var told = new HashSet<String>();
-        for (var way : ways) {
+        var names = new HashSet<String>();
+        for (var branch : branches) {
             require(
-                    told.add(way.toString()),
-                    "state " + state + " " + way + " twice; expected different names for a choice");
-            requireGood(state, way);
-            steps.add(way.from(state, states.get(0)));
+                    names.add(branch.toString()),
+                    "state " + state + " " + branch + " twice; expected different names for a choice");
+            requireGood(state, branch);
+            steps.add(branch.from(state, states.get(0)));
         }
         return this;
     }
 
-    private void requireGood(String state, Way way) {
-        switch (way.kind()) {
-            case DOES -> requireReadable("step", way.what());
+    private void requireGood(String state, Branch branch) {
+        switch (branch.kind()) {
+            case DOES -> requireReadable("step", branch.what());
             case REQUESTS -> {
-                var dot = way.what().indexOf('.');
-                require(dot > 0, "state " + state + " " + way + ", expected component.call");
-                requireWord("component of request " + way.what(), way.what().substring(0, dot));
-                requireWord("call of request " + way.what(), way.what().substring(dot + 1));
+                var dot = branch.what().indexOf('.');
+                require(dot > 0, "state " + state + " " + branch + ", expected component.call");
+                requireWord(
+                        "component of request " + branch.what(), branch.what().substring(0, dot));
+                requireWord("call of request " + branch.what(), branch.what().substring(dot + 1));
             }
             case PROVIDES -> {
-                requireWord("offered call", way.what());
+                requireWord("offered call", branch.what());
                 for (var step : steps) {
                     require(
                             !(step instanceof Step.Provides offer
-                                    && offer.call().equals(way.what())),
-                            "call " + way.what() + " is offered twice, in state " + step.from() + " and in state "
+                                    && offer.call().equals(branch.what())),
+                            "call " + branch.what() + " is offered twice, in state " + step.from() + " and in state "
                                     + state + "; expected one state that offers it");
                 }
             }
@@ -78,7 +79,7 @@ public final class ProtocolBuilder {
         Names.requireWord("protocol " + name + ": the " + what, word);
     }
 
-    /** The protocol, checked. */
+    /** Checks the declaration and builds the protocol. */
     public Protocol build() {
         require(!states.isEmpty(), "there are no states; expected 1 or more");
         for (var step : steps) {

@@ -5,14 +5,13 @@ import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.SearchEnd;
 
 /**
- * What the search by stubborn sets saw, which visits a part of the markings and misses no dead one.
+ * The figures of a search by stubborn sets, which visits some of the markings and misses no dead one.
  *
- * @param markings that were visited
- * @param edges that were followed
- * @param deadMarkings among these
- * @param end why the search ended; {@link SearchEnd#COMPLETE} if no reachable marking is dead but these
- * @param showsBlocks whether these markings were also enough to tell if some component can be blocked while others go
- *     on
+ * @param markings the number of visited markings
+ * @param edges the number of firings that were followed
+ * @param deadMarkings the number of dead ones among these
+ * @param end why the search ended; {@link SearchEnd#COMPLETE} if there are no other dead markings
+ * @param showsBlocks whether these markings also decide if a component can be blocked while others go on
  */
 public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEnd end, boolean showsBlocks) {
     static ReducedFigures of(DeadlockSearch search) {
@@ -24,12 +23,12 @@ public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEn
                 false);
     }
 
-    /** Of a search of a wiring without dead markings. */
+    /** The figures of a search of a wiring without dead markings. */
     static ReducedFigures of(ProgressSearch search) {
         return new ReducedFigures(search.visitedMarkings(), search.visitedEdges(), 0, search.end(), true);
     }
 
-    /** Whether no dead marking is missing. */
+    /** Whether all dead markings were found. */
     public boolean isComplete() {
         return end == SearchEnd.COMPLETE;
     }
@@ -37,7 +36,7 @@ public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEn
     /** In one line. */
     @Override
     public String toString() {
-        return markings + " markings by stubborn sets" + Figures.told(end) + ", " + deadMarkings + " dead"
+        return markings + " markings by stubborn sets" + Figures.endNote(end) + ", " + deadMarkings + " dead"
                 + (isComplete() ? " and no others" : " so far")
                 + (showsBlocks ? ", enough to see blocks too" : "");
     }

@@ -7,11 +7,12 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The proposal to fuse all stops into one that the components take together, each where it waits for its next call.
+ * A proposed repair: all stops are fused into one that the components take together, each where it waits for its next
+ * call.
  *
  * @param wiring the changed wiring
- * @param stops in which state (or in which of several) each component takes part
- * @param result what the check of the changed wiring says
+ * @param stops by component: the state, or the states, in which it takes part
+ * @param result the check of the changed wiring
  */
 public record Repair(Wiring wiring, Map<String, List<String>> stops, WiringResult result) {
     public Repair {
@@ -20,12 +21,12 @@ public record Repair(Wiring wiring, Map<String, List<String>> stops, WiringResul
         requireNonNull(result, "result");
     }
 
-    /** Whether in the changed wiring, as {@link WiringResult.Proved} says, every component can always go on. */
+    /** Whether every component of the changed wiring can always go on, in the sense of {@link WiringResult.Proved}. */
     public boolean isProved() {
         return result instanceof WiringResult.Proved;
     }
 
-    /** Whether the changed wiring is proved to have no dead marking; a component may still be blocked by itself. */
+    /** Whether the changed wiring is proved to have no dead marking; a single component may still be blocked. */
     public boolean isDeadlockFree() {
         return result instanceof WiringResult.Proved
                 || result instanceof WiringResult.DeadlockFree
@@ -38,9 +39,10 @@ public record Repair(Wiring wiring, Map<String, List<String>> stops, WiringResul
             case WiringResult.Proved proved -> proved.toString();
             case WiringResult.DeadlockFree free -> free.toString();
             case WiringResult.Blocked blocked ->
-                "not proved, a component can wait for ever, " + blocked.story().sentence() + "; " + blocked.figures();
+                "not proved, a component can wait for ever, "
+                        + blocked.counterexample().sentence() + "; " + blocked.figures();
             case WiringResult.Deadlock deadlock ->
-                "not proved, can deadlock, " + deadlock.story().sentence() + "; " + deadlock.figures();
+                "not proved, can deadlock, " + deadlock.counterexample().sentence() + "; " + deadlock.figures();
             case WiringResult.Unknown unknown -> "not proved, " + unknown;
         };
         return "fuse the stops into one, taken together in the states " + new TreeMap<>(stops) + ": " + verdict;

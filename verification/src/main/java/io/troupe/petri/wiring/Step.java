@@ -6,15 +6,15 @@ sealed interface Step {
 
     String to();
 
-    /** A step that concerns nobody else. */
+    /** A private step, in which no other component takes part. */
     record Does(String from, String label, String to) implements Step {}
 
-    /** A call to the component that plays {@code role}, until it is answered. */
+    /** A call to the component in {@code role}; the caller waits for the answer. */
     record Requests(String from, String role, String call, String to) implements Step {}
 
     /** Waits for a call and answers it. */
     record Provides(String from, String call, String to) implements Step {}
 
-    /** Back to the first state. */
+    /** Goes back to the first state. */
     record Stops(String from, String to) implements Step {}
 }

@@ -7,11 +7,11 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 
-/* One step in which some components stop, as it can be taken: one for each combination of their states. */
+/** One transition in which some components stop together; there is one for each combination of their states. */
 record SynchronisedStop(String name, Map<String, String> states) {
     static final int MAX_COMBINATIONS = 1000;
 
-    /** All that the components {@code chosen} can take. */
+    /** All synchronised stops of the components {@code chosen}. */
     static List<SynchronisedStop> of(Wiring wiring, Set<String> chosen) {
         var all = new ArrayList<SynchronisedStop>();
         for (var group : wiring.stopGroups()) {
@@ -59,8 +59,8 @@ record SynchronisedStop(String name, Map<String, String> states) {
     }
 
     /**
-     * Of {@code chosen}, those that {@code component} would stop together with and that are not ready to do so in these
-     * states.
+     * The components of {@code chosen} that {@code component} would stop together with and that cannot stop in their
+     * present {@code states}.
      */
     static Set<String> missing(Wiring wiring, String component, Set<String> chosen, Map<String, String> states) {
         var missing = new TreeSet<String>();

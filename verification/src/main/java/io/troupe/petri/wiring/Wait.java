@@ -5,13 +5,13 @@ import java.util.stream.Collectors;
 
 /** What a component waits for when it cannot go on. */
 public sealed interface Wait {
-    /** Who waits. */
+    /** The waiting component. */
     String component();
 
-    /** Whom it waits for; one of them would be enough, except for a stop. */
+    /** The components that it waits for: any one of them is enough, except for a stop, which needs all. */
     List<String> on();
 
-    /** For the answer to a call that it made. */
+    /** Waits for the answer to a call that it made. */
     record Answer(String component, String provider, String call) implements Wait {
         @Override
         public List<String> on() {
@@ -25,9 +25,9 @@ public sealed interface Wait {
     }
 
     /**
-     * For somebody to call what it offers.
+     * Waits for a caller of one of its offers.
      *
-     * @param state where it stands
+     * @param state the state it is in
      */
     record Call(String component, String state, List<Offer> offers) implements Wait {
         public Call {
@@ -49,7 +49,7 @@ public sealed interface Wait {
         }
     }
 
-    /** For the others, to stop together with them. */
+    /** Waits for the others, to stop together with them. */
     record Stop(String component, List<String> on) implements Wait {
         public Stop {
             on = List.copyOf(on);
@@ -62,10 +62,10 @@ public sealed interface Wait {
     }
 
     /**
-     * A call, and who might make it.
+     * A call, and its possible callers.
      *
      * @param callers those that can get to the call without another answer of the component that offers it, such as the
-     *     one that holds it; if there are none, all that make the call
+     *     holder of a fork; if there are none, all that make the call
      */
     record Offer(String call, List<String> callers) {
         public Offer {

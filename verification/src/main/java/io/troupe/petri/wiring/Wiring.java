@@ -10,10 +10,10 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * An application: named components, each with its {@link Protocol}, and who calls whom.
+ * An application: named components, each with its {@link Protocol}, and the calls between them.
  *
- * <p>A request {@code player.setValues} goes to the component called {@code player}, unless {@link WiringBuilder#bind}
- * says otherwise. Several components may call the same one; it serves them one at a time.
+ * <p>A request {@code player.setValues} goes to the component named {@code player}, unless {@link WiringBuilder#bind}
+ * binds it to another. Several components may call the same one; it serves them one at a time.
  *
  * {@snippet :
  * var wiring = Wiring.of("two clients")
@@ -22,20 +22,20 @@ import java.util.Set;
  *         .build();
  * }
  *
- * <p><b>Role.</b> Asked whether it can deadlock by {@link WiringCheck}.
+ * <p><b>Role.</b> Checked for deadlocks by {@link WiringCheck}.
  *
  * <p><b>Threads.</b> Immutable.
  *
  * <p><b>Errors.</b> {@link WiringBuilder#build} throws {@link IllegalArgumentException} for a request to an unknown
- * component, for a call that the other side never offers, and for an offer that nobody calls and that is not declared
- * open; the message has the nearest known name.
+ * component, for a call that the other side never offers, and for an offer that no component calls and that is not
+ * declared open; the message suggests the nearest known name.
  */
 public final class Wiring {
     private final String name;
     private final Map<String, Protocol> components;
     private final Map<String, String> bindings;
     private final Set<String> open;
-    /** Those that stop in one step; none if each stops by itself. */
+    /** The groups that stop in one step; empty if each component stops alone. */
     private final Optional<List<Set<String>>> stopGroups;
 
     Wiring(
@@ -60,7 +60,7 @@ public final class Wiring {
         return name;
     }
 
-    /** The names of the components in the order they were added. */
+    /** The names of the components in the order in which they were added. */
     public List<String> components() {
         return List.copyOf(components.keySet());
     }
@@ -75,15 +75,15 @@ public final class Wiring {
         return found;
     }
 
-    /** Whether components stop in synchronised steps; otherwise each that stops does so by itself. */
+    /** Whether components stop in synchronised steps; otherwise each stops alone. */
     public boolean stopsTogether() {
         return stopGroups.isPresent();
     }
 
     /**
-     * The same components, whose stops are fused into one that they take together, each where it waits for its next
-     * call: the paper's correction. A component that waits for a call in several states after its stop was declared
-     * takes part in any of them.
+     * The same components with their stops fused into one that they take together, each where it waits for its next
+     * call: the paper's correction. A component that waits for a call in several states after it could stop takes part
+     * in any of them.
      */
     public Wiring withSynchronisedStop() {
         return new Wiring(
@@ -95,12 +95,12 @@ public final class Wiring {
     }
 
     /**
-     * The same components, of which each of {@code groups} stops in a step of its own, as all do in
-     * {@link #withSynchronisedStop}. What is in no group never stops: for example robots that leave one by one, each
-     * with its session, while what they share stays up.
+     * The same components, where each of {@code groups} stops in a separate step, as all do in
+     * {@link #withSynchronisedStop}. A component that is in no group never stops: for example robots leave one by one,
+     * each with its session, while the shared components stay up.
      *
-     * @throws IllegalArgumentException for an unknown component, one in two groups, a group in which nobody stops, and
-     *     a component in no group that has a state in which it can only stop
+     * @throws IllegalArgumentException for an unknown component, one in two groups, a group in which no component
+     *     stops, and a component in no group that has a state in which it can only stop
      */
     public Wiring withSynchronisedStops(List<? extends Set<String>> groups) {
         var seen = new HashSet<String>();
@@ -132,7 +132,10 @@ public final class Wiring {
         }
     }
 
-    /** The net of the whole: the components' nets and a meld for each request; names are words of the declaration. */
+    /**
+     * The net of the whole: the components' nets and a meld for each request. Names are in the words of the
+     * declaration.
+     */
     public PetriNet net() {
         return new WiringNet(this, components.keySet()).net();
     }
@@ -142,7 +145,7 @@ public final class Wiring {
         return bindings.getOrDefault(component + "." + request.role(), request.role());
     }
 
-    /** Those of {@code among} that call an offer, in order. */
+    /** The components of {@code among} that call an offer, in order. */
     List<String> callers(String provider, String call, Set<String> among) {
         return components.keySet().stream()
                 .filter(among::contains)
@@ -152,12 +155,12 @@ public final class Wiring {
                 .toList();
     }
 
-    /** Those that stop in one step, in order; none if each stops by itself. */
+    /** The groups that stop in one step, in order; empty if each component stops alone. */
     List<Set<String>> stopGroups() {
         return stopGroups.orElse(List.of());
     }
 
-    /** The states in which a component may stop, by itself or with its group. */
+    /** The states in which a component may stop, alone or with its group. */
     List<String> stops(String component) {
         var protocol = protocol(component);
         if (stopGroups.isEmpty()) {

@@ -12,12 +12,12 @@ import java.util.Set;
 /**
  * Collects the components and bindings of a {@link Wiring}.
  *
- * <p><b>Role.</b> From {@link Wiring#of}; goes on with {@link #component} and {@link #bind}.
+ * <p><b>Role.</b> From {@link Wiring#of}; continue with {@link #component} and {@link #bind}.
  *
- * <p><b>Threads.</b> For one thread.
+ * <p><b>Threads.</b> Not thread-safe.
  *
- * <p><b>Errors.</b> A bad or repeated name throws {@link IllegalArgumentException} at once; what needs the whole wiring
- * is told by {@link #build}.
+ * <p><b>Errors.</b> An illegal or repeated name throws {@link IllegalArgumentException} at once; {@link #build} throws
+ * it for errors that need the whole wiring.
  */
 public final class WiringBuilder {
     private final String name;
@@ -29,7 +29,7 @@ public final class WiringBuilder {
         this.name = requireNonNull(name, "name");
     }
 
-    /** Adds a component that is called as its protocol. */
+    /** Adds a component with the name of its protocol. */
     public WiringBuilder component(Protocol protocol) {
         return component(protocol.name(), protocol);
     }
@@ -43,7 +43,7 @@ public final class WiringBuilder {
         return this;
     }
 
-    /** Adds {@code count} (1 or more) components called {@code prefix} with 1, 2, .. behind it. */
+    /** Adds {@code count} (1 or more) components named {@code prefix} followed by 1, 2, .. */
     public WiringBuilder components(String prefix, int count, Protocol protocol) {
         require(count > 0, "there are " + count + " components " + prefix + ", expected 1 or more");
         for (var i = 1; i <= count; i++) {
@@ -52,7 +52,7 @@ public final class WiringBuilder {
         return this;
     }
 
-    /** Sends what {@code component} requests of {@code role} to {@code provider}. */
+    /** Binds the requests of {@code component} to {@code role} to the component {@code provider}. */
     public WiringBuilder bind(String component, String role, String provider) {
         var key = requireNonNull(component, "component") + "." + requireNonNull(role, "role");
         requireNonNull(provider, "provider");
@@ -62,15 +62,15 @@ public final class WiringBuilder {
     }
 
     /**
-     * Declares that a call, written {@code component.call}, is made from outside at any time, and so need not be
-     * requested by a component.
+     * Declares that a call, written {@code component.call}, is made from outside at any time, so that no component
+     * needs to request it.
      */
     public WiringBuilder open(String target) {
         open.add(requireNonNull(target, "target"));
         return this;
     }
 
-    /** The wiring, checked. */
+    /** Checks the declaration and builds the wiring. */
     public Wiring build() {
         require(!components.isEmpty(), "there are no components; expected 1 or more");
         bindings.forEach(this::requireBinding);

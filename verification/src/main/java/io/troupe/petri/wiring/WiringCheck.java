@@ -11,13 +11,13 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Tells whether the components of a {@link Wiring} can come to wait for each other for ever.
+ * Checks whether the components of a {@link Wiring} can come to wait for each other for ever.
  *
  * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
- * full. Of the whole, a search by stubborn sets finds all dead markings, with a shortest way to each, among a small
- * part of the markings; if there are none, another one finds out whether some components can be blocked while others go
- * on. The full graph, as far as it is within the limit, adds its figures and how a block begins, and decides what the
- * others could not. What was beyond all limits, the result says. In a unit test:
+ * full. In the whole, a search by stubborn sets finds all dead markings, with a shortest trace to each, among a small
+ * part of the markings. If there are none, another search decides whether some components can be blocked while others
+ * go on. The full graph, within the limit, adds its figures and how a block begins, and decides what the other searches
+ * could not. The result reports what was beyond all limits. In a unit test:
  *
  * {@snippet :
  * @Test
@@ -27,16 +27,16 @@ import java.util.Optional;
  * }
  * }
  *
- * When this fails, its message is the story of the deadlock.
+ * If this fails, its message is the counterexample of the deadlock.
  *
- * <p><b>Threads.</b> Any.
+ * <p><b>Threads.</b> Thread-safe.
  *
  * <p><b>Cost.</b> That of {@link DeadlockSearch#run}, {@link ProgressSearch#run} and {@link ReachabilityGraph#explore},
- * for each pair (alike ones once), the whole, and the repaired whole; the markings of the whole grow exponentially with
- * the number of components. Once the verdict is known, the full graph is not followed beyond 300,000 markings.
+ * for each pair (those with the same net once), the whole, and the repaired whole. The markings of the whole grow
+ * exponentially with the number of components. Once the verdict is known, the full graph ends at 300,000 markings.
  *
- * <p><b>Errors.</b> A limit below 1, and a wiring whose {@link Wiring#withSynchronisedStop synchronised stop} could be
- * taken in more than 1000 combinations of states, throw {@link IllegalArgumentException}.
+ * <p><b>Errors.</b> A limit below 1, and a wiring whose {@link Wiring#withSynchronisedStop synchronised stop} has more
+ * than 1000 combinations of states, throw {@link IllegalArgumentException}.
  *
  * <p><b>Source.</b> Sections 5.5 and 5.6 of the paper.
  */
@@ -44,7 +44,10 @@ public final class WiringCheck {
     /** The limit of {@link #check(Wiring)}: a second or two for each search, and some 100 MiB. */
     public static final int DEFAULT_MAX_MARKINGS = 500_000;
 
-    /** With the verdict known, the full graph only adds figures and causes, and is not worth more than a second. */
+    /**
+     * The limit once the verdict is known: the full graph then only adds figures and causes, which are not worth more
+     * than a second.
+     */
     private static final int MAX_MARKINGS_IF_KNOWN = 300_000;
 
     private WiringCheck() {}
@@ -60,8 +63,8 @@ public final class WiringCheck {
     }
 
     /**
-     * Searches as far as {@code limits} allow; they hold for each search, and each search reports from its own
-     * beginning. Once cancelled, the result says what was found until then.
+     * Searches within {@code limits}; they apply to each search, and each search reports its progress separately. Once
+     * cancelled, the result contains what was found until then.
      */
     public static WiringResult check(Wiring wiring, SearchLimits limits) {
         var pairs = new PairCheck(wiring, limits).results();
@@ -74,7 +77,7 @@ public final class WiringCheck {
         var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
         var isKnown = settled.isPresent() || !dead.isEmpty();
         var graph = ReachabilityGraph.explore(net.net(), isKnown ? limits.atMost(MAX_MARKINGS_IF_KNOWN) : limits);
-        var whole = new Search(wiring, net, graph);
+        var whole = new WiringSearch(wiring, net, graph);
         var figures = whole.figures();
         var reduced = settled.map(ReducedFigures::of).orElse(ReducedFigures.of(search));
         var deadlocks = dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead);

@@ -15,31 +15,31 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/*
- * The net of some components of a wiring. What they call or offer outside of these stays a private transition, as if it
- * were answered, or called, at any time. Names of places and transitions are sentences, so that a firing sequence can
- * be read.
+/**
+ * The net of some components of a wiring. A call from or to a component outside of these stays a private transition, as
+ * if it were made, or answered, at any time. The names of places and transitions are sentences, so that a firing
+ * sequence can be read.
  */
 final class WiringNet {
-    /** Who takes part in a transition, and for whom it is a stop. */
+    /** The components that take part in a transition, and those that stop in it. */
     record Event(Set<String> who, Set<String> stopping) {}
 
-    /** Whose place it is, and, if it waits there for an answer, the request. */
-    sealed interface Spot {
+    /** The component of a place, and, if it waits for an answer there, the request. */
+    sealed interface ComponentState {
         String component();
 
-        record At(String component, String state) implements Spot {}
+        record At(String component, String state) implements ComponentState {}
 
-        record Asking(String component, Step.Requests request) implements Spot {}
+        record Asking(String component, Step.Requests request) implements ComponentState {}
 
-        record Serving(String component) implements Spot {}
+        record Serving(String component) implements ComponentState {}
     }
 
     private final Wiring wiring;
     private final Labels labels;
     private final Set<String> chosen;
     private final Map<String, Event> events = new LinkedHashMap<>();
-    private final Map<String, Spot> spots = new LinkedHashMap<>();
+    private final Map<String, ComponentState> componentStates = new LinkedHashMap<>();
     private final List<Meld> melds = new ArrayList<>();
     private final PetriNet net;
 
@@ -71,7 +71,7 @@ final class WiringNet {
         return net;
     }
 
-    /** As the net here calls it: the transition may be of one that differs from it in names only. */
+    /** The name in this net of a transition, which may be of a net that differs from it in names only. */
     String name(Transition transition) {
         return net.transitions().get(transition.index()).name();
     }
@@ -80,8 +80,9 @@ final class WiringNet {
         return requireNonNull(events.get(name(transition)));
     }
 
-    Spot spot(Place place) {
-        return requireNonNull(spots.get(net.places().get(place.index()).name()));
+    ComponentState componentState(Place place) {
+        return requireNonNull(
+                componentStates.get(net.places().get(place.index()).name()));
     }
 
     /** Equal for nets that differ in names only: the tokens of each place, the arcs of each transition. */
@@ -111,7 +112,7 @@ final class WiringNet {
         var first = protocol.states().get(0);
         for (var state : protocol.states()) {
             builder.place(Labels.place(component, state), state.equals(first) ? 1 : 0);
-            spots.put(Labels.place(component, state), new Spot.At(component, state));
+            componentStates.put(Labels.place(component, state), new ComponentState.At(component, state));
         }
         for (var step : protocol.steps()) {
             if (step instanceof Step.Requests request && chosen.contains(wiring.provider(component, request))) {
@@ -156,10 +157,10 @@ final class WiringNet {
         events.put(meld.asking(), new Event(Set.of(component), Set.of()));
         events.put(meld.accept(), new Event(Set.of(component, provider), Set.of()));
         events.put(meld.answer(), new Event(Set.of(component, provider), Set.of()));
-        spots.put(meld.waiting(), new Spot.Asking(component, request));
-        spots.put(meld.pending(), new Spot.Serving(component));
-        spots.put(meld.before(), new Spot.Serving(provider));
-        spots.put(meld.after(), new Spot.Serving(provider));
+        componentStates.put(meld.waiting(), new ComponentState.Asking(component, request));
+        componentStates.put(meld.pending(), new ComponentState.Serving(component));
+        componentStates.put(meld.before(), new ComponentState.Serving(provider));
+        componentStates.put(meld.after(), new ComponentState.Serving(provider));
         return meld;
     }
 }

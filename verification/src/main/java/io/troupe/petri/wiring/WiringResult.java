@@ -3,21 +3,21 @@ package io.troupe.petri.wiring;
 import java.util.List;
 import java.util.Optional;
 
-/** What a {@link WiringCheck} found out. */
+/** The result of a {@link WiringCheck}. */
 public sealed interface WiringResult {
-    /** The search of all markings of the whole. */
+    /** The figures of the search of all markings of the whole. */
     Figures figures();
 
-    /** The search by stubborn sets, for dead markings of the whole. */
+    /** The figures of the search by stubborn sets for dead markings of the whole. */
     ReducedFigures reduced();
 
-    /** Every two components that call each other, by themselves. */
+    /** The results for every two components that call each other. */
     List<PairResult> pairs();
 
     /**
-     * No reachable marking is dead, and from every one each component can still go on. That it does so some day, and is
-     * not passed over for ever, is not said. This is known from all markings, or from those of the {@link #reduced}
-     * search.
+     * No reachable marking is dead, and from each of them every component can still go on. Fairness is not proved: a
+     * component that can always go on may still be passed over for ever. The proof is from all markings, or from those
+     * of the {@link #reduced} search.
      */
     record Proved(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public Proved {
@@ -31,8 +31,8 @@ public sealed interface WiringResult {
     }
 
     /**
-     * No reachable marking is dead. Whether one component can come to wait for ever while others go on is not known,
-     * since the searches for that ended early.
+     * No reachable marking is dead. Whether a component can come to wait for ever while others go on is unknown,
+     * because the searches for that ended early.
      */
     record DeadlockFree(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public DeadlockFree {
@@ -49,34 +49,34 @@ public sealed interface WiringResult {
     /**
      * All components can come to wait for ever.
      *
-     * @param stories of the dead markings, nearest first, at most 16
-     * @param causes the nearest ways in which a component begins to wait for ever while others may go on; none if the
+     * @param counterexamples of the dead markings, nearest first, at most 16
+     * @param causes the nearest ways in which a component begins to wait for ever while others may go on; empty if the
      *     search of all markings ended early
-     * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
-     *     more than 1000 combinations of states
+     * @param repair a synchronised stop; empty if no component stops, if they already stop together, or if it would
+     *     need more than 1000 combinations of states
      */
     record Deadlock(
             Figures figures,
             ReducedFigures reduced,
             List<PairResult> pairs,
-            List<Story> stories,
-            List<Story> causes,
+            List<Counterexample> counterexamples,
+            List<Counterexample> causes,
             Optional<Repair> repair)
             implements WiringResult {
         public Deadlock {
             pairs = List.copyOf(pairs);
-            stories = List.copyOf(stories);
+            counterexamples = List.copyOf(counterexamples);
             causes = List.copyOf(causes);
         }
 
-        /** The shortest one. */
-        public Story story() {
-            return stories.get(0);
+        /** The shortest counterexample. */
+        public Counterexample counterexample() {
+            return counterexamples.get(0);
         }
 
         @Override
         public String toString() {
-            return "can deadlock: " + figures + "; " + reduced + "\n" + story() + suspects(pairs)
+            return "can deadlock: " + figures + "; " + reduced + "\n" + counterexample() + suspects(pairs)
                     + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
         }
     }
@@ -84,36 +84,36 @@ public sealed interface WiringResult {
     /**
      * No reachable marking is dead, but a component can come to wait for ever while others go on.
      *
-     * @param stories ways to this; the nearest ones if the search of all markings is complete
-     * @param repair a synchronised stop; none if no component stops, if they already stop together, or if it would need
-     *     more than 1000 combinations of states
+     * @param counterexamples ways to this; the nearest ones if the search of all markings is complete
+     * @param repair a synchronised stop; empty if no component stops, if they already stop together, or if it would
+     *     need more than 1000 combinations of states
      */
     record Blocked(
             Figures figures,
             ReducedFigures reduced,
             List<PairResult> pairs,
-            List<Story> stories,
+            List<Counterexample> counterexamples,
             Optional<Repair> repair)
             implements WiringResult {
         public Blocked {
             pairs = List.copyOf(pairs);
-            stories = List.copyOf(stories);
+            counterexamples = List.copyOf(counterexamples);
         }
 
-        /** The first one. */
-        public Story story() {
-            return stories.get(0);
+        /** The first counterexample. */
+        public Counterexample counterexample() {
+            return counterexamples.get(0);
         }
 
         @Override
         public String toString() {
             return "a component can wait for ever: " + figures + (figures.isComplete() ? "" : "; " + reduced) + "\n"
-                    + story() + suspects(pairs)
+                    + counterexample() + suspects(pairs)
                     + repair.map(proposal -> "\nproposal: " + proposal).orElse("");
         }
     }
 
-    /** Both searches ended early, at their limit or cancelled, and met no dead marking; there may be some beyond. */
+    /** Both searches ended early, at their limit or cancelled, and found no dead marking; there may be some beyond. */
     record Unknown(Figures figures, ReducedFigures reduced, List<PairResult> pairs) implements WiringResult {
         public Unknown {
             pairs = List.copyOf(pairs);

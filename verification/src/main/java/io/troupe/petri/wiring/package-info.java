@@ -1,4 +1,4 @@
-/** From declared protocols and who calls whom to a net, and whether it can deadlock. */
+/** Declared protocols and their wiring, the nets made from them, and the check for deadlocks. */
 @NullMarked
 package io.troupe.petri.wiring;
 

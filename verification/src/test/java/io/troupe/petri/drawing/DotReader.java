@@ -5,7 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Reads the part of the DOT language that the drawings use, and refuses everything else. */
+/** Reads the part of the DOT language that the drawings use, and rejects everything else. */
 final class DotReader {
     /** A node, an edge, or the defaults; attributes as Graphviz would show them. */
     record Statement(List<String> nodes, Map<String, String> attributes) {}

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.w3c.dom.Element;
 
-/** That the nodes of a picture are in sight and apart. */
+/** Asserts that the nodes of a picture are visible and do not overlap. */
 final class Overlaps {
     private Overlaps() {}
 

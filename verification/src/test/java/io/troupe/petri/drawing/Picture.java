@@ -14,7 +14,7 @@ import org.w3c.dom.Element;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXException;
 
-/** An SVG file as a test reads it: parsed as XML, so one that is not well-formed fails here. */
+/** An SVG file, parsed as XML, so that a file that is not well-formed fails here. */
 final class Picture {
     /** A rectangle, or the square around a circle. */
     record Box(double left, double top, double right, double bottom) {
@@ -64,7 +64,7 @@ final class Picture {
                                 .getAttribute("fill")));
     }
 
-    /** Of a line between the points that its data name, in pixels. */
+    /** The length in pixels of a straight line between the points in the path's data. */
     static double lengthOfFirstPath(Element group) {
         var numbers = Arrays.stream(
                         elements(group, "path").getFirst().getAttribute("d").split("[^0-9.-]+"))
@@ -85,7 +85,7 @@ final class Picture {
         return new Box(numbers[0], numbers[1], numbers[2], numbers[3]);
     }
 
-    /** The groups that have this word, and perhaps others, as their class. */
+    /** The groups that have this word as one of their classes. */
     List<Element> groups(String word) {
         return elements(root, "g").stream()
                 .filter(group -> List.of(group.getAttribute("class").split(" ")).contains(word))
@@ -113,7 +113,7 @@ final class Picture {
         return found;
     }
 
-    /** What the first rectangle or circle of the group covers. */
+    /** The extent of the first rectangle or circle of the group. */
     static Box box(Element group) {
         var circles = elements(group, "circle");
         if (!circles.isEmpty()) {

@@ -11,7 +11,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
 
-/** Siphons, traps and invariants of nets for which there is no time. */
+/** Cancelled searches for siphons, traps and invariants. */
 class CancelledTest {
     private static BooleanSupplier after(int questions) {
         var asked = new AtomicInteger();
@@ -26,7 +26,7 @@ class CancelledTest {
         return net.build();
     }
 
-    /** Each place is a siphon; the first step alone looks at all 20,000 places 20,000 times. */
+    /** Each place is a siphon; the first step alone tests all 20,000 places 20,000 times. */
     @Test
     void siphons_cancelledWithinOneStep_endThere() {
         var net = places(20_000);

@@ -74,7 +74,9 @@ class EmptySiphonProgramTest {
                 .isEqualTo(new Undecided("net growing: no bound is known for the tokens of place heap"));
     }
 
-    /** The bounds must be right where a place holds several tokens, or the program would miss the emptied siphon. */
+    /**
+     * The bounds must be right where a place holds several tokens, otherwise the program would miss the emptied siphon.
+     */
     @Test
     void severalTokens_fillAPlaceUpToItsBound() {
         var net = PetriNet.builder("convoy")
@@ -99,7 +101,7 @@ class EmptySiphonProgramTest {
         assertThat(EmptySiphonProgram.solve(net, LIMIT)).isEqualTo(new NoneCanBeEmptied(false));
     }
 
-    /** Stopped at once, the solver must not pass for one that found nothing. */
+    /** A solver that is stopped at once must not count as one that found no solution. */
     @Test
     void limit_isKept() {
         var net = PaperNets.corrected(A);

@@ -44,7 +44,7 @@ final class Nets {
                         .toList());
     }
 
-    /** Two robots, each with a player of its own, one middleware and one service; corrected with one stop for all. */
+    /** Two robots, each with a separate player, one middleware and one service; corrected with one stop for all. */
     static PetriNet twoRobots(boolean corrected) {
         var service = PaperNets.service(A).toBuilder()
                 .remove("Ts7")

@@ -17,13 +17,13 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Random small nets against all their sets of places and their markings. Where the markings are many, those visited
- * still refute a wrong proof. What a proof leaves open may be either way, and is not judged.
+ * Small random nets, compared with all their sets of places and their markings. If there are too many markings, the
+ * visited ones can still refute a wrong proof. A result without a proof may be right or wrong, and is not compared.
  */
 class RandomNetsTest {
     private static final int MAX_MARKINGS = 400;
 
-    /** What came up, so that the comparison does not pass for want of cases. */
+    /** The cases that occurred, which proves that the comparison was not empty. */
     private enum Case {
         EMPTIED,
         BY_TRAP,
@@ -156,7 +156,7 @@ class RandomNetsTest {
             }
             case EmptySiphonVerdict.MayBeEmptied candidate -> {
                 saw(Case.PROGRAM_CANDIDATE);
-                // the same state equation cannot hold a token there for certain
+                // the state equation of the same net cannot prove a token there
                 assertThat(siphons).as("seed %d", seed).contains(candidate.siphon());
                 assertThat(new StateEquation(net).lowerBound(candidate.siphon()))
                         .as("seed %d", seed)

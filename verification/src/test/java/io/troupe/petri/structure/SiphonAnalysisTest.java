@@ -151,7 +151,7 @@ class SiphonAnalysisTest {
                         .endsWith("the search stopped at its limit, or was cancelled"));
     }
 
-    /** The siphon keeps its one token, and is dead all the same. */
+    /** The siphon keeps its only token, and the marking is dead nevertheless. */
     @Test
     void deadlock_withAnInputWeight_isNotDecided() {
         var net = PetriNet.builder("pairs")
@@ -202,7 +202,7 @@ class SiphonAnalysisTest {
                 .withMessage("{d} is not a siphon of net weights");
     }
 
-    /** What a proof claims is checked when it is made. */
+    /** The constructor of a proof checks it. */
     @Test
     void proofs_thatProveNothing_areRefused() {
         var net = PaperNets.player();

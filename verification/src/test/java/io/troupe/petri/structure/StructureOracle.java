@@ -7,7 +7,10 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Siphons and traps of a small net straight from the definition, by trying all sets of places; a set is a bit mask. */
+/**
+ * Computes siphons and traps of a small net directly from the definition, by testing all sets of places; a set is a bit
+ * mask.
+ */
 final class StructureOracle {
     private final PetriNet net;
     private final boolean traps;

@@ -11,9 +11,9 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * Whether two nets differ only in their names. Nodes get colours by their tokens and, again and again, by the colours
- * around them; where several have the same colour, one of them is given a colour of its own, together with each
- * candidate of the other net in turn. What is found is tried out by renaming.
+ * Decides whether two nets differ only in their names. Nodes are coloured by their tokens and then repeatedly by the
+ * colours around them. Where several nodes have the same colour, one of them is given a separate colour, together with
+ * each candidate of the other net in turn. The mapping found is verified by renaming.
  */
 final class Isomorphism {
     private final PetriNet one;
@@ -96,7 +96,7 @@ final class Isomorphism {
         }
     }
 
-    /** What a node sees: its own colour and those of its neighbours, with directions and weights. */
+    /** The surroundings of a node: its colour and those of its neighbours, with directions and weights. */
     private static Map<String, String> views(PetriNet net, Map<String, Integer> colours) {
         var around = new HashMap<String, List<String>>();
         for (var transition : net.transitions()) {

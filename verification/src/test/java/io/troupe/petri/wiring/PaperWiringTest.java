@@ -51,7 +51,7 @@ class PaperWiringTest {
         assertThat(names.orElseThrow()).containsEntry("all stop", "Tstop");
     }
 
-    /** The check of the two tests above can fail. */
+    /** Shows that the comparison of the two tests above can fail. */
     @Test
     void isomorphism_ofNetsThatDiffer_isNotFound() {
         var paper = PaperNets.uncorrected(Reading.A);
@@ -71,36 +71,36 @@ class PaperWiringTest {
     }
 
     @Test
-    void check_ofTheDeclarations_findsSixDeadMarkingsAndTheShortestStory() {
+    void check_ofTheDeclarations_findsSixDeadMarkingsAndTheShortestCounterexample() {
         var result = deadlock(PaperWiring.wiring());
 
         assertThat(result.figures()).isEqualTo(new Figures(38, 33, 86, 1264, 3706, 6, SearchEnd.COMPLETE, List.of()));
-        assertThat(result.stories())
-                .extracting(story -> story.firings().size())
+        assertThat(result.counterexamples())
+                .extracting(counterexample -> counterexample.firings().size())
                 .containsExactly(14, 20, 21, 25, 31, 32);
-        var story = result.story();
-        assertThat(story.sentence())
+        var counterexample = result.counterexample();
+        assertThat(counterexample.sentence())
                 .isEqualTo("player stops; robot waits for player.setValues, which nobody will answer");
-        assertThat(story.firings())
+        assertThat(counterexample.firings())
                 .startsWith("robot: start", "robot asks player.getProxies", "player takes getProxies from robot")
                 .contains("player stops", "robot asks player.setValues", "middleware stops", "service: get ready");
-        assertThat(story.circle())
+        assertThat(counterexample.circle())
                 .containsExactly(
                         new Wait.Answer("robot", "player", "setValues"),
                         new Wait.Call("player", "idle", List.of(new Wait.Offer("getProxies", List.of("robot")))));
-        assertThat(story.waits())
+        assertThat(counterexample.waits())
                 .extracting(Wait::component)
                 .containsExactly("robot", "player", "middleware", "service");
     }
 
     @Test
-    void stories_firedInTheNet_endInDeadMarkings() {
+    void counterexamples_firedInTheNet_endInDeadMarkings() {
         var net = PaperWiring.wiring().net();
 
-        for (var story : deadlock(PaperWiring.wiring()).stories()) {
+        for (var counterexample : deadlock(PaperWiring.wiring()).counterexamples()) {
             var end = net.fire(
                     net.initialMarking(),
-                    story.firings().stream().map(net::transition).toList());
+                    counterexample.firings().stream().map(net::transition).toList());
             assertThat(net.enabled(end)).isEmpty();
         }
     }
@@ -109,9 +109,11 @@ class PaperWiringTest {
     void causes_areTheNearestBlocksForEver() {
         var causes = deadlock(PaperWiring.wiring()).causes();
 
-        assertThat(causes).extracting(story -> story.firings().size()).containsExactly(6, 8);
         assertThat(causes)
-                .extracting(Story::sentence)
+                .extracting(counterexample -> counterexample.firings().size())
+                .containsExactly(6, 8);
+        assertThat(causes)
+                .extracting(Counterexample::sentence)
                 .containsExactly(
                         "middleware stops; service (ready) waits to be called: receive by middleware, which nobody will"
                                 + " do",
@@ -126,8 +128,8 @@ class PaperWiringTest {
         var robotAndPlayer = pair(result, "robot", "player");
         assertThat(robotAndPlayer.figures())
                 .isEqualTo(new Figures(17, 15, 38, 28, 43, 1, SearchEnd.COMPLETE, List.of()));
-        assertThat(robotAndPlayer.stories()).hasSize(1);
-        assertThat(robotAndPlayer.stories().get(0).firings())
+        assertThat(robotAndPlayer.counterexamples()).hasSize(1);
+        assertThat(robotAndPlayer.counterexamples().get(0).firings())
                 .hasSize(8)
                 .endsWith("player stops", "robot asks player.setValues");
         var playerAndMiddleware = pair(result, "player", "middleware");
@@ -137,8 +139,8 @@ class PaperWiringTest {
         var middlewareAndService = pair(result, "middleware", "service");
         assertThat(middlewareAndService.figures())
                 .isEqualTo(new Figures(17, 16, 40, 32, 55, 2, SearchEnd.COMPLETE, List.of()));
-        assertThat(middlewareAndService.stories())
-                .extracting(Story::sentence)
+        assertThat(middlewareAndService.counterexamples())
+                .extracting(Counterexample::sentence)
                 .containsExactly(
                         "middleware stops; service (ready) waits to be called: receive by middleware, which nobody will"
                                 + " do",
@@ -192,7 +194,7 @@ class PaperWiringTest {
 
         assertThat(result.figures().isComplete()).isFalse();
         assertThat(result.reduced().isComplete()).isTrue();
-        assertThat(result.story().firings()).hasSize(14);
+        assertThat(result.counterexample().firings()).hasSize(14);
         assertThat(result.causes()).isEmpty();
     }
 }

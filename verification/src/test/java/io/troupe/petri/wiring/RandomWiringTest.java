@@ -28,11 +28,11 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
-/** Random wirings, checked by way of the net and by playing the declarations directly. */
+/** Random wirings, checked through the net and by executing the declarations directly. */
 class RandomWiringTest {
     private static final int WIRINGS = 200;
 
-    /** What a component is doing: in a state, waiting for an answer, being served, or serving a call. */
+    /** The status of a component: in a state, waiting for an answer, being served, or serving a call. */
     private record Status(String phase, String at, String target, String to) {
         static Status in(String state) {
             return new Status("in", state, "", "");
@@ -66,13 +66,13 @@ class RandomWiringTest {
 
     private static Protocol protocol(int self, List<Integer> offers, Random random) {
         var states = 2 + random.nextInt(3);
-        var ways = new ArrayList<Map<String, Way>>();
+        var branches = new ArrayList<Map<String, Branch>>();
         var offered = new ArrayList<Integer>();
         for (var call = 0; call < offers.get(self); call++) {
             offered.add(random.nextInt(states));
         }
         for (var state = 0; state < states; state++) {
-            var out = new LinkedHashMap<String, Way>();
+            var out = new LinkedHashMap<String, Branch>();
             for (var call = 0; call < offered.size(); call++) {
                 if (offered.get(call) == state) {
                     add(out, provides("call" + call).then("s" + target(out, state, states, random)));
@@ -91,21 +91,21 @@ class RandomWiringTest {
             if (state > 0 && random.nextInt(4) == 0) {
                 add(out, stops());
             }
-            ways.add(out);
+            branches.add(out);
         }
         var builder = Protocol.of("c" + self);
         for (var state = 0; state < states; state++) {
-            builder.in("s" + state, ways.get(state).values().toArray(new Way[0]));
+            builder.in("s" + state, branches.get(state).values().toArray(new Branch[0]));
         }
         return builder.build();
     }
 
-    private static void add(Map<String, Way> out, Way way) {
-        out.putIfAbsent(way.toString(), way);
+    private static void add(Map<String, Branch> out, Branch branch) {
+        out.putIfAbsent(branch.toString(), branch);
     }
 
-    /** The first way of each state leads to the next one, so that all can be reached. */
-    private static int target(Map<String, Way> out, int state, int states, Random random) {
+    /** The first branch of each state leads to the next one, so that all are reachable. */
+    private static int target(Map<String, Branch> out, int state, int states, Random random) {
         return out.isEmpty() ? (state + 1) % states : random.nextInt(states);
     }
 
@@ -167,7 +167,7 @@ class RandomWiringTest {
         moves.add(new Move(Set.of(component), next));
     }
 
-    /** All that can be reached, with the moves out of it. */
+    /** All reachable statuses, with the moves out of each. */
     private static Map<Map<String, Status>, List<Move>> play(Wiring wiring) {
         Map<String, Status> start = new HashMap<>();
         wiring.components().forEach(c -> start.put(c, Status.in("s0")));
@@ -226,9 +226,9 @@ class RandomWiringTest {
                 assertThat(result).as("result of seed %d", seed).isInstanceOf(expected);
             }
             if (result instanceof Deadlock deadlock) {
-                deadlock.stories()
-                        .forEach(story ->
-                                requireCircle(story, wiring.components().size()));
+                deadlock.counterexamples()
+                        .forEach(counterexample -> requireCircle(
+                                counterexample, wiring.components().size()));
             }
             kinds.merge(result.getClass(), 1, Integer::sum);
         }
@@ -236,7 +236,10 @@ class RandomWiringTest {
         assertThat(kinds.values()).as("%s", kinds).allMatch(number -> number > 10);
     }
 
-    /** The searches by stubborn sets and the full graph tell the same: all dead markings, and who can be blocked. */
+    /**
+     * The searches by stubborn sets and the full graph agree: on all dead markings, and on the components that can be
+     * blocked.
+     */
     @Test
     void reducedSearches_ofRandomWirings_agreeWithTheFullGraph() {
         var withDead = 0;
@@ -257,14 +260,14 @@ class RandomWiringTest {
                             .map(ReachabilityGraph.State::marking)
                             .toList());
             assertThat(progress.end()).as("seed %d", seed).isEqualTo(SearchEnd.COMPLETE);
-            var search = new Search(wiring, net, graph);
+            var search = new WiringSearch(wiring, net, graph);
             assertThat(search.blocks(progress.losses()).isEmpty())
                     .as("no blocks in seed %d", seed)
                     .isEqualTo(search.blocks().isEmpty());
             assertThat(search.blocks(progress.losses()))
                     .as("who is blocked in seed %d", seed)
-                    .extracting(
-                            story -> story.waits().stream().map(Wait::component).collect(Collectors.toSet()))
+                    .extracting(counterexample ->
+                            counterexample.waits().stream().map(Wait::component).collect(Collectors.toSet()))
                     .containsExactlyInAnyOrderElementsOf(stuckInTheEnd(net, graph));
             withDead += graph.dead().isEmpty() ? 0 : 1;
             withBlocks += graph.dead().isEmpty() && !search.blocks().isEmpty() ? 1 : 0;
@@ -273,7 +276,7 @@ class RandomWiringTest {
         assertThat(withBlocks).isGreaterThan(30);
     }
 
-    /** Of each terminal component of the full graph those that never take a step in it, where there are some. */
+    /** For each terminal component of the full graph: the components that never take a step in it, if there are any. */
     private static Set<Set<String>> stuckInTheEnd(WiringNet net, ReachabilityGraph graph) {
         var all = new HashSet<Set<String>>();
         for (var end : Liveness.of(graph).terminalComponents()) {
@@ -288,10 +291,10 @@ class RandomWiringTest {
         return all;
     }
 
-    /** In a deadlock all wait, and each in the circle waits for the next. */
-    private static void requireCircle(Story story, int components) {
-        assertThat(story.waits()).hasSize(components);
-        var circle = story.circle();
+    /** In a deadlock all components wait, and each one in the circle waits for the next. */
+    private static void requireCircle(Counterexample counterexample, int components) {
+        assertThat(counterexample.waits()).hasSize(components);
+        var circle = counterexample.circle();
         assertThat(circle).isNotEmpty();
         for (var i = 0; i < circle.size(); i++) {
             assertThat(circle.get(i).on())

@@ -39,20 +39,20 @@ class RobotTeamWiringTest {
 
     @ParameterizedTest
     @CsvSource({"1, 6, 14", "2, 18, 22", "3, 54, 30", "4, 162, 38", "5, 486, 46", "6, 1458, 54"})
-    void robots_thatStopWhenTheyLike_haveAllDeadMarkingsAndAStory(int robots, int dead, int firings) {
+    void robots_thatStopWhenTheyLike_haveAllDeadMarkingsAndACounterexample(int robots, int dead, int firings) {
         var wiring = PaperWiring.robots(robots);
 
         var result = (Deadlock) WiringCheck.check(wiring, SMALL);
 
         assertThat(result.reduced().end()).isEqualTo(SearchEnd.COMPLETE);
         assertThat(result.reduced().deadMarkings()).isEqualTo(dead);
-        assertThat(result.story().sentence())
+        assertThat(result.counterexample().sentence())
                 .isEqualTo("player1 stops; robot1 waits for player1.setValues, which nobody will answer");
-        assertThat(result.story().firings()).hasSize(firings);
+        assertThat(result.counterexample().firings()).hasSize(firings);
         var net = wiring.net();
         var end = net.fire(
                 net.initialMarking(),
-                result.story().firings().stream().map(net::transition).toList());
+                result.counterexample().firings().stream().map(net::transition).toList());
         assertThat(net.enabled(end)).isEmpty();
         assertThat(result.repair().orElseThrow().isProved()).isTrue();
     }
@@ -91,17 +91,17 @@ class RobotTeamWiringTest {
         assertThat(check.searched()).isEqualTo(3);
         var last = results.stream().filter(pair -> pair.one().equals("robot6")).toList();
         assertThat(last).singleElement().satisfies(pair -> {
-            assertThat(pair.stories()).singleElement().satisfies(story -> {
-                assertThat(story.sentence())
+            assertThat(pair.counterexamples()).singleElement().satisfies(counterexample -> {
+                assertThat(counterexample.sentence())
                         .isEqualTo("player6 stops; robot6 waits for player6.setValues, which nobody will answer");
-                assertThat(story.firings()).hasSize(8).allMatch(step -> step.contains("6"));
-                assertThat(story.circle()).extracting(Wait::component).containsExactly("robot6", "player6");
+                assertThat(counterexample.firings()).hasSize(8).allMatch(step -> step.contains("6"));
+                assertThat(counterexample.circle()).extracting(Wait::component).containsExactly("robot6", "player6");
             });
             assertThat(pair.figures().neverReached()).isEmpty();
         });
     }
 
-    /** A clock beside them makes the graph no larger for the search, and the block no smaller. */
+    /** An independent clock makes the full graph larger, but neither the graph of the search nor the block. */
     @Test
     void block_beyondTheFullGraph_isToldWithAWay() {
         var clock = Protocol.of("clock")
@@ -122,14 +122,16 @@ class RobotTeamWiringTest {
 
         assertThat(result.figures().isComplete()).isFalse();
         assertThat(result.reduced().showsBlocks()).isTrue();
-        var story = result.story();
-        assertThat(story.isShortest()).isFalse();
-        assertThat(story.toString()).contains("steps, perhaps not the fewest");
-        assertThat(story.waits()).hasSize(10).noneMatch(wait -> wait.component().startsWith("clock"));
+        var counterexample = result.counterexample();
+        assertThat(counterexample.isShortest()).isFalse();
+        assertThat(counterexample.toString()).contains("steps, perhaps not the fewest");
+        assertThat(counterexample.waits())
+                .hasSize(10)
+                .noneMatch(wait -> wait.component().startsWith("clock"));
         var net = whole.net();
         var end = net.fire(
                 net.initialMarking(),
-                story.firings().stream().map(net::transition).toList());
+                counterexample.firings().stream().map(net::transition).toList());
         assertThat(net.enabled(end)).allMatch(transition -> transition.name().startsWith("clock"));
         assertThat(result.repair().orElseThrow().isDeadlockFree()).isTrue();
     }
@@ -162,7 +164,7 @@ class RobotTeamWiringTest {
         assertThat(result.toString()).contains("(cancelled)");
     }
 
-    /** Too little for the second search by stubborn sets, which opens loops, but enough for the first one. */
+    /** The limit is too low for the second search by stubborn sets, which enlarges loops, but enough for the first. */
     @Test
     void noDeadMarking_withoutAWordOnBlocks_isNotCalledProved() {
         var ticking = Protocol.of("clock")

@@ -33,7 +33,7 @@ class WiringCheckTest {
                 .build();
     }
 
-    /** Takes a token when its neighbour hands one over, or hands one over itself. */
+    /** Takes a token when its neighbour passes one on, or passes one on itself. */
     private static Protocol neighbour() {
         return Protocol.of("neighbour")
                 .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
@@ -72,7 +72,7 @@ class WiringCheckTest {
     }
 
     @Test
-    void assertionThatFails_tellsTheStory() {
+    void assertionThatFails_showsTheCounterexample() {
         assertThatThrownBy(() -> assertThat(WiringCheck.check(ring(3))).isInstanceOf(Proved.class))
                 .isInstanceOf(AssertionError.class)
                 .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
@@ -91,9 +91,8 @@ class WiringCheckTest {
         assertThat(result.figures().isComplete()).isTrue();
         assertThat(result.figures().neverReached()).isEmpty();
         assertThat(result.pairs()).hasSize(6).allMatch(PairResult::isFree);
-        // Each robot is idle, informed, planned or waits for one of the two calls: 5^6 when the planner is ready; while
-        // it
-        // serves one of them, before or after its step, with either call, the other five: 4 * 6 * 5^5.
+        // Each robot is idle, informed, planned or waits for one of the two calls: 5^6 when the planner is ready;
+        // while it serves one of them, before or after its step, with either call, the other five: 4 * 6 * 5^5.
         assertThat(result.figures().markings()).isEqualTo(15_625 + 4 * 6 * 3_125);
     }
 
@@ -103,12 +102,12 @@ class WiringCheckTest {
 
         assertThat(result.pairs()).hasSize(3).allMatch(PairResult::isFree);
         assertThat(result.figures().deadMarkings()).isEqualTo(1);
-        assertThat(result.story().sentence())
+        assertThat(result.counterexample().sentence())
                 .isEqualTo("node1 waits for node2.take; node2 waits for node3.take; node3 waits for node1.take: all ask"
                         + " and nobody answers");
-        assertThat(result.story().firings())
+        assertThat(result.counterexample().firings())
                 .containsExactlyInAnyOrder("node1 asks node2.take", "node2 asks node3.take", "node3 asks node1.take");
-        assertThat(result.story().circle())
+        assertThat(result.counterexample().circle())
                 .containsExactly(
                         new Wait.Answer("node1", "node2", "take"),
                         new Wait.Answer("node2", "node3", "take"),
@@ -135,20 +134,23 @@ class WiringCheckTest {
         return table.build();
     }
 
-    /** Each holds its left fork. Fork 2 may be put down by its neighbours 1 and 2, but only 2 has it. */
+    /**
+     * Each philosopher holds the left fork. By protocol, fork 2 may be put down by its neighbours 1 and 2, but only 2
+     * holds it.
+     */
     @Test
-    void philosophers_storyTellsWhoHoldsWhichForkAndStarsTheWholeCircle() {
-        var story = ((Deadlock) WiringCheck.check(philosophers(3))).story();
+    void philosophers_counterexampleNamesWhoHoldsWhichForkAndStarsTheWholeCircle() {
+        var counterexample = ((Deadlock) WiringCheck.check(philosophers(3))).counterexample();
 
-        assertThat(story.waits())
+        assertThat(counterexample.waits())
                 .contains(
                         new Wait.Call("fork1", "taken", List.of(new Wait.Offer("put", List.of("phil1")))),
                         new Wait.Call("fork2", "taken", List.of(new Wait.Offer("put", List.of("phil2")))),
                         new Wait.Call("fork3", "taken", List.of(new Wait.Offer("put", List.of("phil3")))));
-        assertThat(story.circle())
+        assertThat(counterexample.circle())
                 .extracting(Wait::component)
                 .containsExactlyInAnyOrder("phil1", "fork2", "phil2", "fork3", "phil3", "fork1");
-        assertThat(story.toString()).contains("* fork2 (taken) waits to be called: put by phil2");
+        assertThat(counterexample.toString()).contains("* fork2 (taken) waits to be called: put by phil2");
     }
 
     @Test
@@ -172,9 +174,9 @@ class WiringCheckTest {
         var result = (Blocked) WiringCheck.check(wiring);
 
         assertThat(result.figures().deadMarkings()).isZero();
-        assertThat(result.story().sentence())
+        assertThat(result.counterexample().sentence())
                 .isEqualTo("server stops; user waits for server.use, which nobody will answer");
-        assertThat(result.story().waits()).extracting(Wait::component).containsExactly("server", "user");
+        assertThat(result.counterexample().waits()).extracting(Wait::component).containsExactly("server", "user");
         assertThat(result.pairs())
                 .singleElement()
                 .satisfies(pair -> assertThat(pair.isFree()).isFalse());
@@ -255,7 +257,7 @@ class WiringCheckTest {
                 Wiring.of("order").component(wrong).component(server).build());
 
         assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
-        assertThat(result.story().sentence())
+        assertThat(result.counterexample().sentence())
                 .isEqualTo("wrong waits for server.second, which nobody will answer; server (first) waits to be called:"
                         + " first by wrong, which nobody will do");
     }

@@ -17,23 +17,23 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/* Tells a marking in which components cannot go on. */
-final class Stories {
+/** Explains markings in which components cannot go on, as {@link Counterexample}s. */
+final class Explainer {
     private final Wiring wiring;
     private final WiringNet net;
 
-    Stories(Wiring wiring, WiringNet net) {
+    Explainer(Wiring wiring, WiringNet net) {
         this.wiring = wiring;
         this.net = net;
     }
 
-    /** Of the components {@code stuck}, which never take a step again after {@code marking}. */
-    Story tell(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
+    /** The counterexample of a marking after which the components {@code stuck} never take a step again. */
+    Counterexample explain(Marking marking, List<Transition> trace, boolean isShortest, Set<String> stuck) {
         var waits = waits(marking, stuck);
         var circle = circle(waits);
-        var told = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
-        return new Story(
-                sentence(told, stopped(trace)),
+        var shown = circle.isEmpty() ? List.copyOf(waits.values()) : circle;
+        return new Counterexample(
+                sentence(shown, stopped(trace)),
                 trace.stream().map(net::name).toList(),
                 isShortest,
                 List.copyOf(waits.values()),
@@ -44,10 +44,10 @@ final class Stories {
         var at = new LinkedHashMap<String, String>();
         var asking = new HashMap<String, Step.Requests>();
         for (var place : marking.marked()) {
-            switch (net.spot(place)) {
-                case WiringNet.Spot.At(var component, var where) -> at.put(component, where);
-                case WiringNet.Spot.Asking(var component, var request) -> asking.put(component, request);
-                case WiringNet.Spot.Serving serving -> {}
+            switch (net.componentState(place)) {
+                case WiringNet.ComponentState.At(var component, var where) -> at.put(component, where);
+                case WiringNet.ComponentState.Asking(var component, var request) -> asking.put(component, request);
+                case WiringNet.ComponentState.Serving serving -> {}
             }
         }
         var waits = new LinkedHashMap<String, Wait>();
@@ -66,7 +66,7 @@ final class Stories {
         return waits;
     }
 
-    /** A component that stands in a state and has no step of its own. */
+    /** The wait of a component that is in a state without an enabled step. */
     private Wait idle(String component, String state, Map<String, String> at, Map<String, Step.Requests> asking) {
         var offers = wiring.protocol(component).out(state).stream()
                 .filter(Step.Provides.class::isInstance)
@@ -79,8 +79,9 @@ final class Stories {
     }
 
     /**
-     * Those that can get to the call without another answer of the component, as who took a fork can get to putting it
-     * down; all that make the call if there are none. The others wait for the component, so it does not wait for them.
+     * The callers that can get to the call without another answer of the component: one that holds a fork can get to
+     * putting it down. If there are none, all that make the call. The other callers wait for the component, so it does
+     * not wait for them.
      */
     private List<String> callers(
             String component, String call, Map<String, String> at, Map<String, Step.Requests> asking) {
@@ -98,7 +99,7 @@ final class Stories {
         }
         var start = asked != null ? asked.to() : state;
         if (start == null) {
-            return true; // it is being served, or serves
+            return true; // it is being served, or serves a call
         }
         var seen = new HashSet<>(Set.of(start));
         var ahead = new ArrayDeque<>(seen);
@@ -117,7 +118,7 @@ final class Stories {
         return false;
     }
 
-    /** The shortest circle, among those one with the most calls that were made. */
+    /** A shortest circle; of several, one with the most calls that were made. */
     private static List<Wait> circle(Map<String, Wait> waits) {
         return waits.keySet().stream()
                 .map(start -> circle(start, waits))
@@ -160,7 +161,7 @@ final class Stories {
         return circle;
     }
 
-    /** The components whose last step was to stop. */
+    /** The components whose last step was a stop. */
     private Set<String> stopped(List<Transition> trace) {
         var stopped = new HashSet<String>();
         for (var transition : trace) {
@@ -171,23 +172,23 @@ final class Stories {
         return stopped;
     }
 
-    private static String sentence(List<Wait> told, Set<String> stopped) {
+    private static String sentence(List<Wait> shown, Set<String> stopped) {
         var parts = new ArrayList<String>();
-        told.stream()
+        shown.stream()
                 .filter(wait -> stopped.contains(wait.component()))
                 .forEach(wait -> parts.add(wait.component() + " stops"));
-        var allAsk = told.stream().allMatch(Wait.Answer.class::isInstance);
-        for (var wait : told) {
+        var allAsk = shown.stream().allMatch(Wait.Answer.class::isInstance);
+        for (var wait : shown) {
             switch (wait) {
                 case Wait.Answer answer -> parts.add(answer + (allAsk ? "" : ", which nobody will answer"));
                 case Wait.Call call -> {
-                    if (told.size() == 1 || !stopped.contains(call.component())) {
+                    if (shown.size() == 1 || !stopped.contains(call.component())) {
                         parts.add(call + ", which nobody will do");
                     }
                 }
                 case Wait.Stop stop -> parts.add(stop.toString());
             }
         }
-        return String.join("; ", parts) + (allAsk && told.size() > 1 ? ": all ask and nobody answers" : "");
+        return String.join("; ", parts) + (allAsk && shown.size() > 1 ? ": all ask and nobody answers" : "");
     }
 }

@@ -5,12 +5,12 @@ import java.util.Objects;
 import java.util.RandomAccess;
 import java.util.function.IntFunction;
 
-/** A list of what is made each time it is asked for; it cannot be changed. */
-final class OnDemand<T> extends AbstractList<T> implements RandomAccess {
+/** An unmodifiable list that computes each element on every access. */
+final class ComputedList<T> extends AbstractList<T> implements RandomAccess {
     private final int size;
     private final IntFunction<T> make;
 
-    OnDemand(int size, IntFunction<T> make) {
+    ComputedList(int size, IntFunction<T> make) {
         this.size = size;
         this.make = make;
     }

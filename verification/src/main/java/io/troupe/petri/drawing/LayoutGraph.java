@@ -6,24 +6,24 @@ import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What is to be laid out: how large everything is, and what is joined with what. Nodes and edges are known by their
- * number, in the order they are added.
+ * The input of a layout: the sizes of the nodes, and which of them are joined. Nodes and edges are identified by their
+ * number, in the order in which they are added.
  */
-final class Sketch {
-    /** What a node needs. */
+final class LayoutGraph {
+    /** The size of a node and of the text below it. */
     record Node(Size size, @Nullable Size caption) {}
 
     /** An edge between two nodes, given by their numbers. */
     record Edge(int from, int to, @Nullable Size label) {}
 
     /**
-     * What differs between the drawings; spacings in pixels.
+     * The settings that differ between the drawings; spacings in pixels.
      *
-     * @param downwards from top to bottom, not from left to right
-     * @param wrapped goes on in a new row where one row would be too long; ELK cannot do that with labels of edges
-     * @param order which edges go forward: {@code MODEL_ORDER} those to a node added later, {@code DEPTH_FIRST} as long
-     *     a chain as there is, {@code BFS_NODE_ORDER} a node stands as near to the first ones as edges lead to it,
-     *     which keeps a large net with many loops compact
+     * @param downwards from top to bottom instead of from left to right
+     * @param wrapped continues in a new row where one row would be too long; ELK cannot do that with labels of edges
+     * @param order which edges go forward. {@code MODEL_ORDER}: those to a node that was added later.
+     *     {@code DEPTH_FIRST}: those of the longest chain. {@code BFS_NODE_ORDER}: a node is placed as near to the
+     *     first ones as the edges allow, which keeps a large net with many loops compact.
      */
     record Style(
             boolean downwards,
@@ -37,7 +37,7 @@ final class Sketch {
     final List<Node> nodes = new ArrayList<>();
     final List<Edge> edges = new ArrayList<>();
 
-    Sketch(Style style) {
+    LayoutGraph(Style style) {
         this.style = style;
     }
 

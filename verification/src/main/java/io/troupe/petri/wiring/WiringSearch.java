@@ -17,47 +17,47 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
-/* The graph of some components of a wiring, and what can go wrong in it. */
-final class Search {
-    /** Enough to see what is wrong; the figures count them all. */
-    private static final int MAX_STORIES = 16;
+/** Finds the dead markings and blocks in the graph of some components of a wiring. */
+final class WiringSearch {
+    /** Enough to see what is wrong; the figures count all of them. */
+    private static final int MAX_COUNTEREXAMPLES = 16;
 
     private final WiringNet net;
     private final ReachabilityGraph graph;
-    private final Stories stories;
+    private final Explainer explainer;
 
-    /** The graph is that of {@code net}, or of one that differs from it in names only. */
-    Search(Wiring wiring, WiringNet net, ReachabilityGraph graph) {
+    /** Creates a search of the graph of {@code net}, or of a net that differs from it in names only. */
+    WiringSearch(Wiring wiring, WiringNet net, ReachabilityGraph graph) {
         this.net = net;
         this.graph = graph;
-        stories = new Stories(wiring, net);
+        explainer = new Explainer(wiring, net);
     }
 
     Figures figures() {
         return Figures.of(net.net(), graph);
     }
 
-    /** Of the dead markings, nearest first. */
-    List<Story> deadlocks() {
+    /** The counterexamples of the dead markings, nearest first. */
+    List<Counterexample> deadlocks() {
         return graph.dead().stream()
-                .limit(MAX_STORIES)
-                .map(state -> stories.tell(state.marking(), state.shortestTrace(), true, net.chosen()))
+                .limit(MAX_COUNTEREXAMPLES)
+                .map(state -> explainer.explain(state.marking(), state.shortestTrace(), true, net.chosen()))
                 .toList();
     }
 
-    /** Of these dead markings, in their order. */
-    List<Story> deadlocks(List<DeadlockSearch.Deadlock> dead) {
+    /** The counterexamples of these dead markings, in their order. */
+    List<Counterexample> deadlocks(List<DeadlockSearch.Deadlock> dead) {
         return dead.stream()
-                .limit(MAX_STORIES)
-                .map(deadlock -> stories.tell(deadlock.marking(), deadlock.trace(), true, net.chosen()))
+                .limit(MAX_COUNTEREXAMPLES)
+                .map(deadlock -> explainer.explain(deadlock.marking(), deadlock.trace(), true, net.chosen()))
                 .toList();
     }
 
     /**
-     * Of the nearest markings from which a component never takes a step again, whatever the others do. Empty for a part
-     * of a graph: what lies beyond the limit might help.
+     * The counterexamples of the nearest markings from which a component never takes a step again, whatever the others
+     * do. Empty for an incomplete graph: markings beyond the limit might lead to such a step.
      */
-    List<Story> blocks() {
+    List<Counterexample> blocks() {
         if (!graph.isComplete()) {
             return List.of();
         }
@@ -71,39 +71,42 @@ final class Search {
                 }
             }
         });
-        var told = new ArrayList<Story>();
+        var found = new ArrayList<Counterexample>();
         var states = nearest.isEmpty() ? List.<State>of() : graph.states();
         nearest.forEach((index, stuck) -> {
             var state = states.get(index);
-            told.add(stories.tell(state.marking(), state.shortestTrace(), true, stuck));
+            found.add(explainer.explain(state.marking(), state.shortestTrace(), true, stuck));
         });
-        return withCircles(told);
+        return withCircles(found);
     }
 
-    /** Of the losses after which a component never takes a step again. */
-    List<Story> blocks(List<ProgressSearch.Loss> losses) {
-        var told = new LinkedHashMap<Set<String>, Story>();
+    /** The counterexamples of the losses after which a component never takes a step again. */
+    List<Counterexample> blocks(List<ProgressSearch.Loss> losses) {
+        var found = new LinkedHashMap<Set<String>, Counterexample>();
         for (var loss : losses) {
             var stuck = new LinkedHashSet<>(net.chosen());
             net.net().transitions().stream()
                     .filter(transition -> !loss.lost().contains(transition))
                     .forEach(transition -> stuck.removeAll(net.event(transition).who()));
-            if (!stuck.isEmpty() && !told.containsKey(stuck)) {
-                told.put(stuck, stories.tell(loss.marking(), loss.trace(), false, stuck));
+            if (!stuck.isEmpty() && !found.containsKey(stuck)) {
+                found.put(stuck, explainer.explain(loss.marking(), loss.trace(), false, stuck));
             }
         }
-        return told.values().stream().limit(MAX_STORIES).toList();
+        return found.values().stream().limit(MAX_COUNTEREXAMPLES).toList();
     }
 
-    /** Without those who wait alone before they come to stand in a circle, which explains more. */
-    private static List<Story> withCircles(List<Story> told) {
-        var explained = told.stream()
-                .flatMap(story -> story.circle().stream())
+    /**
+     * Leaves out counterexamples of components that wait without a circle but are in the circle of another
+     * counterexample, which explains more.
+     */
+    private static List<Counterexample> withCircles(List<Counterexample> found) {
+        var explained = found.stream()
+                .flatMap(counterexample -> counterexample.circle().stream())
                 .map(Wait::component)
                 .collect(Collectors.toSet());
-        return told.stream()
-                .filter(story -> !story.circle().isEmpty()
-                        || !story.waits().stream().map(Wait::component).allMatch(explained::contains))
+        return found.stream()
+                .filter(counterexample -> !counterexample.circle().isEmpty()
+                        || !counterexample.waits().stream().map(Wait::component).allMatch(explained::contains))
                 .toList();
     }
 
@@ -117,7 +120,7 @@ final class Search {
         return stuck;
     }
 
-    /** For each component the markings from which some way leads to a step of it. */
+    /** By component: the markings from which a firing sequence leads to a step of it. */
     private Map<String, boolean[]> moves() {
         var size = graph.size();
         var states = graph.states();
@@ -128,7 +131,7 @@ final class Search {
                         .map(component -> requireNonNull(moves.get(component)))
                         .toList())
                 .toList();
-        // The edges by their targets: those to marking i are sources[starts[i]] up to sources[starts[i + 1]].
+        // The edges by target: those to marking i are sources[starts[i]] up to sources[starts[i + 1]].
         var starts = new int[size + 2];
         for (var state : states) {
             state.successors().forEach(edge -> starts[edge.target().index() + 2]++);

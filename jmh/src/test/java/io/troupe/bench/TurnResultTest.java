@@ -5,24 +5,24 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
-class TurnTest {
+class TurnResultTest {
     @Test
     void line_isParsedToTheSameTurn() {
-        var turn = new Turn(1.0 / 3, 1e12);
-        assertThat(Turn.parse(turn.line())).isEqualTo(turn);
+        var turn = new TurnResult(1.0 / 3, 1e12);
+        assertThat(TurnResult.parse(turn.line())).isEqualTo(turn);
     }
 
     @Test
     void lineWithoutBytes_isNamed() {
-        assertThatThrownBy(() -> Turn.parse("15.7"))
+        assertThatThrownBy(() -> TurnResult.parse("15.7"))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("a turn is \"15.7\", expected nanoseconds and bytes per operation");
     }
 
     @Test
     void allocatedBytes_growByWhatWasAllocated() {
-        long before = Turn.allocatedBytes();
+        long before = TurnResult.allocatedBytes();
         var garbage = new byte[1_000_000];
-        assertThat(Turn.allocatedBytes() - before).isGreaterThanOrEqualTo(garbage.length);
+        assertThat(TurnResult.allocatedBytes() - before).isGreaterThanOrEqualTo(garbage.length);
     }
 }

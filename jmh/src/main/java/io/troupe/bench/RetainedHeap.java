@@ -3,18 +3,18 @@ package io.troupe.bench;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What an actor that has handled one message and now waits keeps of the heap. */
-final class Retained {
+/** Measures the heap that an idle actor retains after it has handled one message. */
+final class RetainedHeap {
     static final int ACTORS = 2_000;
     private static final int TRIALS = 5;
     private static final int COLLECTIONS = 4;
     private static final int PAUSE_MILLIS = 20;
 
-    private Retained() {}
+    private RetainedHeap() {}
 
     /**
-     * Bytes per actor, the median of some trials. Minor things that the contender allocates meanwhile are divided by
-     * 2,000 actors.
+     * Bytes per actor, the median of some trials. Small allocations of the contender meanwhile are divided by 2,000
+     * actors.
      */
     static double bytesPerActor(Contender contender) throws Exception {
         return bytesPerActor(() -> contender.create(ACTORS), contender::clear);
@@ -24,7 +24,9 @@ final class Retained {
         void run() throws Exception;
     }
 
-    /** The first action makes as many as {@link #ACTORS}, the second lets them go. */
+    /**
+     * Measures what {@code create}, which makes {@link #ACTORS} objects, adds to the heap; {@code clear} drops them.
+     */
     static double bytesPerActor(Action create, Action clear) throws Exception {
         List<Double> trials = new ArrayList<>();
         for (int i = 0; i < TRIALS; i++) {
@@ -36,7 +38,10 @@ final class Retained {
         return Quartiles.of(trials).median();
     }
 
-    /** Between the collections the contender may drop what only waited for them, or for the end of its last task. */
+    /**
+     * The used heap after several collections. The pauses let the contender drop what it keeps until a collection or
+     * until the end of its last task.
+     */
     private static long usedBytes() throws InterruptedException {
         for (int i = 0; i < COLLECTIONS; i++) {
             System.gc();

@@ -2,8 +2,8 @@ package io.troupe.petri.drawing;
 
 import java.util.List;
 
-/** The colours of both kinds of drawing; they stay apart in grey and for the colour-blind. */
-final class Colours {
+/** The colours of both kinds of drawing; they can be distinguished in greyscale and by colour-blind readers. */
+final class Palette {
     static final String LINE = "#333333";
     static final String FAINT = "#9a9a9a";
     static final String BACK = "#8db3d9";
@@ -12,10 +12,10 @@ final class Colours {
     static final String DEAD_FILL = "#f4b183";
     static final String MARKED_FILL = "#fff4cc";
 
-    /** Of transitions, unless all around them is of one component. */
+    /** The fill of transitions, unless all places around a transition belong to one component. */
     static final String BETWEEN_FILL = "#eeeeee";
-    /** Of components. */
+    /** The fills of components. */
     static final List<String> TINTS = List.of("#fbd9a8", "#bfdcf5", "#c9e8bd", "#e6cdea", "#f2f0b0", "#d0d0d0");
 
-    private Colours() {}
+    private Palette() {}
 }

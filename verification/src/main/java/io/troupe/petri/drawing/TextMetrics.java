@@ -4,16 +4,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * How much room text needs. The reader's fonts are not known here, so the estimate is that of a wide sans-serif: text
- * may be narrower, and hardly ever wider.
+ * Estimates the size of text. The viewer's fonts are unknown, so the estimate is that of a wide sans-serif font: text
+ * may be narrower, but is hardly ever wider.
  */
-final class Lettering {
+final class TextMetrics {
     /** The fonts that the drawings ask for. */
     static final String FONTS = "Helvetica, Arial, 'DejaVu Sans', sans-serif";
 
     private static final double LINE = 1.2;
 
-    private Lettering() {}
+    private TextMetrics() {}
 
     static Size size(List<String> lines, double fontPx) {
         var width =
@@ -26,10 +26,10 @@ final class Lettering {
     }
 
     static double width(String text, double fontPx) {
-        return text.codePoints().mapToDouble(Lettering::ems).sum() * fontPx;
+        return text.codePoints().mapToDouble(TextMetrics::ems).sum() * fontPx;
     }
 
-    /** Puts words on as few lines of {@code widthPx} as they fit; a longer word gets a line of its own. */
+    /** Breaks words into as few lines of {@code widthPx} as possible; a longer word gets a separate line. */
     static List<String> wrapped(List<String> words, double fontPx, double widthPx) {
         var lines = new ArrayList<String>();
         for (var word : words) {

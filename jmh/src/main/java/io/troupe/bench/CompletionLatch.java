@@ -2,8 +2,8 @@ package io.troupe.bench;
 
 import java.util.concurrent.locks.LockSupport;
 
-/** How the outside thread learns that the last message was handled: the same for all contenders. */
-final class Finish {
+/** Notifies the outside thread that the last message was handled, in the same way for all contenders. */
+final class CompletionLatch {
     private static final int SPINS = 500;
     private static final int NAP_NANOS = 10_000;
 

@@ -3,14 +3,14 @@ package io.troupe.petri.wiring;
 import static java.util.Objects.requireNonNull;
 
 /**
- * A way out of a state of a {@link Protocol}: what happens, and the state after it.
+ * A branch, that is a way out of a state of a {@link Protocol}: a step, and the state after it.
  *
  * <p><b>Role.</b> Made by {@link Protocol#does}, {@link Protocol#requests}, {@link Protocol#provides} and
- * {@link Protocol#stops}, and handed to {@link ProtocolBuilder#in}.
+ * {@link Protocol#stops}; argument of {@link ProtocolBuilder#in}.
  *
  * <p><b>Threads.</b> Immutable.
  */
-public final class Way {
+public final class Branch {
     enum Kind {
         DOES,
         REQUESTS,
@@ -22,29 +22,29 @@ public final class Way {
     private final String what;
     private final String to;
 
-    Way(Kind kind, String what, String to) {
+    Branch(Kind kind, String what, String to) {
         this.kind = kind;
         this.what = what;
         this.to = to;
     }
 
-    /** A way whose end is still missing. */
-    public static final class Open {
+    /** A branch whose target state is still missing. */
+    public static final class Builder {
         private final Kind kind;
         private final String what;
 
-        Open(Kind kind, String what) {
+        Builder(Kind kind, String what) {
             this.kind = kind;
             this.what = requireNonNull(what, "what");
         }
 
-        /** Leads to {@code state}. */
-        public Way then(String state) {
-            return new Way(kind, what, requireNonNull(state, "state"));
+        /** Sets the target state. */
+        public Branch then(String state) {
+            return new Branch(kind, what, requireNonNull(state, "state"));
         }
     }
 
-    /** As a step out of {@code state}; a stop leads to {@code first}. */
+    /** This branch as a step out of {@code state}; a stop leads to {@code first}. */
     Step from(String state, String first) {
         return switch (kind) {
             case DOES -> new Step.Does(state, what, to);

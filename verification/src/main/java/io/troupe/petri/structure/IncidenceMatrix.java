@@ -9,12 +9,12 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntToLongFunction;
 
-/* The incidence matrix: for every transition the places whose tokens a firing changes, and by how many. */
-final class Effects {
+/** The incidence matrix: by transition, the places whose tokens a firing changes, and by how many. */
+final class IncidenceMatrix {
     private final List<Map<Integer, Long>> ofTransitions = new ArrayList<>();
     private final List<Map<Integer, Long>> onPlaces = new ArrayList<>();
 
-    Effects(PetriNet net) {
+    IncidenceMatrix(PetriNet net) {
         net.places().forEach(place -> onPlaces.add(new TreeMap<>()));
         for (var t : net.transitions()) {
             var effect = effect(t);
@@ -31,12 +31,12 @@ final class Effects {
         return effect;
     }
 
-    /** By transition: by place, what one firing adds; places without change are left out. */
+    /** By transition: by place, the tokens that one firing adds. Places without a change are left out. */
     List<Map<Integer, Long>> ofTransitions() {
         return ofTransitions;
     }
 
-    /** By place: by transition, what one firing adds. */
+    /** By place: by transition, the tokens that one firing adds. */
     List<Map<Integer, Long>> onPlaces() {
         return onPlaces;
     }
