@@ -7,7 +7,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
-/** Reads numbers and files from arguments, and says in plain words what they are not. */
+/** picocli converters for numbers and paths, with plain error messages. */
 final class Converters {
     private Converters() {}
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
-/** What a crowd did, in sums and extremes. */
+/** The summary of a run with many robots: sum, mean, minimum and maximum of each figure. */
 final class CrowdSummary {
     private final List<RobotRecord> robots;
     private final String columns;

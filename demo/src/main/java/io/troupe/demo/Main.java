@@ -60,17 +60,17 @@ import picocli.CommandLine.Spec;
             HelpCommand.class
         })
 public final class Main implements Callable<Integer> {
-    /** What made a file, and which version of it. */
+    /** Name and version of the program, as written into its files. */
     static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
 
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
-    /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
+    /** Exit status for a failure during execution: a file that cannot be written, a lost server connection. */
     static final int FAILED = 1;
 
     private static final int ERROR_BESIDE_VERDICT = 4;
 
-    /** Exit status for a service that an application needs and nobody offers. */
+    /** Exit status if an application needs a service that no provider offers. */
     static final int MISSING_SERVICE = 3;
 
     @Spec
@@ -78,7 +78,7 @@ public final class Main implements Callable<Integer> {
 
     private Main() {}
 
-    /** Without a command: what there is to do. */
+    /** Without a subcommand: prints the usage. */
     @Override
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
@@ -89,7 +89,7 @@ public final class Main implements Callable<Integer> {
 
     public static void main(String[] arguments) {
         var standardOutput = new StandardOutput(new FileOutputStream(FileDescriptor.out));
-        // as it is, but it says what is lost
+        // the same stream and charset, but write errors are recorded
         System.setOut(new PrintStream(new BufferedOutputStream(standardOutput), true, System.out.charset()));
         var out = new PrintWriter(System.out, true);
         var err = new PrintWriter(System.err, true);
@@ -103,16 +103,16 @@ public final class Main implements Callable<Integer> {
         System.exit(status);
     }
 
-    /** Of {@code verify --net}, whose status 1 says that the net can deadlock. */
+    /** True for {@code verify --net}, where exit status 1 means that the net can deadlock. */
     private static boolean hasVerdict(String... arguments) {
         return Arrays.stream(arguments).anyMatch(each -> each.equals("--net") || each.startsWith("--net="));
     }
 
-    /** Runs a command and answers its exit status, one of {@link #exitStatuses}. */
+    /** Runs a command and returns its exit status, one of {@link #exitStatuses}. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         var troupe = new CommandLine(new Main());
         troupe.getCommandSpec()
-                .usageMessage() // not in the annotation: commands would inherit it
+                .usageMessage() // not in the annotation, since subcommands would inherit it
                 .exitCodeListHeading("%nExit status:%n")
                 .exitCodeList(exitStatuses())
                 .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
@@ -161,7 +161,7 @@ public final class Main implements Callable<Integer> {
         return status;
     }
 
-    /** Options without a command are those of {@code run}. */
+    /** Inserts {@code run} before options that have no command. */
     private static String[] withCommand(String[] arguments) {
         boolean optionsOfRun = arguments.length > 0
                 && arguments[0].startsWith("--")
@@ -179,7 +179,7 @@ public final class Main implements Callable<Integer> {
         return USAGE;
     }
 
-    /** What went wrong without the names of classes. */
+    /** The error message without class names. */
     private static String failure(Exception thrown) {
         if (thrown instanceof UncheckedIOException unchecked
                 && unchecked.getCause() instanceof FileSystemException cause) {

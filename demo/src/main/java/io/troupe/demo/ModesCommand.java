@@ -22,7 +22,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe modes}: the same robots in the same world, synchronously, with callbacks and with promises. */
+/** {@code troupe modes}: runs the same robots in the same world in synchronous, callback and promise mode. */
 @Command(
         name = "modes",
         description =
@@ -71,7 +71,7 @@ final class ModesCommand implements Callable<Integer> {
         }
     }
 
-    /** The states until then: the modes cannot be compared. */
+    /** Prints the states up to the interruption. Incomplete runs are not compared. */
     private int interrupted(Map<Mode, RunResult> results) {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new ModeComparison(results).table());
@@ -90,7 +90,7 @@ final class ModesCommand implements Callable<Integer> {
         String title = comparison.finding() + " (" + scenario.world().name() + ", seed " + seed + ")";
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(comparison.text());
-        terminal.flush(); // first: files may fail
+        terminal.flush(); // before writing files, which may fail
         OutputFiles.write(out.resolve("modes.svg"), new ModesSvg(comparison, title).draw());
         terminal.println("wrote " + out.resolve("modes.svg") + " and, beside it, run-sync.jsonl, run-callback.jsonl and"
                 + " run-promise.jsonl");

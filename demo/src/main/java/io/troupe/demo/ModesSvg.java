@@ -8,7 +8,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.List;
 import java.util.Locale;
 
-/** Draws when which state held in which mode, one row a mode. */
+/** Draws the states over time, one row per mode. */
 final class ModesSvg {
     private static final double LEFT_PX = 110;
     private static final double PLOT_PX = 860;
@@ -16,7 +16,7 @@ final class ModesSvg {
     private static final double ROW_PX = 64;
     private static final double BAR_PX = 34;
     private static final double LEGEND_LINE_PX = 22;
-    /** A bar that is narrower has no room for its number. */
+    /** Narrower bars have no number. */
     private static final double NUMBER_PX = 14;
 
     private final ModeComparison comparison;
@@ -112,7 +112,7 @@ final class ModesSvg {
         }
     }
 
-    /** 1, 2 or 5 times a power of ten, so that there are 5 to 12 of them. */
+    /** The tick distance: 1, 2 or 5 times a power of ten, for 5 to 12 ticks. */
     private static double step(double seconds) {
         double power = StrictMath.pow(10, StrictMath.floor(StrictMath.log10(seconds / 5)));
         double rest = seconds / 5 / power;

@@ -22,10 +22,11 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
- * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
+ * One run of the main job: the robots of a scenario, controlled by the paper's arbitrator, in lock step with the
+ * simulated world.
  *
- * <p><b>Threads.</b> The calling thread moves the world, another one drives the robots; at any moment one of them waits
- * for the other.
+ * <p><b>Threads.</b> The calling thread advances the world, another thread runs the services. At any time one of the
+ * two waits for the other.
  *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
@@ -43,19 +44,19 @@ final class PaperRun {
     private final SubsumptionTable table;
     private final Manner manner;
 
-    /** A device as the configuration names it. */
+    /** A device that the world's configuration offers. */
     private record Binding(String type, int index, String model) {}
 
     /**
-     * In which of the three modes.
+     * The mode of a run and its variants.
      *
-     * @param reconnects whether every service makes a connection of its own
-     * @param round of the synchronous mode
+     * @param reconnects whether every service opens a new connection
+     * @param round how the synchronous mode distributes readings among the services
      */
     record Manner(Mode mode, boolean reconnects, SynchronousRound round) {
         static final Manner DEFAULT = new Manner(Mode.PROMISE, false);
 
-        /** As the paper has it. */
+        /** The default round, as in the paper. */
         Manner(Mode mode, boolean reconnects) {
             this(mode, reconnects, SynchronousRound.ONE_SERVICE_A_READING);
         }
@@ -79,7 +80,9 @@ final class PaperRun {
         this.port = check(scenario, table);
     }
 
-    /** Whether the world has what the services of the table need; the port on which it is offered. */
+    /**
+     * Checks that the world has the devices that the services of the table need, and returns the port that offers them.
+     */
     private static int check(Scenario scenario, SubsumptionTable table) {
         int expected = table.robots();
         List<RobotSpec> robots = scenario.world().robots();
@@ -130,9 +133,9 @@ final class PaperRun {
     }
 
     /**
-     * Runs to the end, or until {@code stop} says so.
+     * Runs until the end time, or until {@code stop} returns true.
      *
-     * @param changes is told of every state change as it happens, for people
+     * @param changes called with a line of text for every state change, as it happens
      */
     RunResult run(RunLog log, Consumer<String> changes, ProgressBar progress, BooleanSupplier stop)
             throws InterruptedException {

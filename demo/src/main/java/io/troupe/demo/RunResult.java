@@ -11,9 +11,9 @@ import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /**
- * What came out of a run.
+ * The result of a run.
  *
- * @param states those that began, in order
+ * @param states in order of their start
  * @param robots by index
  */
 record RunResult(
@@ -28,7 +28,7 @@ record RunResult(
     static final String NO_CYCLE_TITLE = "readings without a cycle";
     static final String STAY_TITLE = "longest stay within 5 cm";
 
-    /** How often a state began. */
+    /** How often a state started. */
     long visits(State state) {
         return states.stream().filter(change -> change.state().equals(state)).count();
     }
@@ -61,7 +61,7 @@ record RunResult(
                 .put("loops", loops);
     }
 
-    /** For people. */
+    /** The summary for the terminal. */
     String summary(String world, long seed, double wallSeconds) {
         var text = new StringBuilder();
         line(
@@ -114,7 +114,7 @@ record RunResult(
         return text.toString();
     }
 
-    /** Which robots made no way, and when; of a crowd the one that did so longest. */
+    /** Reports robots that made no progress, and when. Of a crowd only the longest case is reported. */
     private String stuck() {
         var stuck = robots.stream()
                 .filter(robot -> robot.longestStay().isStuck())
@@ -147,7 +147,7 @@ record RunResult(
         return "cycles of " + service;
     }
 
-    /** Of the first column: as wide as the longest title, which may have the name of a service in it. */
+    /** Format of the first column: as wide as the longest title, which may contain the name of a service. */
     static String titleFormat(SubsumptionTable table) {
         int longest = table.services().stream()
                 .mapToInt(service -> loopsTitle(service).length())

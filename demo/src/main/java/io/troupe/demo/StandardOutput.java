@@ -6,11 +6,11 @@ import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Remembers why it could not be written: the streams above it swallow that, and a command would end as if all were
- * well.
+ * Standard output that records the last write error. The print streams above it swallow exceptions, so that a command
+ * would report success.
  */
 final class StandardOutput extends FilterOutputStream {
-    /** A reader that has seen enough, as {@code head}, is no error. */
+    /** A reader that stops early, such as {@code head}, is no error. */
     private static final String READER_GONE = "Broken pipe";
 
     private volatile @Nullable String lost;
@@ -34,7 +34,7 @@ final class StandardOutput extends FilterOutputStream {
         }
     }
 
-    /** Why something was not written; null if all was, or no reader is left. */
+    /** The error of the last failed write; null if there was none, or if only the reader has closed the pipe. */
     @Nullable
     String lost() {
         return READER_GONE.equals(lost) ? null : lost;

@@ -16,33 +16,33 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
 /**
- * Draws the arena, all paths in the colours of the services, and where states changed. A few robots have direction and
- * time marks; the paths of a crowd fade with age instead, and its robots have no numbers.
+ * Draws the arena, the paths coloured by service, and the places of state changes. Paths of a few robots have arrows
+ * and time marks. Paths of a crowd fade with age instead, and its robots have no numbers.
  */
 final class TrajectorySvg {
-    private static final double SCALE = 70; // pixels per metre, at most
-    private static final double MOST_PX = 1400; // along the longer side
+    private static final double SCALE = 70; // pixels per metre, upper limit
+    private static final double MOST_PX = 1400; // length of the longer side
     private static final double MARGIN_M = 0.3;
     private static final double FONT_PX = 14;
     private static final double TITLE_PX = 17;
     private static final double LEFT_PX = 16;
     private static final double LINE_PX = 24;
     private static final double LEGEND_LINE_PX = 44;
-    /** The picture of a narrower world has white beside it, so that title and legend have room. */
+    /** The picture of a narrower world gets white margins, so that title and legend fit. */
     private static final double LEAST_WIDTH_PX = 460;
-    /** Between two marks of direction on a path. */
+    /** Distance between two arrows on a path. */
     private static final double ARROW_EVERY_PX = 130;
-    /** Of all robots together. */
+    /** For all robots together. */
     private static final int MOST_TIME_MARKS = 12;
-    /** A crowd's paths are drawn in so many steps from old and faint to new. */
+    /** Number of steps from faint (old) to solid (new) in the paths of a crowd. */
     private static final int AGES = 6;
-    /** Of the robots' lines, round and round; the first is solid. */
+    /** Dash patterns of the robots' paths, used cyclically; the first one is solid. */
     private static final List<String> DASHES = List.of("", "8 4", "2 3", "14 4 2 4", "18 6", "8 3 2 3 2 3", "5 2");
 
     private static final Map<String, String> PATH_COLOURS = Map.of(
             Service.WALL_FOLLOWER.name(), "#7b3fa0",
             Service.SPACE_WANDERER.name(), "#1b9e9e");
-    /** For the other services of a table, round and round. */
+    /** Colours of further services, used cyclically. */
     private static final List<String> MORE_COLOURS =
             List.of("#d95f02", "#4c78a8", "#9c755f", "#66a61e", "#b07aa1", "#888888");
 
@@ -114,7 +114,7 @@ final class TrajectorySvg {
         return svg.toString();
     }
 
-    /** What the picture shows, in one sentence. */
+    /** The main result in one sentence; the picture's title. */
     private String finding() {
         int changes = result.states().size() - 1;
         int robots = result.robots().size();
@@ -134,7 +134,7 @@ final class TrajectorySvg {
         append("</g>%n");
     }
 
-    /** One line for each stretch under the same service; in a crowd only those of one age. */
+    /** Draws one polyline per stretch under the same service; of a crowd, only the stretches of one age. */
     private void path(RobotRecord robot, int age) {
         var path = robot.path();
         int from = 0;
@@ -178,7 +178,7 @@ final class TrajectorySvg {
         return pathColours.getOrDefault(sample.service(), "#888888");
     }
 
-    /** A triangle on the path, again and again. */
+    /** Draws arrow heads along the path at equal distances. */
     private void directions(RobotRecord robot) {
         double sinceLastPx = ARROW_EVERY_PX / 2;
         var path = robot.path();
@@ -198,7 +198,7 @@ final class TrajectorySvg {
         }
     }
 
-    /** Where it was after so many seconds. */
+    /** Marks the robot's position at regular times. */
     private void timeMarks(RobotRecord robot) {
         long every = timeMarkMicros();
         var path = robot.path();
@@ -219,14 +219,14 @@ final class TrajectorySvg {
         }
     }
 
-    /** 1, 2 or 5 times a power of ten seconds, so that all robots together have about a dozen marks. */
+    /** Interval of time marks: 1, 2 or 5 times a power of ten seconds, for about a dozen marks in all. */
     private long timeMarkMicros() {
         double marksOfOne =
                 Math.max(3, (double) MOST_TIME_MARKS / result.robots().size());
         return StrictMath.round(1e6 * Svg.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
     }
 
-    /** The body at the start, faint, and at the end. */
+    /** Draws the body, faint at the start and solid at the end. */
     private void robot(RobotRecord robot) {
         RobotSpec spec = world.robots().get(robot.index());
         String fill = "fill=\"" + Svg.colour(spec.colour()) + "\" stroke=\"#444444\"";
@@ -245,7 +245,10 @@ final class TrajectorySvg {
                 Integer.toString(robot.index() + 1)));
     }
 
-    /** At the robot that saw the colour: a tag of that colour with the letter s, since robots have plain numbers. */
+    /**
+     * Marks the robot that saw the colour with a tag of that colour. Its label begins with "s", since plain numbers are
+     * robots.
+     */
     private void stateChange(Ledger.StateChange change) {
         if (change.seenBy() == null) {
             return;
@@ -280,7 +283,7 @@ final class TrajectorySvg {
                         x, y + 4, "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"", words);
     }
 
-    /** The scale, lines as long as they fit side by side, then sentences. */
+    /** Draws the scale bar and the legend. Samples stand side by side as far as they fit; sentences follow. */
     private void drawLegend() {
         legend.append(Svg.scaleBar(legendX + 1, legendY - 5, scale));
         legendX += Svg.scaleBarWidth(scale, FONT_PX) + LINE_PX;

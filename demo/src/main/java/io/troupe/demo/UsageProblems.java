@@ -9,12 +9,14 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
-/** What is wrong with arguments, in one line, with the name that was probably meant. */
+/** Error messages for wrong arguments: one line, with a suggestion for misspelled names. */
 final class UsageProblems {
     private static final String ERROR = "Error: ";
     private static final String INVALID_VALUE = "Invalid value for ";
-    private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?"); // of help
-    private static final int FEWEST_LETTERS = 3; // of a beginning of a name
+    /** Message of picocli's help command. */
+    private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?");
+
+    private static final int FEWEST_LETTERS = 3; // shortest prefix of a name that gives a suggestion
 
     private UsageProblems() {}
 
@@ -50,7 +52,7 @@ final class UsageProblems {
                         + meant(first, spec.subcommands().keySet());
     }
 
-    /** A slip of the finger, or the beginning of a name. */
+    /** The known name closest to the one given, by edit distance or as a prefix. */
     private static String meant(String written, Collection<String> known) {
         return Suggestions.nearest(written, known)
                 .or(() -> known.stream()

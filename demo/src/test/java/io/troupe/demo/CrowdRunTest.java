@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Crowds in the real world, on real threads. */
+/** Runs of crowds in the real world with real threads. */
 @Timeout(300)
 class CrowdRunTest {
     private static final int COLOURS = 8;

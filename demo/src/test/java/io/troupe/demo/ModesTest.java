@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the three modes have in common and where they differ, in the paper's arena on real threads. */
+/** Common properties and differences of the three modes, in the paper's arena with real threads. */
 @Timeout(300)
 class ModesTest {
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
@@ -72,7 +72,10 @@ class ModesTest {
         assertThat(sync.messages().sent()).isZero();
     }
 
-    /** The summary counts cycles: at a switch one robot may see the reading only under its next service. */
+    /**
+     * The lines before the summary. The summary counts cycles: at a switch, a robot may process the reading only under
+     * its next service.
+     */
     private List<String> linesBeforeSummary(String name) throws IOException {
         var lines = RunLines.afterHeader(out.resolve(name));
         assertThat(lines.getLast()).contains("\"type\":\"summary\"");
@@ -147,7 +150,7 @@ class ModesTest {
         assertThat(threads.seen).hasSize(1).doesNotContain(Thread.currentThread());
     }
 
-    /** Which threads call, and what. */
+    /** Records the threads of the callbacks. */
     private static final class Callers implements ServiceObserver, Arbitrator.StateListener {
         private final Set<Thread> seen = ConcurrentHashMap.newKeySet();
         private final Set<String> called = ConcurrentHashMap.newKeySet();

@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tables and crowds made by chance: the modes agree in them as they do in the paper's arena, with several colour
- * finders in a state, holds and priorities.
+ * Random tables and crowds: the modes agree as in the paper's arena, with several colour finders per state, holds and
+ * priorities.
  */
 @Timeout(300)
 class RandomTablesTest {
@@ -52,7 +52,7 @@ class RandomTablesTest {
             for (int robot = 0; robot < robots; robot++) {
                 services.add(SERVICES.get(random.nextInt(SERVICES.size())));
             }
-            services.set(random.nextInt(robots), Service.SPACE_WANDERER); // so that somebody looks for colours
+            services.set(random.nextInt(robots), Service.SPACE_WANDERER); // at least one service that looks for colours
             table.when(colour, services);
             if (random.nextBoolean()) {
                 table.priority(colour, random.nextInt(5) - 2);

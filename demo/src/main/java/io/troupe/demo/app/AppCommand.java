@@ -19,7 +19,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe app}: components, found and started by the broker, wired by a declaration. */
+/** {@code troupe app}: runs an application of components that the broker finds and starts and a declaration wires. */
 @Command(
         name = "app",
         description = {
@@ -29,7 +29,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class AppCommand implements Callable<Integer> {
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    /** Directory of the installation. The start script sets the property; builds run in that directory. */
     private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec

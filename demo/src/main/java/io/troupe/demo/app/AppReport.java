@@ -19,14 +19,14 @@ import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
 
 /**
- * What people are told of an application, as it happens and at its end.
+ * Reports events of an application as they happen, and a summary at its end.
  *
- * <p><b>Threads.</b> Any; one lock. Most of it comes from the application's space, the world's part from the thread
- * that moves the world.
+ * <p><b>Threads.</b> Any thread; guarded by one lock. Most calls come from the application's space, those about the
+ * world from the thread that advances it.
  */
 final class AppReport implements ComponentObserver {
     private final PrintWriter terminal;
-    private final Map<String, Integer> loops = new TreeMap<>(); // by the topic that commands a robot
+    private final Map<String, Integer> loops = new TreeMap<>(); // by the topic with a robot's commands
     private LongSupplier clockMicros = () -> 0;
     private double[] distanceM = {};
     private int[] contacts = {};
@@ -36,7 +36,7 @@ final class AppReport implements ComponentObserver {
         this.terminal = terminal;
     }
 
-    /** The world's side. */
+    /** Starts the recording of the world. */
     synchronized void watch(Snapshot first, LongSupplier newClockMicros) {
         last = first;
         clockMicros = newClockMicros;
@@ -80,7 +80,7 @@ final class AppReport implements ComponentObserver {
             case BrokerEvent.UserFailed it ->
                 say("trouble", it.need().by() + ": " + it.why().getMessage());
             default -> {
-                // told by the application, or nothing that people need to know
+                // reported as an application event, or of no interest to users
             }
         }
     }
@@ -115,7 +115,7 @@ final class AppReport implements ComponentObserver {
         }
     }
 
-    // ---- from components
+    // ---- component events
 
     @Override
     public void dropped(Address component, ApplicationData<?> lost, long total) {
@@ -132,12 +132,12 @@ final class AppReport implements ComponentObserver {
         say("told", component.name() + ": " + what);
     }
 
-    /** Something that a component says to whoever listens. */
+    /** Called for each {@code ColourSeen} that a component publishes. */
     void saw(String component, ColourSeen seen) {
         say("seen", component + " sees " + Colours.name(seen.colour()));
     }
 
-    // ---- the end
+    // ---- the summary
 
     synchronized void summary(String application, String world) {
         terminal.printf(Locale.ROOT, "%n%s on %s, %.1f s simulated%n", application, world, last.timeMicros() / 1e6);

@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe crowd}: what a robot costs, by how many there are. */
+/** {@code troupe crowd}: measures the cost of a robot for crowds of several sizes. */
 @Command(
         name = "crowd",
         description =
@@ -88,7 +88,7 @@ public final class CrowdCommand implements Callable<Integer> {
 
     private void report(CrowdReport report, PrintWriter terminal) throws IOException {
         terminal.print(report.table());
-        terminal.flush(); // first: files may fail
+        terminal.flush(); // before writing files, which may fail
         OutputFiles.write(out.resolve("crowd.csv"), report.csv());
         new CrowdFigure(report.medians(), colours, services).write(out);
         terminal.println("wrote " + out.resolve("crowd.csv") + ", crowd.svg and crowd.png");
@@ -109,7 +109,8 @@ public final class CrowdCommand implements Callable<Integer> {
     }
 
     /**
-     * The sizes take turns, so that all of them see the same machine; a round before that warms up and does not count.
+     * Measures all sizes in each round, so that changes in the machine's speed affect all of them. The first round is a
+     * warm-up and is not counted.
      */
     private void measure(List<Trial> trials, Interruption interruption) throws InterruptedException {
         try (var line = TerminalLine.open()) {

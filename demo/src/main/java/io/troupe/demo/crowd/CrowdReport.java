@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
-/** Trials as a table for people and as CSV. */
+/** Formats trials as a text table and as CSV. */
 final class CrowdReport {
-    /** Medians of the rounds of one size, between what the speed lay, and the quartiles of the cost. */
+    /** Medians over the rounds of one size, with the extremes of the speed and the quartiles of the cost. */
     record Row(
             int robots,
             double timesRealTime,
@@ -63,7 +63,7 @@ final class CrowdReport {
         return quantile(sorted, 0.5);
     }
 
-    /** On the straight line between neighbours. */
+    /** Quantile with linear interpolation. */
     static double quantile(double[] sorted, double share) {
         double at = share * (sorted.length - 1);
         int below = (int) at;
@@ -91,7 +91,7 @@ final class CrowdReport {
         return text.toString();
     }
 
-    /** A line for each trial. */
+    /** One line per trial. */
     String csv() {
         var text = new StringBuilder(
                 "robots,ticks,wall_seconds,processor_seconds,times_real_time_of_one_core,times_real_time_by_the_wall,micros_per_robot_tick,world_micros,services_micros,retained_bytes,states\n");

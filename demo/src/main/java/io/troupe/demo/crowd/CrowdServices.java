@@ -9,12 +9,11 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The services of a crowd, as many as one likes: the wanderer, the wall follower, and then patrols, which avoid what is
- * in their way.
+ * Creates the services of a crowd, any number of them: the space wanderer, the wall follower, then patrols with
+ * obstacle avoidance.
  *
- * <p><b>Units and shapes.</b> A patrol goes to and fro between where its robot started and a point of its own, from 2 m
- * to 5 m away, the next one's always in another direction. Odometry begins at zero in a crowd's world, so that every
- * robot has such a way in its own hall.
+ * <p><b>Units and shapes.</b> A patrol drives between its robot's start pose and a target 2 m to 5 m away. Each patrol
+ * has a different direction. In the world of a crowd odometry starts at zero, so the route stays in the robot's hall.
  */
 final class CrowdServices {
     private static final double FIRST_M = 2;
@@ -33,7 +32,7 @@ final class CrowdServices {
         return services.subList(0, count);
     }
 
-    /** In the words of a table's file, so that it can be written into one. */
+    /** Created from the words of the table file format, so that it can be written to such a file. */
     private static Service patrol(int number) {
         double distanceM = FIRST_M + number % DISTANCES * MORE_M;
         String declaration = String.format(

@@ -7,28 +7,27 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The table of a crowd: a state for each colour, in which the services go round among the robots.
+ * Creates the table of a crowd: one state per colour; the services rotate among the robots.
  *
- * <p><b>Order.</b> In state k robot r has service (r + k) modulo the number of services, so that each state has all of
- * them if there are robots enough, and every change of state moves them on. If nobody in a state would look for
- * colours, its robot k modulo the number of robots wanders instead: else the state could never end.
+ * <p><b>Order.</b> In state k, robot r has service (r + k) modulo the number of services. With enough robots each state
+ * has all services, and every state change moves them on. If no service of a state looks for colours, robot k modulo
+ * the number of robots gets the space wanderer instead: otherwise the state would never end.
  */
 public final class CrowdTable {
     /**
-     * How long a state lasts at least, unless told otherwise. Among many robots somebody sees another colour at nearly
-     * every reading; without a hold all of them would be stopped and started ten times a second, and no service would
-     * ever get anywhere.
+     * Default minimum duration of a state. In a large crowd some robot sees another colour at almost every reading.
+     * Without a minimum the services would be stopped and restarted ten times a second and make no progress.
      */
     public static final double HOLD_SECONDS = 5;
 
     private CrowdTable() {}
 
     /**
-     * Makes one.
+     * Creates the table.
      *
-     * @param colours one for each state, the first for the one to begin with
-     * @param services how many of the {@link CrowdServices}
-     * @param corners of the wall follower
+     * @param colours one per state; the first one is the initial state
+     * @param services number of {@link CrowdServices}
+     * @param corners how the wall follower turns at corners
      */
     public static SubsumptionTable of(
             int robots, List<Integer> colours, int services, double holdSeconds, CornerStyle corners) {

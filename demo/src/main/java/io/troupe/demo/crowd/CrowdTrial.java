@@ -20,19 +20,19 @@ import org.jspecify.annotations.Nullable;
  * Runs a crowd and measures it: world, in-process Player connections, one actor space with arbitrator and services, in
  * lock step.
  *
- * <p><b>Threads.</b> The calling thread moves the world, the actor space's thread does all else, and at any moment one
- * of the two waits for the other: so their processor times split what a tick costs into the world and the services.
+ * <p><b>Threads.</b> The calling thread advances the world, the actor space's thread does everything else. At any time
+ * one of the two waits for the other, so their processor times split the cost of a tick into world and services.
  */
 final class CrowdTrial {
     /**
      * What to run.
      *
-     * @param seconds of simulated time to measure, at least
+     * @param seconds minimum simulated time to measure
      */
     record Settings(int robots, int colours, int services, double seconds, long seed) {}
 
     private static final int WARM_UP_TICKS = 20;
-    /** A few robots do ten seconds in the wink of an eye: they go on until there is something to measure. */
+    /** Minimum wall-clock time: a few robots simulate ten seconds too fast to be measured. */
     private static final long LEAST_WALL_NANOS = 500_000_000;
 
     private static final int COLLECTIONS = 4;
@@ -40,7 +40,7 @@ final class CrowdTrial {
             ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    /** Counts states and learns which thread the services live on. */
+    /** Counts states and records the thread that runs the services. */
     private static final class Watch implements Arbitrator.StateListener {
         private volatile long servicesThread;
         private volatile int states;
@@ -48,7 +48,7 @@ final class CrowdTrial {
         @Override
         public void began(State state, @Nullable Integer seenBy) {
             servicesThread = Thread.currentThread().threadId();
-            states = states + 1; // by one thread only
+            states = states + 1; // written by one thread only
         }
     }
 
@@ -65,7 +65,7 @@ final class CrowdTrial {
                 CornerStyle.FORWARD);
     }
 
-    /** @param progress is told how much has been done, from 0 to 1 */
+    /** @param progress called with the completed share, from 0 to 1 */
     Trial run(DoubleConsumer progress) throws InterruptedException {
         long before = usedHeapBytes();
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe draw}: reads a world and draws it, to see what is in it before anything moves. */
+/** {@code troupe draw}: draws a world file in its initial state. */
 @Command(
         name = "draw",
         description = "Draws a world file as SVG, with the first readings of its sonars and lasers.",

@@ -18,7 +18,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** A world seen from above at one moment, with the rays of its sonars and lasers, as SVG. */
+/** Draws a snapshot of a world from above, with the rays of its sonars and lasers, as SVG. */
 final class WorldDrawing {
     private static final double LONGEST_PX = 1000;
     private static final double MARGIN_M = 0.3;
@@ -26,7 +26,7 @@ final class WorldDrawing {
     private static final double TITLE_PX = 36;
     private static final double LEGEND_PX = 40;
     private static final double LEFT_PX = 16;
-    /** The picture of a narrower world has white beside it, so that the legend has room. */
+    /** The picture of a narrower world gets white margins, so that the legend fits. */
     private static final double LEAST_WIDTH_PX = 560;
 
     private static final String SONAR = "#d9822b";
@@ -97,7 +97,7 @@ final class WorldDrawing {
         return svg.toString();
     }
 
-    /** Filled between its lines, so that holes stay open. */
+    /** Filled with the even-odd rule, so that holes stay open. */
     private void area(String name, Shape shape, Pose pose, int colour) {
         String path = shape.outlines().stream()
                 .map(line ->
@@ -115,7 +115,7 @@ final class WorldDrawing {
                 + (obstacles == 1 ? "1 obstacle" : obstacles + " obstacles");
     }
 
-    /** Above the robot, or below it if it looks upwards. */
+    /** Draws the name above the robot, or below it if the robot faces upwards. */
     private void name(RobotSpec robot, Pose pose) {
         double y = (top - pose.y()) * pixelsPerMetre;
         double gap = (robot.lengthM() + robot.widthM()) / 2 * pixelsPerMetre;
@@ -145,7 +145,7 @@ final class WorldDrawing {
         return x + 38 + Svg.width(words, FONT_PX) + 20;
     }
 
-    /** Where a robot looks. */
+    /** Draws a line that shows the robot's heading. */
     private void nose(RobotSpec robot, Pose pose) {
         Pose ahead = pose.compose(new Pose(robot.lengthM(), 0, 0));
         append(

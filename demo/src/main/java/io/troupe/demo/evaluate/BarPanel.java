@@ -7,7 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Groups of bars over labels, each bar with its number; several panels stand side by side under one title. */
+/**
+ * A bar chart: groups of bars over labels, each bar with its value. Several panels stand side by side under one title.
+ */
 final class BarPanel {
     private static final int WIDTH_PX = 500;
     private static final int HEIGHT_PX = 400;
@@ -15,14 +17,14 @@ final class BarPanel {
     private static final int AXIS_PX = 56;
     private static final int TOP_PX = 110;
     private static final int BOTTOM_PX = 330;
-    /** Of the room of a label. */
+    /** Share of a label's width that its bars take. */
     private static final double GROUP = 0.8;
 
     private static final int INK = 0x222222;
     private static final int GREY = 0x666666;
     private static final int GRID = 0xdddddd;
 
-    /** A bar's height, and the thin line from {@code lower} to {@code upper}, which is left out if they are equal. */
+    /** A bar and its error bar from {@code lower} to {@code upper}, which is omitted if the two are equal. */
     record Bar(double value, double lower, double upper) {
         static Bar of(double value) {
             return new Bar(value, value, value);
@@ -44,7 +46,7 @@ final class BarPanel {
         this.labels = labels;
     }
 
-    /** @param bars one for each label */
+    /** @param bars one per label */
     void add(String name, int colour, List<Bar> bars) {
         series.add(new Series(name, colour, bars));
     }
@@ -116,7 +118,7 @@ final class BarPanel {
         }
     }
 
-    /** With three digits, and without zeros at the end. */
+    /** Formats with about three significant digits and without trailing zeros. */
     static String number(double value) {
         String text = String.format(Locale.ROOT, value >= 100 ? "%,.0f" : value >= 10 ? "%.1f" : "%.2f", value);
         return text.contains(".") ? text.replaceFirst("\\.?0+$", "") : text;

@@ -4,19 +4,19 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * What the paper says, and what we find.
+ * A claim of the paper, with our measured results.
  *
- * @param source section and figure
- * @param words the paper's, or in brackets what it shows without saying it
- * @param measure in which kind of time, or what else was counted
- * @param criterion when we say that it holds
+ * @param source section and figure of the paper
+ * @param words quotation of the paper; in brackets if the paper only shows it
+ * @param measure the kind of time, or what else was counted
+ * @param criterion when the claim counts as confirmed
  * @param findings one for each number of cores
  */
 record Claim(String source, String words, String measure, String criterion, List<Finding> findings) {
     /**
-     * What we find in JVMs that were told a number of cores.
+     * The result for JVMs configured with one number of cores.
      *
-     * @param ours the numbers
+     * @param ours the measured numbers, as text
      */
     record Finding(int cores, String ours, Verdict verdict) {}
 
@@ -28,7 +28,7 @@ record Claim(String source, String words, String measure, String criterion, List
         return Verdict.agreed(findings.stream().map(Finding::verdict).toList());
     }
 
-    /** The numbers, once if they are the same for all numbers of cores. */
+    /** The measured numbers; printed once if they are equal for all numbers of cores. */
     String ours() {
         if (findings.stream().map(Finding::ours).distinct().count() == 1) {
             return findings.getFirst().ours();

@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Predicate;
 
-/** Collects claims for which something was measured; the usual kinds of them have a method. */
+/** Collects the claims for which measurements exist, with methods for the frequent kinds of claim. */
 final class ClaimSheet {
-    /** What "much" is taken to mean: by half. */
+    /** Our reading of "much": at least half as much again. */
     static final double MUCH = 1.5;
 
     private static final double CYCLE_MS = 100;
@@ -28,7 +28,7 @@ final class ClaimSheet {
         return List.copyOf(claims);
     }
 
-    /** How the robots' clock is called. */
+    /** Name of the robots' clock. */
     String elapsed() {
         return realTime ? "time on the wall" : "simulated time";
     }
@@ -55,18 +55,18 @@ final class ClaimSheet {
         return each -> each.has(modes);
     }
 
-    /** Whether times are the same but for what starting in the middle of a cycle makes. */
+    /** Whether times are equal, up to the difference of starting in the middle of a cycle. */
     static Verdict same(double[] millis, double[] expectedMillis) {
         double tolerance = Math.max(0.02, CYCLE_MS / Spread.of(expectedMillis).least());
         return Verdict.within(Measurements.ratios(millis, expectedMillis), 1 - tolerance, 1 + tolerance);
     }
 
-    /** Of quotients of numbers of some kind. */
+    /** The verdict on ratios of a quantity. Only elapsed simulated time is conclusive without repetitions. */
     static Verdict certain(Verdict verdict, Quantity quantity, double[] ratios) {
         return quantity == Quantity.TIME ? verdict : verdict.ifRepeated(ratios.length);
     }
 
-    /** That one mode takes more of something than another. */
+    /** Adds the claim that one mode takes more of a quantity than another. */
     void ratio(String source, String words, String measure, Mode more, Mode less, Quantity quantity, double limit) {
         add(
                 source,
@@ -92,8 +92,8 @@ final class ClaimSheet {
     }
 
     /**
-     * Whether a difference in time is one: on the wall it is none as long as it is less than a cycle, in whose middle a
-     * run may begin.
+     * Whether a difference in time is significant. In real time it must exceed one cycle, since a run may start in the
+     * middle of a cycle.
      */
     private boolean differs(Findings in, Mode more, Mode less, Quantity quantity) {
         return !realTime
@@ -101,7 +101,7 @@ final class ClaimSheet {
                 || same(in.both(Part.LOOPS, more, quantity), in.both(Part.LOOPS, less, quantity)) != Verdict.HOLDS;
     }
 
-    /** That callback and promise are not far from each other. */
+    /** Adds the claim that callback and promise mode take about the same. */
     void close(String measure, Quantity quantity) {
         add(
                 "4, Figure 22",

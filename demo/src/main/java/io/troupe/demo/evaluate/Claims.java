@@ -9,7 +9,7 @@ import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.function.Function;
 
-/** What sections 3.4 to 4 of the paper say about time and messages, and the numbers that decide it. */
+/** The claims about time and messages in sections 3.4 to 4 of the paper, judged by measurements. */
 final class Claims {
     static final String WANDERER_TAKES_LESS =
             "Space Wanderer service takes very less time than Wall Follower in covering 1000 loops of the service.";
@@ -21,9 +21,9 @@ final class Claims {
     }
 
     /**
-     * All claims for which something was measured.
+     * All claims for which measurements exist.
      *
-     * @param modes that were measured
+     * @param modes those measured
      */
     static List<Claim> of(Measurements measurements, List<Mode> modes, List<Integer> cores, boolean realTime) {
         Mode alone = Plan.modeAlone(modes);
@@ -38,7 +38,10 @@ final class Claims {
         return claims.sheet.claims();
     }
 
-    /** Without waking up: what that costs is the operating system's affair, and many times all else. */
+    /**
+     * Claims about computing time. They exclude thread wake-up, whose cost depends on the operating system and is many
+     * times larger than the rest.
+     */
     private void computing() {
         sheet.services(WANDERER_TAKES_LESS, "computing time", PROMISE, Quantity.CYCLE);
         sheet.ratio(

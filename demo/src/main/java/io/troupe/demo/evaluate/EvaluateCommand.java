@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe evaluate}: Figures 15, 18, 21, 22 and 23 again. */
+/** {@code troupe evaluate}: measures Figures 15, 18, 21, 22 and 23 of the paper again. */
 @Command(
         name = "evaluate",
         description =
@@ -106,7 +106,7 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        System.setProperty("java.awt.headless", "true"); // pictures need no screen
+        System.setProperty("java.awt.headless", "true"); // drawing needs no display
         var settings = settings();
         FileProblems.checkInput(spec, world, "a world file");
         prepare(settings.log());
@@ -127,7 +127,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    /** What was measured; claims and figures only of repetitions in which everything was. */
+    /** Reports what was measured before the interruption. Claims and figures use complete repetitions only. */
     private int interrupted(EvaluationSettings settings, Measurements measurements, int complete) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
         if (complete > 0) {
@@ -154,7 +154,7 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     private int report(EvaluationSettings settings, Measurements measurements, double tookSeconds) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
-        terminal.print(new EvaluationReport(settings, measurements).text()); // first: files may fail
+        terminal.print(new EvaluationReport(settings, measurements).text()); // before writing files, which may fail
         terminal.flush();
         if (Files.size(settings.log()) == 0) {
             Files.delete(settings.log());
@@ -209,7 +209,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    /** Now rather than when all has been measured. */
+    /** Creates the output directory and the log before the measurement, so that errors appear early. */
     private void prepare(Path log) {
         OutputDirectory.make(spec, out);
         try {

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** All numbers as a table, one to a line. */
+/** Writes all measurements as CSV, one number per line. */
 final class EvaluationCsv {
     static final String HEADER = "part,mode,cores_told,repetition,subject,quantity,unit,value";
 

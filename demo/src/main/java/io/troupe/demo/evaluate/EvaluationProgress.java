@@ -4,7 +4,7 @@ import io.troupe.actor.time.Clock;
 import io.troupe.demo.terminal.TerminalLine;
 import java.util.Locale;
 
-/** How far an evaluation is, and how long it may still take, on the last line of a terminal. */
+/** Shows the progress of an evaluation and the estimated remaining time on the last line of a terminal. */
 final class EvaluationProgress implements AutoCloseable {
     private static final int WIDTH = 30;
 
@@ -19,14 +19,14 @@ final class EvaluationProgress implements AutoCloseable {
         this(line, Clock.system());
     }
 
-    /** @param clock by which it says how long it may still take */
+    /** @param clock for the estimate of the remaining time */
     EvaluationProgress(TerminalLine line, Clock clock) {
         this.line = line;
         this.clock = clock;
         this.beganNanos = clock.nanos();
     }
 
-    /** How much there is to do, in any unit. */
+    /** Sets the total amount of work, in any unit. */
     void expect(double amount) {
         expected = amount;
     }
@@ -39,7 +39,7 @@ final class EvaluationProgress implements AutoCloseable {
         show(job.title() + ", told " + Findings.cores(cores));
     }
 
-    /** So much of what is going on has been done; any thread may say it, one at a time. */
+    /** Reports the completed part of the current job. May be called by any thread, one at a time. */
     void within(double amount) {
         show(Math.min(1, (done + amount) / expected));
     }

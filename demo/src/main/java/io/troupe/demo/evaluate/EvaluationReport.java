@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** What came out, for the terminal. */
+/** Formats the results for the terminal. */
 final class EvaluationReport {
     private final EvaluationSettings settings;
     private final Measurements measurements;

@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 
-/** The paper's figures again: on the left time as it passes for the robots, on the right computing time. */
+/** Draws the paper's figures from our measurements: elapsed robot time on the left, computing time on the right. */
 final class Figures {
     private static final List<String> SUBJECTS = List.of(Findings.FOLLOWER, Findings.WANDERER, Measurement.BOTH);
     private static final List<String> PASSING = List.of("wall follower", "space wanderer", "both");
     private static final List<String> COMPUTING = List.of("wall follower", "space wanderer", "both, with messages");
-    /** Told apart by people who see few colours. */
+    /** Colours that colour-blind readers can distinguish. */
     private static final List<Integer> COLOURS = List.of(0x4477AA, 0xDDAA33, 0x228833, 0x66CCEE, 0xAA3377);
 
     private final EvaluationSettings settings;
@@ -26,10 +26,10 @@ final class Figures {
         this.measurements = measurements;
     }
 
-    /** Bars that stand side by side over each label. */
+    /** One series of bars. */
     private record Bars(String name, Mode mode, int cores, int colour) {}
 
-    /** Those for which everything was measured, by the name of their files. */
+    /** The figures for which all measurements exist, by file name. */
     Map<String, Chart> charts() {
         Map<String, Chart> charts = new LinkedHashMap<>();
         byCores(charts, 15, Mode.SYNC);
@@ -40,7 +40,7 @@ final class Figures {
         return charts;
     }
 
-    /** @return the files' names */
+    /** @return the file names */
     List<String> write(Path directory) throws IOException {
         Chart.checkFonts();
         var names = new ArrayList<String>();
@@ -117,7 +117,7 @@ final class Figures {
         return BarPanel.chart(title, subtitle, List.of(passing, computing));
     }
 
-    /** Else there is no spread, and a bar's error is not 0 but unknown. */
+    /** With a single repetition the spread is unknown, and no error bars are drawn. */
     private boolean repeated() {
         return settings.repetitions() > 1;
     }

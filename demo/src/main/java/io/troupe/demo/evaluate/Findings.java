@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
-/** The numbers of one number of cores, as claims need them. */
+/** The measurements for one number of cores, in the form that claims need. */
 final class Findings {
     static final String FOLLOWER = Service.WALL_FOLLOWER.name();
     static final String WANDERER = Service.SPACE_WANDERER.name();
@@ -31,7 +31,7 @@ final class Findings {
                 .allMatch(mode -> measurements.has(Part.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME));
     }
 
-    /** Of both services together, or of the run. */
+    /** The values of both services together, or of the whole run. */
     double[] both(Part part, Mode mode, Quantity quantity) {
         return measurements.values(part, mode, cores, Measurement.BOTH, quantity);
     }
@@ -40,7 +40,7 @@ final class Findings {
         return measurements.values(Part.LOOPS, mode, cores, service, quantity);
     }
 
-    /** Milliseconds of a service by itself. */
+    /** Milliseconds of a service that runs alone. */
     double[] aloneMs(String service) {
         return measurements.values(Part.ALONE, alone, cores, service, Quantity.TIME);
     }
@@ -49,7 +49,7 @@ final class Findings {
         return Measurements.ratios(both(Part.LOOPS, numerator, quantity), both(Part.LOOPS, denominator, quantity));
     }
 
-    /** As text, in seconds. */
+    /** Formats milliseconds as seconds. */
     static String seconds(double[] millis) {
         return Spread.of(Arrays.stream(millis).map(each -> each / 1000).toArray())
                         .text(1) + " s";
@@ -75,11 +75,11 @@ final class Findings {
         return longer;
     }
 
-    /** The numbers of all services that a mode's main code gets for one change of state. */
+    /** Messages of all services to the main code, per state change. */
     double[] messagesPerChange(Mode mode) {
         double[] changes = both(Part.SWITCHES, mode, Quantity.STATE_CHANGES);
         double[] sent = both(Part.SWITCHES, mode, Quantity.SENT);
-        // a run without a change says nothing of how many messages one takes
+        // runs without a state change are left out: their ratio is undefined
         var withChanges = IntStream.range(0, changes.length)
                 .filter(index -> changes[index] > 0)
                 .toArray();

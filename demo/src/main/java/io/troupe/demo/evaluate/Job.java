@@ -4,14 +4,13 @@ import io.troupe.services.subsumption.Mode;
 import java.util.Locale;
 
 /**
- * One run to measure, as a line of text for the JVM that does it.
+ * One run to measure; sent to the measuring JVM as a line of text.
  *
- * @param subject a service by its name, or both
+ * @param subject name of a service, or {@value Measurement#BOTH}
  * @param loops of each service, for {@link Part#LOOPS} and {@link Part#ALONE}
- * @param seconds on the robots' clock, for the others
+ * @param seconds in robot time, for the other parts
  * @param seed of the start poses
- * @param server the TCP port of the robots on this machine, which move in real time; 0 for a world of the job's own, in
- *     lock step
+ * @param server local TCP port of a world in real time; 0 for a separate world in lock step
  */
 record Job(Part part, Mode mode, String subject, int loops, double seconds, long seed, int server) {
     private static final int FIELDS = 7;
@@ -20,7 +19,7 @@ record Job(Part part, Mode mode, String subject, int loops, double seconds, long
         return part == Part.LOOPS || part == Part.ALONE;
     }
 
-    /** The same without what repetitions change. */
+    /** A description without the parameters that vary between repetitions. */
     String title() {
         return String.format(Locale.ROOT, "%s mode, %s%s", mode, part, part == Part.ALONE ? " (" + subject + ")" : "");
     }
@@ -30,7 +29,7 @@ record Job(Part part, Mode mode, String subject, int loops, double seconds, long
                 Locale.ROOT, "%s %s %s %d %s %d %d", part.name(), mode.name(), subject, loops, seconds, seed, server);
     }
 
-    /** @throws IllegalArgumentException if the line is none that {@link #line} writes */
+    /** @throws IllegalArgumentException if the line was not written by {@link #line} */
     static Job parse(String line) {
         String[] fields = line.split(" ", -1);
         if (fields.length != FIELDS) {

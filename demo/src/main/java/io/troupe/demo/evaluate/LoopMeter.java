@@ -11,14 +11,14 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures the first so many loops of each service, one service to a robot. Time begins when all are connected, so that
- * connecting is not counted.
+ * Measures a fixed number of loops of each service, one service per robot. Time starts when all services are connected,
+ * so that connecting is not counted.
  */
 final class LoopMeter implements Meter {
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double NANOS_PER_MICRO = 1e3;
 
-    /** A service's share of the measurement. */
+    /** Measurements of one service. */
     private static final class Track {
         private final Durations intervals = new Durations();
         private final Durations cycles = new Durations();
@@ -48,7 +48,7 @@ final class LoopMeter implements Meter {
     private long processorNanos;
 
     /**
-     * For the services of a state, robot by robot.
+     * Creates a meter for the services of a state, by robot.
      *
      * @param loops at least 2
      */
@@ -102,7 +102,8 @@ final class LoopMeter implements Meter {
         turns.goesOn(computed);
         if (track.loops < loops) {
             track.cycles.add(computed - track.beganComputing);
-            // one after the other, a service's loop begins where the other's ended; at the same time, where its own did
+            // in turn: a loop starts where the other service's loop ended; concurrently: where the service's previous
+            // one did
             track.timeNanos += end - (inTurn ? lastEndNanos : track.endedCycle);
             track.endedCycle = end;
             lastEndNanos = end;

@@ -9,19 +9,20 @@ import io.troupe.sim.scenario.Scenario;
 import java.util.List;
 
 /**
- * Does a job.
+ * Executes one job.
  *
- * <p><b>Threads.</b> The calling one moves the world, if the job has one of its own; the services have theirs.
+ * <p><b>Threads.</b> The calling thread advances the world if the job has a separate one. The services run on a
+ * separate thread.
  */
 final class MeasuredRun {
     private static final long POLL_MILLIS = 20;
-    /** Longer than any mode takes for a loop of both services; a run that needs more does not get on. */
+    /** More than any mode needs for a loop of both services; a run that exceeds it makes no progress. */
     private static final int MOST_TICKS_PER_LOOP = 4;
 
     private final Scenario scenario;
     private final int port;
 
-    /** @param port where the scenario offers its robots */
+    /** @param port that offers the robots of the scenario */
     MeasuredRun(Scenario scenario, int port) {
         this.scenario = scenario;
         this.port = port;

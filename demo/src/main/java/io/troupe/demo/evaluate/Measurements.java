@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** All numbers of an evaluation. */
+/** All measured numbers of an evaluation. */
 final class Measurements {
     private final List<Measurement> all = new ArrayList<>();
 
@@ -17,7 +17,7 @@ final class Measurements {
         return List.copyOf(all);
     }
 
-    /** Those of the first repetitions. */
+    /** The measurements of repetitions 1 to {@code first}. */
     Measurements ofRepetitions(int first) {
         var some = new Measurements();
         all.stream().filter(each -> each.repetition() <= first).forEach(some::add);
@@ -28,7 +28,7 @@ final class Measurements {
         return values(part, mode, cores, subject, quantity).length > 0;
     }
 
-    /** In the order of repetitions; none if it was not measured. */
+    /** Values by repetition; empty if not measured. */
     double[] values(Part part, Mode mode, int cores, String subject, Quantity quantity) {
         return all.stream()
                 .filter(each -> each.part() == part
@@ -41,7 +41,7 @@ final class Measurements {
                 .toArray();
     }
 
-    /** @throws IllegalArgumentException if it was not measured */
+    /** @throws IllegalArgumentException if not measured */
     Spread spread(Part part, Mode mode, int cores, String subject, Quantity quantity) {
         double[] values = values(part, mode, cores, subject, quantity);
         if (values.length == 0) {
@@ -51,7 +51,7 @@ final class Measurements {
         return Spread.of(values);
     }
 
-    /** The quotients of what was measured in the same repetition. */
+    /** Ratios of values measured in the same repetition. */
     static double[] ratios(double[] numerators, double[] denominators) {
         if (numerators.length != denominators.length) {
             throw new IllegalArgumentException(

@@ -8,9 +8,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * What the JVM does that measures: reads jobs from standard input, one to a line, and answers each with its values and
- * a line of {@value #END} and the number of processors that this JVM has, or with one line that begins with
- * {@value #ERROR}. It ends with its input.
+ * Main class of the measuring JVM. It reads jobs from standard input, one per line. It answers each job with its values
+ * and a line of {@value #END} and the number of available processors, or with one line that starts with
+ * {@value #ERROR}. It exits at the end of its input.
  */
 final class MeasuringMain {
     static final String END = "end ";
@@ -21,7 +21,7 @@ final class MeasuringMain {
     /** @param arguments the world file */
     public static void main(String[] arguments) throws IOException, InterruptedException {
         PrintStream out = System.out;
-        System.setOut(System.err); // nobody else may write between our lines
+        System.setOut(System.err); // keeps other output out of the protocol
         var world = PaperWorld.read(Path.of(arguments[0]));
         var run = new MeasuredRun(world.scenario(), world.port());
         var in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));

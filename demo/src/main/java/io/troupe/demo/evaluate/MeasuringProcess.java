@@ -7,10 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * A JVM of its own that measures, and is told how many processors it has.
+ * A child JVM that runs measurements with a configured number of processors.
  *
- * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails, ends, or has another number of processors than
- * it was told; what it logs goes to a file.
+ * <p><b>Errors.</b> {@link IOException} if the JVM cannot be started, fails, exits, or has a different number of
+ * processors. Its log output goes to a file.
  */
 final class MeasuringProcess implements AutoCloseable {
     private final int cores;
@@ -82,7 +82,7 @@ final class MeasuringProcess implements AutoCloseable {
         }
     }
 
-    /** Ends it, whatever it does; any thread may. */
+    /** Kills the process in any state. May be called by any thread. */
     void end() {
         process.destroy();
     }

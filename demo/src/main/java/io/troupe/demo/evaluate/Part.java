@@ -2,15 +2,15 @@ package io.troupe.demo.evaluate;
 
 import java.util.Locale;
 
-/** What is run for a measurement. */
+/** The part of the evaluation to which a run belongs; it decides which services run and until when. */
 enum Part {
-    /** Both services until each has done its loops, in a state that nothing ends. */
+    /** Both services, until each has done its loops, in a state that nothing ends. */
     LOOPS,
-    /** One service by itself until it has done its loops. */
+    /** One service alone, until it has done its loops. */
     ALONE,
-    /** The paper's three states for a while. */
+    /** The paper's three states, for a fixed time. */
     SWITCHES,
-    /** The same, and each service connects anew when it takes charge. */
+    /** As {@link #SWITCHES}, with a new connection whenever a service starts. */
     RECONNECTS;
 
     @Override

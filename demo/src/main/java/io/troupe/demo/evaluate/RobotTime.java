@@ -5,8 +5,8 @@ interface RobotTime {
     long nanos();
 
     /**
-     * When a cycle that has just done its computing ends: in lock step, where no time passes while services compute,
-     * with the interval at whose end its command has worked; else now.
+     * End of a cycle whose computation has just finished. In lock step no time passes while services compute, so this
+     * is the end of the interval in which the command takes effect. Otherwise it is the current time.
      */
     long endOfCycleNanos();
 }

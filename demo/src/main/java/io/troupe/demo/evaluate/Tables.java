@@ -4,13 +4,13 @@ import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 
-/** Which services run for a measurement. */
+/** The subsumption tables of measurements. */
 final class Tables {
     private Tables() {}
 
     /**
-     * Robot 1 follows walls and robot 2 wanders for ever: blue is the only colour that leads anywhere, and it leads
-     * here.
+     * One state that never ends: robot 1 follows walls, robot 2 wanders. Blue is the only colour with a state, and
+     * leads to this one.
      */
     static SubsumptionTable oneState() {
         return SubsumptionTable.forRobots(2)
@@ -18,7 +18,7 @@ final class Tables {
                 .build();
     }
 
-    /** Robot 1 alone, for ever. */
+    /** Robot 1 alone, in one state that never ends. */
     static SubsumptionTable alone(Service service) {
         return SubsumptionTable.forRobots(1)
                 .when(Colours.BLUE, service)

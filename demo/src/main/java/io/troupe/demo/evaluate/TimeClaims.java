@@ -7,7 +7,7 @@ import static io.troupe.services.subsumption.Mode.SYNC;
 import io.troupe.demo.evaluate.Claim.Finding;
 import io.troupe.services.subsumption.Mode;
 
-/** What the paper says about time as it passes for the robots. */
+/** The paper's claims about elapsed robot time. */
 final class TimeClaims {
     private final ClaimSheet sheet;
 

@@ -1,9 +1,6 @@
 package io.troupe.demo.evaluate;
 
-/**
- * How long there is something to do each time a reading comes: from its first cycle to the last of what follows from
- * it.
- */
+/** Machine time of the work at each reading: from the first cycle to the last message that results from it. */
 final class Turns {
     private final Durations durations = new Durations();
     private long readingNanos = Long.MIN_VALUE;
@@ -11,10 +8,10 @@ final class Turns {
     private long last;
 
     /**
-     * A cycle begins.
+     * Starts a cycle.
      *
-     * @param reading when its reading was taken, on the robots' clock
-     * @param now on the machine's clock
+     * @param reading robot time of its reading
+     * @param now machine time
      */
     void begin(long reading, long now) {
         if (reading != readingNanos) {
@@ -25,12 +22,12 @@ final class Turns {
         }
     }
 
-    /** Something has been done, by now on the machine's clock. */
+    /** Extends the current turn up to {@code now}, in machine time. */
     void goesOn(long now) {
         last = now;
     }
 
-    /** All of them up to now. */
+    /** The durations of all turns so far. */
     Durations durations() {
         end();
         return durations;

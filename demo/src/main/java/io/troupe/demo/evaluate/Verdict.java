@@ -2,18 +2,18 @@ package io.troupe.demo.evaluate;
 
 import java.util.List;
 
-/** Whether what the paper says is what we find. */
+/** Whether our measurements confirm a claim. */
 enum Verdict {
     HOLDS("holds"),
     DOES_NOT_HOLD("DOES NOT HOLD"),
     CANNOT_BE_TOLD("cannot be told");
 
     /**
-     * Fewer repetitions say nothing of how far they spread. Where only chance decides which of two takes more, so many
-     * say of the one that it does, for one number of cores, in 19 of 100 cases, and 15 repetitions in 2 to 6 of 100.
+     * Fewer repetitions allow no statement about their spread. With five repetitions, and for one number of cores, a
+     * difference by pure chance is reported in 19 % of cases; with 15 repetitions in 2 to 6 %.
      */
     static final int ENOUGH_REPETITIONS = 5;
-    /** With fewer repetitions a difference must be so large, relatively, to count. */
+    /** With fewer repetitions, the smallest relative difference that counts. */
     static final double PLAIN_DIFFERENCE = 0.1;
 
     private final String words;
@@ -23,9 +23,9 @@ enum Verdict {
     }
 
     /**
-     * Whether quotients are above a limit: they are if three quarters of them are, they are not if three quarters are
-     * at it or below. Of fewer than {@value #ENOUGH_REPETITIONS} all must be plainly above, or plainly below, or all
-     * exactly at the limit.
+     * Whether ratios exceed a limit: they do if their lower quartile is above it, and do not if their upper quartile is
+     * at or below it. With fewer than {@value #ENOUGH_REPETITIONS} values, the quartile must be beyond the limit by
+     * {@value #PLAIN_DIFFERENCE} times the limit, unless all values equal the limit.
      */
     static Verdict above(double[] ratios, double limit) {
         Spread spread = Spread.of(ratios);
@@ -38,8 +38,9 @@ enum Verdict {
     }
 
     /**
-     * Whether the quartiles lie between two bounds: not if the one is above or the other below. Of fewer than
-     * {@value #ENOUGH_REPETITIONS} values one must be plainly outside to say no.
+     * Whether the quartiles lie between two bounds. They do not if the lower one is above or the upper one below. With
+     * fewer than {@value #ENOUGH_REPETITIONS} values, they must be outside by {@value #PLAIN_DIFFERENCE} of the bound
+     * to reject the claim.
      */
     static Verdict within(double[] values, double from, double to) {
         Spread spread = Spread.of(values);
@@ -51,12 +52,14 @@ enum Verdict {
         return outside ? DOES_NOT_HOLD : CANNOT_BE_TOLD;
     }
 
-    /** What is found by numbers that are never twice the same: only by {@value #ENOUGH_REPETITIONS} or more. */
+    /**
+     * The verdict on values that vary from run to run: it requires at least {@value #ENOUGH_REPETITIONS} repetitions.
+     */
     Verdict ifRepeated(int repetitions) {
         return repetitions < ENOUGH_REPETITIONS ? CANNOT_BE_TOLD : this;
     }
 
-    /** Of the same claim under several conditions: what is found under all of them. */
+    /** The verdict on a claim measured under several conditions: the common one, if all agree. */
     static Verdict agreed(List<Verdict> verdicts) {
         return verdicts.stream().distinct().count() == 1 ? verdicts.getFirst() : CANNOT_BE_TOLD;
     }

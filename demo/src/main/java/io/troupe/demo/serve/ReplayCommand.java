@@ -25,7 +25,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe replay}: does once more, bit for bit, what {@code troupe serve --record} has written down. */
+/** {@code troupe replay}: repeats a run recorded by {@code troupe serve --record}, bit for bit. */
 @Command(
         name = "replay",
         description =
@@ -102,7 +102,7 @@ public final class ReplayCommand implements Callable<Integer> {
         }
     }
 
-    /** How far each robot has driven, and what it has touched. */
+    /** Distance and contacts of each robot. */
     private static final class Travelled {
         private final double[] distanceM;
         private final int[] contacts;

@@ -12,9 +12,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Which world a command works with. */
+/** Command line options for the world. */
 final class WorldOptions {
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    /** Directory of the installation. The start script sets the property; builds run in that directory. */
     private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec(Spec.Target.MIXEE)
@@ -33,7 +33,7 @@ final class WorldOptions {
     @Mixin
     private WorldReading reading;
 
-    /** Reads it. */
+    /** Reads the world. */
     Scenario scenario() {
         if (crowd == null) {
             return reading.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);

@@ -5,19 +5,22 @@ import io.troupe.demo.table.SvgText.Point;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** Draws a diagram: up to three states with all arrows between them, more with one arrow from a bar into each. */
+/**
+ * Draws a diagram as SVG: up to three states with all arrows between them, more states with one arrow each from a
+ * common bar.
+ */
 final class DiagramSvg {
     private static final double MARGIN_PX = 24;
     private static final double GAP_PX = 22;
-    /** Between bar and boxes, and between the boxes of a triangle: room for a label. */
+    /** Distance between the bar and boxes, and between the boxes of a triangle; fits a label. */
     private static final double ARROW_PX = 150;
 
     private static final double MOST_BOW_PX = 70;
-    /** Which part of an arrow is before its label. */
+    /** Position of the label along an arrow, as a share of its length. */
     private static final double LABEL_AT = 0.4;
 
     private static final double BAR_PX = 150;
-    /** From so many states on, there are some on both sides of the bar. */
+    /** From this number of states on, there are boxes on both sides of the bar. */
     private static final int TWO_SIDED = 9;
 
     private static final String BOX = "fill=\"#f6f6f6\" stroke=\"#444\" stroke-width=\"1.5\"";
@@ -77,14 +80,14 @@ final class DiagramSvg {
         }
     }
 
-    /** One box, two beside each other, or a triangle with the first state on top. */
+    /** Draws one box, two side by side, or a triangle with the first state on top. */
     private String withAllArrows() {
         int count = diagram.nodes().size();
         double across = boxWidth + ARROW_PX * (count == 2 ? 1 : 1.5);
         double down = boxHeight + ARROW_PX;
         double width = 2 * MARGIN_PX + boxWidth + (count > 1 ? across : 0);
-        double top =
-                MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0); // an arrow from above begins the first state
+        // the initial arrow enters the first state from above
+        double top = MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0);
         double left = MARGIN_PX + boxWidth / 2;
         List<Point> centres = switch (count) {
             case 1 -> List.of(new Point(left, top));
@@ -93,7 +96,7 @@ final class DiagramSvg {
                 List.of(new Point(width / 2, top), new Point(left, top + down), new Point(left + across, top + down));
         };
         double bottom = centres.getLast().y() + boxHeight / 2;
-        // arrows beside each other bow below the lowest boxes, if these are low
+        // parallel arrows curve below the lowest boxes if these are not high enough
         double bow = count == 1 ? 0 : Math.max(0, (MOST_BOW_PX + SvgText.LINE_PX) / 2 + 4 - boxHeight / 2);
         SvgText svg = begin(width, bottom + bow + MARGIN_PX);
         Point first = centres.getFirst();
@@ -112,7 +115,7 @@ final class DiagramSvg {
         return svg.end();
     }
 
-    /** An arrow that keeps to its left, so that there and back are two. */
+    /** Draws an arrow that curves to its left, so that the arrows of both directions are apart. */
     private void arc(SvgText svg, Point from, Point to, Node entered) {
         double dx = to.x() - from.x();
         double dy = to.y() - from.y();
@@ -129,13 +132,13 @@ final class DiagramSvg {
                 onCurve(start.y(), bend.y(), end.y()));
     }
 
-    /** A coordinate of the label: before the middle, so that the labels of there and back are apart. */
+    /** A coordinate of the label, before the middle of the curve, so that the labels of both directions are apart. */
     private static double onCurve(double start, double bend, double end) {
         double rest = 1 - LABEL_AT;
         return rest * rest * start + 2 * rest * LABEL_AT * bend + LABEL_AT * LABEL_AT * end;
     }
 
-    /** Where the line from a box's centre to a point outside leaves the box. */
+    /** Point where the line from a box's centre to an outside point leaves the box. */
     private Point edge(Point centre, Point outside) {
         double dx = outside.x() - centre.x();
         double dy = outside.y() - centre.y();
@@ -143,7 +146,7 @@ final class DiagramSvg {
         return new Point(centre.x() + dx * Math.min(1, share), centre.y() + dy * Math.min(1, share));
     }
 
-    /** The bar, and the states in one column to its right, or in two on both sides. */
+    /** Draws the bar, with the states in one column on its right, or in one on each side. */
     private String withBar() {
         int count = diagram.nodes().size();
         boolean twoSided = count >= TWO_SIDED;
@@ -155,7 +158,7 @@ final class DiagramSvg {
                                 .mapToDouble(node -> SvgText.width(node.enters()))
                                 .max()
                                 .orElse(0));
-        double side = arrow + boxWidth + 40; // the first state's beginning needs room
+        double side = arrow + boxWidth + 40; // room for the initial arrow of the first state
         double barX = MARGIN_PX + (twoSided ? side : 0);
         double height = rows * (boxHeight + GAP_PX) - GAP_PX;
         SvgText svg = begin(barX + BAR_PX + side + MARGIN_PX, height + 2 * MARGIN_PX);

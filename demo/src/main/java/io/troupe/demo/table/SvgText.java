@@ -3,12 +3,12 @@ package io.troupe.demo.table;
 import io.troupe.demo.svg.Svg;
 import java.util.Locale;
 
-/** Writes the few elements of SVG that diagrams are made of. */
+/** Writes the SVG elements of diagrams. */
 final class SvgText {
     static final double FONT_PX = 14;
     static final double LINE_PX = 19;
     private static final double HEAD_PX = 9;
-    /** Of a sans-serif font; generous, because fonts differ. */
+    /** Letter width of a sans-serif font. Generous, since fonts differ. */
     private static final double LETTER_PX = 8;
 
     record Point(double x, double y) {}
@@ -19,7 +19,7 @@ final class SvgText {
         text.append(Svg.begin(width, height, FONT_PX, title));
     }
 
-    /** How wide a line is. */
+    /** Upper estimate of the width of a line. */
     static double width(String line) {
         return line.length() * LETTER_PX;
     }
@@ -32,7 +32,7 @@ final class SvgText {
         add("<text x=\"%s\" y=\"%s\" " + style + ">%s</text>", x, y, words);
     }
 
-    /** A line of SVG's path data whose end comes from a point before it. */
+    /** An arrow: SVG path data, continued to {@code tip}, which is approached from {@code before}. */
     void arrow(String start, Point before, Point tip) {
         double direction = StrictMath.atan2(tip.y() - before.y(), tip.x() - before.x());
         var end = new Point(
@@ -46,7 +46,7 @@ final class SvgText {
         add("<circle cx=\"%s\" cy=\"%s\" r=\"5\" fill=\"#444\"/>", x, y);
     }
 
-    /** A sample of a colour and a word, on white, in the middle of a line. */
+    /** A coloured square and a label on white, centred on a line. */
     void label(String words, int colour, double x, double y) {
         double width = width(words) + 18;
         add(

@@ -16,7 +16,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe table}: reads a table, checks it, and shows what is in it. */
+/** {@code troupe table}: reads and checks a table, prints it, and draws its states and rules. */
 @Command(
         name = "table",
         description = "Checks a table of services, prints it, and draws its states and its switching rules.",
@@ -45,7 +45,7 @@ public final class TableCommand implements Callable<Integer> {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new TableGrid(table).text());
         terminal.println();
-        terminal.flush(); // first: files may fail
+        terminal.flush(); // before writing files, which may fail
         write("states", Diagram.ofStates(table));
         write("rules", Diagram.ofRules(table));
         terminal.println("wrote states and rules, as .dot and .svg, in " + out);

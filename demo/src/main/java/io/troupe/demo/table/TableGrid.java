@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
-/** Prints a table as a grid of words. */
+/** Formats a table as a text grid. */
 final class TableGrid {
-    /** Up to so many robots, each has a column. */
+    /** Up to this number of robots, each has a column. */
     private static final int MOST_COLUMNS = 5;
 
     private final SubsumptionTable table;

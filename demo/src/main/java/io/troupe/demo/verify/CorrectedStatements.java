@@ -8,7 +8,7 @@ import io.troupe.petri.structure.SiphonAnalysis;
 import java.util.List;
 import java.util.OptionalInt;
 
-/** What the paper says about the net whose components stop together. */
+/** The paper's statements about the corrected net, whose components stop together. */
 final class CorrectedStatements {
     private final NetStudy study;
     private final StopWays ways;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 
-/** What the transitions of the paper's nets mean. */
+/** Descriptions of the transitions of the paper's nets. */
 final class PaperWords {
     private static final Map<String, String> MEANINGS = Map.ofEntries(
             entry("Tr1", "robot starts"),
@@ -47,7 +47,7 @@ final class PaperWords {
 
     private PaperWords() {}
 
-    /** For example {@code 8. Tp4: player stops}, one line for each firing. */
+    /** A trace in words, one line per firing, for example {@code 8. Tp4: player stops}. */
     static List<String> steps(List<Transition> trace) {
         return IntStream.range(0, trace.size())
                 .mapToObj(i -> "%2d. %-7s %s"

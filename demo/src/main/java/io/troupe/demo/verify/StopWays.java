@@ -12,11 +12,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 
-/** The ways through a graph until {@code stop} fires. */
+/** Analyses the paths through a graph up to the firing of {@code stop}. */
 record StopWays(ReachabilityGraph graph, Transition stop) {
     /**
-     * The most other firings until it fires, from any marking that has {@code wanting} marked; nothing if there is no
-     * such marking, or if some way avoids it: in circles, to an end, or by another transition that takes those tokens.
+     * The largest number of other firings before {@code stop} fires, from any marking with {@code wanting} marked.
+     * Empty if there is no such marking, or if some path avoids {@code stop}: by a cycle, a dead marking, or another
+     * transition that takes the tokens.
      */
     OptionalInt longest(Marking wanting) {
         var known = new HashMap<State, OptionalInt>();
@@ -27,13 +28,13 @@ record StopWays(ReachabilityGraph graph, Transition stop) {
                 .orElse(OptionalInt.empty());
     }
 
-    /** The graph is some hundred markings large, so the recursion is not deep. */
+    /** Recursive; the graph has some hundred markings, so the recursion is not deep. */
     private OptionalInt longest(State from, Marking wanting, Map<State, OptionalInt> known) {
         var before = known.get(from);
         if (before != null) {
             return before;
         }
-        known.put(from, OptionalInt.empty()); // whoever comes here again on the way goes round in circles
+        known.put(from, OptionalInt.empty()); // marks the state as in progress: reaching it again is a cycle
         var longest = from.successors().stream()
                 .map(edge -> rest(edge, wanting, known))
                 .reduce(StopWays::longer)
@@ -59,7 +60,7 @@ record StopWays(ReachabilityGraph graph, Transition stop) {
                 : OptionalInt.of(Math.max(one.getAsInt(), other.getAsInt()));
     }
 
-    /** Whether {@code transition} can fire twice without {@code stop} between. */
+    /** Whether {@code transition} can fire twice without {@code stop} in between. */
     boolean canRepeat(Transition transition) {
         List<State> after = graph.states().stream()
                 .flatMap(state -> state.successors().stream())

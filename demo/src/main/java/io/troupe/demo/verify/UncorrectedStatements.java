@@ -17,7 +17,8 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 
 /**
- * What the paper says about the net whose components stop when they like, and about giving their stops low priority.
+ * The paper's statements about the uncorrected net, whose components stop independently, and about low priorities for
+ * their stops.
  */
 final class UncorrectedStatements {
     private static final int SIPHONS_IN_THE_PAPER = 44;
@@ -134,7 +135,7 @@ final class UncorrectedStatements {
                 details);
     }
 
-    /** Ends without a dead marking, in which something still has stopped for ever. */
+    /** Terminal components without a dead marking in which some component has stopped for ever. */
     private Stream<String> partial() {
         return study.liveness().terminalComponents().stream()
                 .filter(end -> !end.isDead() && !end.neverFired().isEmpty())

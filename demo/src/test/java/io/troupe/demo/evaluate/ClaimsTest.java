@@ -9,7 +9,7 @@ import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Verdicts come from the numbers: each is had both ways. */
+/** Each verdict is tested in both directions. */
 class ClaimsTest {
     private static Verdict verdict(MadeUp made, String words, String measure) {
         return made.claims().stream()

@@ -19,7 +19,7 @@ class EvaluationProgressTest {
     private final EvaluationProgress progress = new EvaluationProgress(
             TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
 
-    /** What has been written since it was asked for last. */
+    /** The output since the previous call. */
     private String shown() {
         String text = terminal.toString(StandardCharsets.UTF_8);
         terminal.reset();
@@ -34,7 +34,7 @@ class EvaluationProgressTest {
     void progress_isTheShareOfWhatIsExpected_andTheTimeLeftFollowsFromIt() {
         progress.expect(200);
         progress.warmsUp(2);
-        assertThat(shown()).isEqualTo(bar(0) + "   0 %  warming up, told 2 cores"); // too early to say how long
+        assertThat(shown()).isEqualTo(bar(0) + "   0 %  warming up, told 2 cores"); // too early for an estimate
         clock.advance(Duration.ofSeconds(10));
         progress.ended(50);
         progress.begins(JOB, 1);
@@ -43,8 +43,8 @@ class EvaluationProgressTest {
         clock.advance(Duration.ofSeconds(10));
         progress.within(50);
         assertThat(shown()).isEqualTo(bar(15) + "  50 %, 20 s left  " + doing);
-        progress.ended(100); // what was told meanwhile is part of it
-        clock.advance(Duration.ofSeconds(1)); // a terminal is not written to more often than a few times a second
+        progress.ended(100); // includes the progress reported during the job
+        clock.advance(Duration.ofSeconds(1)); // a terminal is updated only a few times a second
         progress.begins(JOB, 1);
         assertThat(shown()).isEqualTo(bar(22) + "  75 %, 7 s left  " + doing);
     }

@@ -70,7 +70,7 @@ class FiguresTest {
         }
         BufferedImage all = ImageIO.read(out.resolve("evaluation-23.png").toFile());
         int left = all.getWidth() / 2;
-        // the longest column of a colour on the left is the bar of both services: 8, 4.01 and 4 s
+        // the tallest column of a colour on the left is the bar of both services: 8, 4.01 and 4 s
         int sync = tallest(all, left, BLUE);
         assertThat(sync).isGreaterThan(100);
         assertThat(tallest(all, left, YELLOW) / (double) sync).isBetween(0.47, 0.53);
@@ -119,7 +119,7 @@ class FiguresTest {
         assertThat(repeated.svg()).contains(THIN_LINE);
     }
 
-    /** {@code -Dfigures=write} writes them anew. */
+    /** {@code -Dfigures=write} writes the documented figures. */
     @Test
     void picturesInTheDocumentation_areThoseOfTheTableThere() throws Exception {
         String guide = Files.readString(Path.of("..", "docs", "guide", "09-measurements.md"));
@@ -136,7 +136,7 @@ class FiguresTest {
         }
     }
 
-    /** Five repetitions that have the documented medians and quartiles. */
+    /** Five repetitions with the documented medians and quartiles. */
     private static Measurements documented(String guide) {
         var measurements = new Measurements();
         String spread = " +([\\d.]+) \\(([\\d.]+?)\\.\\.([\\d.]+)\\) +\\|";

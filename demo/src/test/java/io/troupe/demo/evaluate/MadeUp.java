@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Measurements with given numbers, for all modes and 2 and 3 cores. */
+/** Synthetic measurements for all modes and for 2 and 3 cores. */
 final class MadeUp {
     static final List<Mode> MODES = List.of(Mode.values());
     static final List<Integer> CORES = List.of(2, 3);
@@ -21,7 +21,7 @@ final class MadeUp {
                 Path.of("none.world"), 1000, CORES, MODES, REPETITIONS, 0, 300, false, false, out.resolve("log"));
     }
 
-    /** What a machine could have found that is just as the paper says. */
+    /** Measurements that confirm every claim of the paper. */
     static MadeUp asThePaperSays() {
         var made = new MadeUp();
         double[] both = {5_000, 4_010, 4_000};
@@ -50,7 +50,7 @@ final class MadeUp {
         return add(Part.LOOPS, mode, subject, quantity, value);
     }
 
-    /** Replaces what is there. */
+    /** Adds a value; replaces an existing one. */
     MadeUp add(Part part, Mode mode, String subject, Quantity quantity, double value) {
         values.put(new Key(part, mode, subject, quantity), value);
         return this;

@@ -40,13 +40,13 @@ class MeasuringProcessTest {
         }
     }
 
-    /** Two numbers, of which the machine that tests has at most one. */
+    /** Two values, of which at most one is the number of processors of this machine. */
     @ParameterizedTest
     @ValueSource(ints = {1, 5})
     void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
         try (var process = MeasuringProcess.start(cores, WORLD, directory.resolve("log"))) {
             var job = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
-            assertThat(process.measure(job).values()).isNotEmpty(); // refused if it says that it has others
+            assertThat(process.measure(job).values()).isNotEmpty(); // rejected if the JVM reports another number
         }
     }
 

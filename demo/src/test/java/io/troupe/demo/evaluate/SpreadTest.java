@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
-/** The statistics, against numbers worked out by hand. */
+/** The statistics, compared with values calculated by hand. */
 class SpreadTest {
     @Test
     void oneToFive_hasItsQuartilesAtTwoAndFour() {

@@ -8,7 +8,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What decides a claim. */
+/** The rules that decide a claim. */
 class VerdictTest {
     private static double[] numbers(double... numbers) {
         return numbers;

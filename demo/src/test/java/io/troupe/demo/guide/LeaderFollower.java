@@ -3,7 +3,7 @@ package io.troupe.demo.guide;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Velocity;
 
-/** Drives behind a robot of a colour, farther behind a faster one; has nothing to say while it does not see it. */
+/** Drives behind a robot of a colour, farther behind a faster one; gives no command while it does not see it. */
 final class LeaderFollower {
     private LeaderFollower() {}
 

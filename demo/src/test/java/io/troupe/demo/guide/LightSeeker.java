@@ -3,7 +3,7 @@ package io.troupe.demo.guide;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Velocity;
 
-/** Turns towards a colour and drives to it; has nothing to say while the camera does not see it. */
+/** Turns towards a colour and drives to it; gives no command while the camera does not see it. */
 final class LightSeeker {
     private LightSeeker() {}
 

@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The paper's main code in promise mode drives the robots, and comes to the same as our own arbitrator. */
+/** The paper's main code in promise mode drives the robots with the same result as our arbitrator. */
 @Timeout(120)
 class Figure20Test {
     @Test

@@ -56,7 +56,7 @@ class ServeCommandTest {
                 .execute(arguments);
     }
 
-    /** A client of {@code localhost} would find the world without a socket; one of {@code 127.0.0.2} must use it. */
+    /** A client on TCP: for {@code localhost} it would find the world in the same process, without a socket. */
     private static PlayerClient client(Serving serving) {
         return new PlayerClient("127.0.0.2", serving.ports().getFirst());
     }
@@ -155,7 +155,7 @@ class ServeCommandTest {
             serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden());
             driver.join();
         }
-        assertThat(seen.get()).isEqualTo(9.9); // one frame for each readAll, the first at time 0
+        assertThat(seen.get()).isEqualTo(9.9); // one frame per readAll, the first at time 0
     }
 
     @Test
@@ -207,7 +207,7 @@ class ServeCommandTest {
                     wheels.setSpeed(0.01 * (cycle % 7), 0);
                 }
             } catch (PlayerException serverHasGone) {
-                // as it must be
+                // expected
             }
         });
         try (serving) {

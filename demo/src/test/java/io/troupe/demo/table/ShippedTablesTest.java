@@ -28,14 +28,14 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The tables in {@code demo/tables} are what they say, and drive the robots of the paper's arena. */
+/** The tables in {@code demo/tables} match their description and drive the robots of the paper's arena. */
 @Timeout(300)
 class ShippedTablesTest {
     private static final Path TABLES = Path.of("tables");
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
     private static final int PORT = 6665;
 
-    /** What happened in a run; the robots' thread writes it while the world waits for them. */
+    /** Records a run. The services' thread writes it while the world waits for them. */
     private static final class Diary implements ServiceObserver, Arbitrator.StateListener {
         final Map<String, Integer> cycles = new TreeMap<>();
         final List<Integer> states = new ArrayList<>();
