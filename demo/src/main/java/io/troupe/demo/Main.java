@@ -121,24 +121,24 @@ public final class Main implements Callable<Integer> {
                 .setErr(err)
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler(
-                        (wrong, given) -> complain(wrong.getCommandLine(), UsageProblems.words(wrong)))
+                        (wrong, given) -> reportUsage(wrong.getCommandLine(), UsageProblems.message(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
                     if (thrown instanceof WorldFileException
                             || thrown instanceof PnmlException
                             || thrown instanceof SubsumptionTableException
                             || thrown instanceof ServiceJarException
                             || thrown instanceof ApplicationFileException) {
-                        return complain(commandLine, thrown.getMessage());
+                        return reportUsage(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof MissingServiceException) {
-                        return tell(err, thrown, MISSING_SERVICE);
+                        return reportFailure(err, thrown, MISSING_SERVICE);
                     }
                     if (thrown instanceof IOException
                             || thrown instanceof UncheckedIOException
                             || thrown instanceof RecordingException
                             || thrown instanceof ApplicationException
                             || thrown instanceof PlayerException) {
-                        return tell(err, thrown, FAILED);
+                        return reportFailure(err, thrown, FAILED);
                     }
                     throw thrown;
                 })
@@ -155,7 +155,7 @@ public final class Main implements Callable<Integer> {
         return statuses;
     }
 
-    private static int tell(PrintWriter err, Exception thrown, int status) {
+    private static int reportFailure(PrintWriter err, Exception thrown, int status) {
         err.println("troupe: " + failure(thrown));
         err.flush();
         return status;
@@ -171,7 +171,7 @@ public final class Main implements Callable<Integer> {
                 : arguments;
     }
 
-    private static int complain(CommandLine commandLine, String problem) {
+    private static int reportUsage(CommandLine commandLine, String problem) {
         PrintWriter err = commandLine.getErr();
         err.println(
                 "troupe: " + problem + " (see " + commandLine.getCommandSpec().qualifiedName() + " --help)");
@@ -183,10 +183,10 @@ public final class Main implements Callable<Integer> {
     private static String failure(Exception thrown) {
         if (thrown instanceof UncheckedIOException unchecked
                 && unchecked.getCause() instanceof FileSystemException cause) {
-            return FileProblems.words(cause);
+            return FileProblems.message(cause);
         }
         if (thrown instanceof IOException problem) {
-            return FileProblems.words(problem);
+            return FileProblems.message(problem);
         }
         String message = thrown.getMessage();
         return message == null ? thrown.toString() : message;

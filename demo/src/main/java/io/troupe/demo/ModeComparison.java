@@ -1,6 +1,6 @@
 package io.troupe.demo;
 
-import io.troupe.demo.Ledger.StateChange;
+import io.troupe.demo.RunRecorder.StateChange;
 import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;

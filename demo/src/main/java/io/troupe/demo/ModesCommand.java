@@ -3,7 +3,7 @@ package io.troupe.demo;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
@@ -41,7 +41,7 @@ final class ModesCommand implements Callable<Integer> {
     private Path world = Path.of(System.getProperty("troupe.home", ""), "demo", "worlds", "paper-arena.world");
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run in each mode")
     private double seconds = 300;
@@ -58,7 +58,7 @@ final class ModesCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        Scenario scenario = reading.read(world);
+        Scenario scenario = loader.read(world);
         OutputDirectory.make(spec, out);
         try (var interruption = Interruption.open()) {
             var results = new EnumMap<Mode, RunResult>(Mode.class);
@@ -100,10 +100,10 @@ final class ModesCommand implements Callable<Integer> {
 
     private RunResult run(Scenario scenario, Mode mode, Interruption interruption)
             throws IOException, InterruptedException {
-        var manner = new PaperRun.Manner(mode, false);
+        var modeSettings = new PaperRun.ModeSettings(mode, false);
         try (var progress = ProgressBar.onTerminal(mode + " mode ", seconds);
                 var log = new RunLog(out.resolve("run-" + mode + ".jsonl"))) {
-            return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, manner)
+            return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, modeSettings)
                     .run(log, change -> {}, progress, interruption::isRequested);
         }
     }

@@ -1,18 +1,18 @@
 package io.troupe.demo;
 
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import java.util.Locale;
 
 /** The progress of a run: a bar on the last line of a terminal, or an occasional line in a log file. */
 final class ProgressBar implements AutoCloseable {
     private static final int WIDTH = 30;
 
-    private final TerminalLine line;
+    private final ProgressLine line;
     private final String label;
     private final double endSeconds;
     private int shown = -1;
 
-    private ProgressBar(TerminalLine line, String label, double endSeconds) {
+    private ProgressBar(ProgressLine line, String label, double endSeconds) {
         this.line = line;
         this.label = label;
         this.endSeconds = endSeconds;
@@ -24,11 +24,11 @@ final class ProgressBar implements AutoCloseable {
 
     /** Creates a bar with a label in front of it. */
     static ProgressBar onTerminal(String label, double endSeconds) {
-        return new ProgressBar(TerminalLine.open(), label, endSeconds);
+        return new ProgressBar(ProgressLine.open(), label, endSeconds);
     }
 
     static ProgressBar hidden() {
-        return new ProgressBar(TerminalLine.hidden(), "", 1);
+        return new ProgressBar(ProgressLine.hidden(), "", 1);
     }
 
     void show(double seconds) {

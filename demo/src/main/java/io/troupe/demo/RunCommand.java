@@ -100,7 +100,7 @@ final class RunCommand implements Callable<Integer> {
     private void run(TeamOptions.Team team, Interruption interruption) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         Scenario scenario = team.scenario();
-        var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.Manner(mode, reconnect));
+        var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.ModeSettings(mode, reconnect));
         long begin = System.nanoTime();
         RunResult result;
         Path file = out.resolve("run.jsonl");
@@ -138,7 +138,7 @@ final class RunCommand implements Callable<Integer> {
 
         static Sizes of(int robots, long intervalMillis, double seconds) {
             double poses = robots * seconds * 1000 / intervalMillis;
-            double logged = robots < Ledger.MANY_ROBOTS ? poses : robots * seconds;
+            double logged = robots < RunRecorder.MANY_ROBOTS ? poses : robots * seconds;
             return new Sizes(logged * BYTES_PER_POSE, poses * BYTES_PER_POINT);
         }
 

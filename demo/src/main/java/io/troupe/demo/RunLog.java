@@ -57,7 +57,7 @@ final class RunLog implements AutoCloseable {
     }
 
     private IOException named(IOException e) {
-        return new IOException(FileProblems.words(file, e), e);
+        return new IOException(FileProblems.message(file, e), e);
     }
 
     @Override

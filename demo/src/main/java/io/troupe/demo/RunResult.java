@@ -19,9 +19,9 @@ import java.util.stream.Collectors;
 record RunResult(
         long endMicros,
         SubsumptionTable table,
-        List<Ledger.StateChange> states,
+        List<RunRecorder.StateChange> states,
         List<RobotRecord> robots,
-        Ledger.Messages messages) {
+        RunRecorder.Messages messages) {
     private static final int TITLE_WIDTH = 38;
 
     static final String SERVICES_TITLE = "readings with no or several services";
@@ -72,7 +72,7 @@ record RunResult(
                 Json.seconds(endMicros),
                 wallSeconds,
                 endMicros / 1e6 / wallSeconds);
-        text.append(robots.size() < Ledger.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
+        text.append(robots.size() < RunRecorder.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
         line(text, "(a cycle: a service takes a reading of the sensors and commands a speed)");
         text.append(stuck());
         line(text, "%s", messageSummary());
@@ -121,8 +121,8 @@ record RunResult(
                 .sorted(Comparator.comparingLong(robot -> -robot.longestStay().micros()))
                 .toList();
         var text = new StringBuilder();
-        int told = robots.size() < Ledger.MANY_ROBOTS ? stuck.size() : Math.min(1, stuck.size());
-        for (RobotRecord robot : stuck.subList(0, told)) {
+        int reported = robots.size() < RunRecorder.MANY_ROBOTS ? stuck.size() : Math.min(1, stuck.size());
+        for (RobotRecord robot : stuck.subList(0, reported)) {
             var stay = robot.longestStay();
             line(
                     text,
@@ -133,7 +133,7 @@ record RunResult(
                     seconds(stay.toMicros()),
                     stay.service());
         }
-        if (robots.size() >= Ledger.MANY_ROBOTS && stuck.size() > 1) {
+        if (robots.size() >= RunRecorder.MANY_ROBOTS && stuck.size() > 1) {
             line(text, "%d robots made no way for %s or longer", stuck.size(), seconds(RobotRecord.STUCK_MICROS));
         }
         return text.toString();

@@ -3,7 +3,7 @@ package io.troupe.demo;
 import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.demo.table.ServiceJars;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -44,7 +44,7 @@ final class TeamOptions implements AutoCloseable {
     private @Nullable Path world;
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(
             names = "--robots",
@@ -106,7 +106,7 @@ final class TeamOptions implements AutoCloseable {
         Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
         var services =
                 table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table, catalogue);
-        return new Team(reading.read(file), services);
+        return new Team(loader.read(file), services);
     }
 
     private void refuseWithoutCrowd(String option, @Nullable Number value) {

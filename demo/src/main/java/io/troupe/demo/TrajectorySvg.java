@@ -1,6 +1,6 @@
 package io.troupe.demo;
 
-import io.troupe.demo.svg.Svg;
+import io.troupe.demo.svg.SvgElements;
 import io.troupe.services.subsumption.Service;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
@@ -77,9 +77,9 @@ final class TrajectorySvg {
         width = -edge(corners, point -> -point.x(), -1) - left;
         height = top - edge(corners, Point::y, -1);
         scale = Math.min(SCALE, MOST_PX / Math.max(width, height));
-        crowd = result.robots().size() >= Ledger.MANY_ROBOTS;
+        crowd = result.robots().size() >= RunRecorder.MANY_ROBOTS;
         pageWidth = Math.max(width * scale, LEAST_WIDTH_PX);
-        title = Svg.wrap(finding(), pageWidth - 2 * LEFT_PX, TITLE_PX);
+        title = SvgElements.wrap(finding(), pageWidth - 2 * LEFT_PX, TITLE_PX);
         shiftX = (pageWidth - width * scale) / 2;
         shiftY = title.size() * LINE_PX + 6;
         legendY = shiftY + height * scale + LINE_PX;
@@ -91,9 +91,10 @@ final class TrajectorySvg {
 
     String draw() {
         drawLegend();
-        svg.append(Svg.begin(pageWidth, legendY + LEFT_PX, FONT_PX, finding()));
+        svg.append(SvgElements.begin(pageWidth, legendY + LEFT_PX, FONT_PX, finding()));
         for (int line = 0; line < title.size(); line++) {
-            svg.append(Svg.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
+            svg.append(
+                    SvgElements.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
         }
         world.obstacles().forEach(this::obstacle);
         for (int age = 0; age < (crowd ? AGES : 1); age++) {
@@ -125,12 +126,12 @@ final class TrajectorySvg {
                 robots == 1 ? "1 robot" : robots + " robots",
                 robots == 1 ? "changes" : "change",
                 changes == 1 ? "once" : changes + " times",
-                Svg.number(result.endMicros() / 1e6));
+                SvgElements.number(result.endMicros() / 1e6));
     }
 
     private void obstacle(ObstacleSpec obstacle) {
-        append("<g><title>%s</title>", Svg.escape(obstacle.name()));
-        polygons(obstacle.shape(), obstacle.pose(), "fill=\"" + Svg.colour(obstacle.colour()) + "\"");
+        append("<g><title>%s</title>", SvgElements.escape(obstacle.name()));
+        polygons(obstacle.shape(), obstacle.pose(), "fill=\"" + SvgElements.colour(obstacle.colour()) + "\"");
         append("</g>%n");
     }
 
@@ -165,7 +166,7 @@ final class TrajectorySvg {
                 "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\"%s/>%n",
                 points,
                 colourOf(first),
-                crowd ? Svg.number(0.6 + 1.4 * newness) : "2",
+                crowd ? SvgElements.number(0.6 + 1.4 * newness) : "2",
                 crowd ? String.format(Locale.ROOT, "%.2f", 0.08 + 0.77 * newness * newness) : "0.8",
                 dash(robot));
     }
@@ -188,7 +189,7 @@ final class TrajectorySvg {
             sinceLastPx += Math.hypot(dx, dy);
             if (sinceLastPx >= ARROW_EVERY_PX && Math.hypot(dx, dy) > 0) {
                 sinceLastPx = 0;
-                svg.append(Svg.head(
+                svg.append(SvgElements.head(
                         x(path.get(i).pose().x()),
                         y(path.get(i).pose().y()),
                         StrictMath.atan2(dy, dx),
@@ -208,8 +209,8 @@ final class TrajectorySvg {
                 append(
                         "<circle class=\"time\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>%n",
                         x(sample.pose().x()), y(sample.pose().y()), colourOf(sample));
-                String label = Svg.number(next / 1e6) + " s";
-                svg.append(Svg.textOnLines(
+                String label = SvgElements.number(next / 1e6) + " s";
+                svg.append(SvgElements.textOnLines(
                         x(sample.pose().x()) + 6,
                         y(sample.pose().y()) - 5,
                         "font-size=\"11\" fill=\"#333333\"",
@@ -223,13 +224,13 @@ final class TrajectorySvg {
     private long timeMarkMicros() {
         double marksOfOne =
                 Math.max(3, (double) MOST_TIME_MARKS / result.robots().size());
-        return StrictMath.round(1e6 * Svg.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
+        return StrictMath.round(1e6 * SvgElements.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
     }
 
     /** Draws the body, faint at the start and solid at the end. */
     private void robot(RobotRecord robot) {
         RobotSpec spec = world.robots().get(robot.index());
-        String fill = "fill=\"" + Svg.colour(spec.colour()) + "\" stroke=\"#444444\"";
+        String fill = "fill=\"" + SvgElements.colour(spec.colour()) + "\" stroke=\"#444444\"";
         if (!crowd) {
             polygons(spec.shape(), robot.path().getFirst().pose(), fill + " opacity=\"0.35\"");
         }
@@ -238,10 +239,10 @@ final class TrajectorySvg {
             return;
         }
         Pose end = robot.path().getLast().pose();
-        svg.append(Svg.text(
+        svg.append(SvgElements.text(
                 x(end.x()),
                 y(end.y()) + 5,
-                "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + Svg.inkOn(spec.colour()) + "\"",
+                "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + SvgElements.inkOn(spec.colour()) + "\"",
                 Integer.toString(robot.index() + 1)));
     }
 
@@ -249,7 +250,7 @@ final class TrajectorySvg {
      * Marks the robot that saw the colour with a tag of that colour. Its label begins with "s", since plain numbers are
      * robots.
      */
-    private void stateChange(Ledger.StateChange change) {
+    private void stateChange(RunRecorder.StateChange change) {
         if (change.seenBy() == null) {
             return;
         }
@@ -261,7 +262,7 @@ final class TrajectorySvg {
                 .pose();
         append(
                 "<g class=\"state\"><title>%s</title>",
-                Svg.escape(change.describe(result.table()).strip()));
+                SvgElements.escape(change.describe(result.table()).strip()));
         svg.append(tag(
                 x(pose.x()),
                 y(pose.y()),
@@ -271,22 +272,25 @@ final class TrajectorySvg {
     }
 
     private static String tag(double x, double y, int colour, String words) {
-        double wide = Svg.width(words, 11) + 8;
+        double wide = SvgElements.width(words, 11) + 8;
         return String.format(
                         Locale.ROOT,
                         "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"15\" rx=\"3\" fill=\"%s\" stroke=\"white\" stroke-width=\"1.5\"/>",
                         x - wide / 2,
                         y - 7.5,
                         wide,
-                        Svg.colour(colour))
-                + Svg.text(
-                        x, y + 4, "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"", words);
+                        SvgElements.colour(colour))
+                + SvgElements.text(
+                        x,
+                        y + 4,
+                        "text-anchor=\"middle\" font-size=\"11\" fill=\"" + SvgElements.inkOn(colour) + "\"",
+                        words);
     }
 
     /** Draws the scale bar and the legend. Samples stand side by side as far as they fit; sentences follow. */
     private void drawLegend() {
-        legend.append(Svg.scaleBar(legendX + 1, legendY - 5, scale));
-        legendX += Svg.scaleBarWidth(scale, FONT_PX) + LINE_PX;
+        legend.append(SvgElements.scaleBar(legendX + 1, legendY - 5, scale));
+        legendX += SvgElements.scaleBarWidth(scale, FONT_PX) + LINE_PX;
         for (Service service : result.table().services()) {
             entry(service.name(), "stroke=\"" + pathColours.get(service.name()) + "\" stroke-width=\"3\"");
         }
@@ -295,9 +299,9 @@ final class TrajectorySvg {
                 entry("robot " + (robot + 1), "stroke=\"#444444\" stroke-width=\"2\"" + dash(robot));
             }
         }
-        for (String line : Svg.wrap(caption(), pageWidth - 2 * LEFT_PX, FONT_PX)) {
+        for (String line : SvgElements.wrap(caption(), pageWidth - 2 * LEFT_PX, FONT_PX)) {
             legendY += LINE_PX;
-            legend.append(Svg.text(LEFT_PX, legendY, "class=\"caption\"", line));
+            legend.append(SvgElements.text(LEFT_PX, legendY, "class=\"caption\"", line));
         }
     }
 
@@ -312,7 +316,7 @@ final class TrajectorySvg {
     }
 
     private void entry(String words, String style) {
-        double wide = LEGEND_LINE_PX + Svg.width(words, FONT_PX) + LINE_PX;
+        double wide = LEGEND_LINE_PX + SvgElements.width(words, FONT_PX) + LINE_PX;
         if (legendX > LEFT_PX && legendX + wide - LINE_PX > pageWidth - LEFT_PX) {
             legendX = LEFT_PX;
             legendY += LINE_PX;
@@ -325,7 +329,7 @@ final class TrajectorySvg {
                 legendX + LEGEND_LINE_PX - 6,
                 legendY - 5,
                 style));
-        legend.append(Svg.text(legendX + LEGEND_LINE_PX, legendY, "", words));
+        legend.append(SvgElements.text(legendX + LEGEND_LINE_PX, legendY, "", words));
         legendX += wide;
     }
 

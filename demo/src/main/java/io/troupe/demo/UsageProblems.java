@@ -20,7 +20,7 @@ final class UsageProblems {
 
     private UsageProblems() {}
 
-    static String words(ParameterException wrong) {
+    static String message(ParameterException wrong) {
         String line = wrong.getMessage().lines().findFirst().orElse("wrong arguments");
         if (wrong instanceof UnmatchedArgumentException unmatched) {
             return unmatched(unmatched.getUnmatched(), wrong.getCommandLine());

@@ -2,7 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.demo.PaperRun.Manner;
+import io.troupe.demo.PaperRun.ModeSettings;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
@@ -61,9 +61,9 @@ class RandomTablesTest {
         return new TeamOptions.Team(CrowdWorld.scenario(robots, colours), table.build());
     }
 
-    private RunResult run(TeamOptions.Team team, long seed, Manner manner, String name) throws Exception {
+    private RunResult run(TeamOptions.Team team, long seed, ModeSettings modeSettings, String name) throws Exception {
         try (var log = new RunLog(out.resolve(name))) {
-            return new PaperRun(team, seed, SECONDS, false, manner)
+            return new PaperRun(team, seed, SECONDS, false, modeSettings)
                     .run(log, change -> {}, ProgressBar.hidden(), () -> false);
         }
     }
@@ -73,9 +73,9 @@ class RandomTablesTest {
         int switches = 0;
         for (long seed = 1; seed <= SEEDS; seed++) {
             var team = team(new Random(seed));
-            var promise = run(team, seed, new Manner(Mode.PROMISE, false), "promise");
-            var callback = run(team, seed, new Manner(Mode.CALLBACK, false), "callback");
-            run(team, seed, new Manner(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), "sync");
+            var promise = run(team, seed, new ModeSettings(Mode.PROMISE, false), "promise");
+            var callback = run(team, seed, new ModeSettings(Mode.CALLBACK, false), "callback");
+            run(team, seed, new ModeSettings(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), "sync");
 
             requireSameFiles(seed);
             assertThat(linesBeforeSummary("sync"))
@@ -94,8 +94,8 @@ class RandomTablesTest {
         int switches = 0;
         for (long seed = 1; seed <= SEEDS; seed++) {
             var team = team(new Random(seed));
-            var promise = run(team, seed, new Manner(Mode.PROMISE, true), "promise");
-            run(team, seed, new Manner(Mode.CALLBACK, true), "callback");
+            var promise = run(team, seed, new ModeSettings(Mode.PROMISE, true), "promise");
+            run(team, seed, new ModeSettings(Mode.CALLBACK, true), "callback");
 
             requireSameFiles(seed);
             switches += promise.states().size() - 1;

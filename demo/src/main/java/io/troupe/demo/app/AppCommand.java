@@ -2,7 +2,7 @@ package io.troupe.demo.app;
 
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.scenario.Scenario;
 import java.io.IOException;
@@ -52,7 +52,7 @@ public final class AppCommand implements Callable<Integer> {
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
@@ -73,7 +73,7 @@ public final class AppCommand implements Callable<Integer> {
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
         FileProblems.checkInput(spec, file, "the file of a declaration");
-        Scenario scenario = reading.read(world);
+        Scenario scenario = loader.read(world);
         try (var interruption = Interruption.open()) {
             new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interruption::isRequested);
             return interruption.isRequested() ? Interruption.STATUS : 0;

@@ -22,7 +22,7 @@ import java.util.stream.Collectors;
  * Reports events of an application as they happen, and a summary at its end.
  *
  * <p><b>Threads.</b> Any thread; guarded by one lock. Most calls come from the application's space, those about the
- * world from the thread that advances it.
+ * world from the thread that advances e.
  */
 final class AppReport implements ComponentObserver {
     private final PrintWriter terminal;
@@ -59,26 +59,26 @@ final class AppReport implements ComponentObserver {
         last = snapshot;
     }
 
-    private synchronized void say(String what, String of) {
+    private synchronized void print(String what, String of) {
         terminal.printf(Locale.ROOT, "%7.1f s  %-10s %s%n", clockMicros.getAsLong() / 1e6, what, of);
         terminal.flush();
     }
 
     void onBroker(BrokerEvent event) {
         switch (event) {
-            case BrokerEvent.Registered it -> say("offered", words(it.provider()));
-            case BrokerEvent.Started it -> say("started", words(it.provider()));
-            case BrokerEvent.Stopped it -> say("stopped", words(it.provider()));
-            case BrokerEvent.StartFailed it ->
-                say("not started", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.Failed it ->
-                say("failed", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.Suspect it ->
-                say("suspect", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.StopFailed it ->
-                say("not stopped", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.UserFailed it ->
-                say("trouble", it.need().by() + ": " + it.why().getMessage());
+            case BrokerEvent.Registered e -> print("offered", words(e.provider()));
+            case BrokerEvent.Started e -> print("started", words(e.provider()));
+            case BrokerEvent.Stopped e -> print("stopped", words(e.provider()));
+            case BrokerEvent.StartFailed e ->
+                print("not started", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.Failed e ->
+                print("failed", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.Suspect e ->
+                print("suspect", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.StopFailed e ->
+                print("not stopped", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.UserFailed e ->
+                print("trouble", e.need().by() + ": " + e.why().getMessage());
             default -> {
                 // reported as an application event, or of no interest to users
             }
@@ -93,15 +93,15 @@ final class AppReport implements ComponentObserver {
 
     void onApplication(ApplicationEvent event) {
         switch (event) {
-            case ApplicationEvent.Connected it ->
-                say(
+            case ApplicationEvent.Connected e ->
+                print(
                         "connected",
-                        it.need().by() + " with " + it.provider().provider().name() + words(it.wires()));
-            case ApplicationEvent.Lost it -> say("lost", it.why().getMessage());
-            case ApplicationEvent.Carried it -> carried(it);
-            case ApplicationEvent.Replaced it ->
-                say("replaced", it.what().old() + " by " + it.what().by());
-            case ApplicationEvent.NotReplaced it -> say("not replaced", it.why().getMessage());
+                        e.need().by() + " with " + e.provider().provider().name() + words(e.wires()));
+            case ApplicationEvent.Lost e -> print("lost", e.why().getMessage());
+            case ApplicationEvent.Carried e -> carried(e);
+            case ApplicationEvent.Replaced e ->
+                print("replaced", e.what().old() + " by " + e.what().by());
+            case ApplicationEvent.NotReplaced e -> print("not replaced", e.why().getMessage());
         }
     }
 
@@ -109,9 +109,9 @@ final class AppReport implements ComponentObserver {
         return wires.isEmpty() ? "" : wires.stream().map(Wire::toString).collect(Collectors.joining(", ", ": ", ""));
     }
 
-    private synchronized void carried(ApplicationEvent.Carried it) {
-        if (it.wire().to().name().endsWith("/velocity")) {
-            loops.merge(it.wire().to().name(), 1, Integer::sum);
+    private synchronized void carried(ApplicationEvent.Carried e) {
+        if (e.wire().to().name().endsWith("/velocity")) {
+            loops.merge(e.wire().to().name(), 1, Integer::sum);
         }
     }
 
@@ -119,22 +119,22 @@ final class AppReport implements ComponentObserver {
 
     @Override
     public void dropped(Address component, ApplicationData<?> lost, long total) {
-        say("lost", component.name() + ": " + lost + " (" + total + " so far)");
+        print("lost", component.name() + ": " + lost + " (" + total + " so far)");
     }
 
     @Override
     public void problem(Address component, String what, Throwable why) {
-        say("problem", component.name() + " " + what + ": " + why.getMessage());
+        print("problem", component.name() + " " + what + ": " + why.getMessage());
     }
 
     @Override
     public void told(Address component, String what) {
-        say("told", component.name() + ": " + what);
+        print("told", component.name() + ": " + what);
     }
 
     /** Called for each {@code ColourSeen} that a component publishes. */
     void saw(String component, ColourSeen seen) {
-        say("seen", component + " sees " + Colours.name(seen.colour()));
+        print("seen", component + " sees " + Colours.name(seen.colour()));
     }
 
     // ---- the summary

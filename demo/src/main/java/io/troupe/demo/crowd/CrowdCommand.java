@@ -5,7 +5,7 @@ import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.scenario.CrowdWorld;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -70,7 +70,7 @@ public final class CrowdCommand implements Callable<Integer> {
         terminal.println("crowds of " + Plural.of(colours, "colour") + " and " + Plural.of(services, "service") + " on "
                 + Plural.of(cores, "core") + (cores == 1 ? "" : ", of which two take turns"));
         terminal.flush();
-        List<Trial> trials = new ArrayList<>();
+        List<TrialResult> trials = new ArrayList<>();
         try (var interruption = Interruption.open()) {
             try {
                 measure(trials, interruption);
@@ -112,8 +112,8 @@ public final class CrowdCommand implements Callable<Integer> {
      * Measures all sizes in each round, so that changes in the machine's speed affect all of them. The first round is a
      * warm-up and is not counted.
      */
-    private void measure(List<Trial> trials, Interruption interruption) throws InterruptedException {
-        try (var line = TerminalLine.open()) {
+    private void measure(List<TrialResult> trials, Interruption interruption) throws InterruptedException {
+        try (var line = ProgressLine.open()) {
             for (int round = 0; round <= repeat; round++) {
                 for (int robots : sizes) {
                     String what = Plural.of(robots, "robot") + ", "
@@ -132,7 +132,7 @@ public final class CrowdCommand implements Callable<Integer> {
         }
     }
 
-    private static void show(TerminalLine line, String what, double done) {
+    private static void show(ProgressLine line, String what, double done) {
         int full = (int) (Math.min(1, done) * BAR);
         line.show(what, String.format(Locale.ROOT, "[%s%s] %s", "#".repeat(full), ".".repeat(BAR - full), what));
     }

@@ -66,7 +66,7 @@ final class CrowdTrial {
     }
 
     /** @param progress called with the completed share, from 0 to 1 */
-    Trial run(DoubleConsumer progress) throws InterruptedException {
+    TrialResult run(DoubleConsumer progress) throws InterruptedException {
         long before = usedHeapBytes();
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
@@ -78,13 +78,13 @@ final class CrowdTrial {
                 for (int tick = 0; tick < WARM_UP_TICKS; tick++) {
                     simulation.tick();
                 }
-                Trial timed = measure(simulation, running, watch, progress);
+                TrialResult timed = measure(simulation, running, watch, progress);
                 return withRetained(timed, usedHeapBytes() - before);
             }
         }
     }
 
-    private Trial measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
+    private TrialResult measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
         long intervalMicros = simulation.world().spec().intervalMillis() * 1000L;
         long leastTicks = StrictMath.max(1, StrictMath.round(settings.seconds() * 1e6 / intervalMicros));
         long services = THREADS.getThreadCpuTime(watch.servicesThread);
@@ -101,7 +101,7 @@ final class CrowdTrial {
             wallNanos = System.nanoTime() - begin;
             progress.accept(Math.min((double) ticks / leastTicks, (double) wallNanos / LEAST_WALL_NANOS));
         }
-        return new Trial(
+        return new TrialResult(
                 settings.robots(),
                 ticks,
                 intervalMicros,
@@ -113,8 +113,8 @@ final class CrowdTrial {
                 watch.states - states);
     }
 
-    private static Trial withRetained(Trial trial, long bytes) {
-        return new Trial(
+    private static TrialResult withRetained(TrialResult trial, long bytes) {
+        return new TrialResult(
                 trial.robots(),
                 trial.ticks(),
                 trial.intervalMicros(),

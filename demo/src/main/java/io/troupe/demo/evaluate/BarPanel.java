@@ -2,7 +2,7 @@ package io.troupe.demo.evaluate;
 
 import io.troupe.demo.svg.Chart;
 import io.troupe.demo.svg.Chart.Anchor;
-import io.troupe.demo.svg.Svg;
+import io.troupe.demo.svg.SvgElements;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -30,8 +30,8 @@ final class BarPanel {
             return new Bar(value, value, value);
         }
 
-        static Bar of(Spread spread) {
-            return new Bar(spread.median(), spread.lowerQuartile(), spread.upperQuartile());
+        static Bar of(SampleStatistics statistics) {
+            return new Bar(statistics.median(), statistics.lowerQuartile(), statistics.upperQuartile());
         }
     }
 
@@ -68,7 +68,7 @@ final class BarPanel {
                 .mapToDouble(bar -> Math.max(bar.value, bar.upper))
                 .max()
                 .orElse(1);
-        double step = Svg.roundStep(Math.max(most, 1e-9) / 5);
+        double step = SvgElements.roundStep(Math.max(most, 1e-9) / 5);
         double top = step * Math.ceil(most / step - 1e-9);
         double pixels = (BOTTOM_PX - TOP_PX) / top;
         for (int i = 0; i * step <= top * (1 + 1e-9); i++) {
@@ -114,7 +114,7 @@ final class BarPanel {
         for (Series each : series) {
             chart.bar(x, BOTTOM_PX + 36, 14, 14, each.colour);
             chart.text(x + 20, BOTTOM_PX + 48, 12, Anchor.START, INK, each.name);
-            x += 20 + Svg.width(each.name, 12) + 22;
+            x += 20 + SvgElements.width(each.name, 12) + 22;
         }
     }
 

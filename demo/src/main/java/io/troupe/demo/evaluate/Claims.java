@@ -4,7 +4,7 @@ import static io.troupe.services.subsumption.Mode.CALLBACK;
 import static io.troupe.services.subsumption.Mode.PROMISE;
 import static io.troupe.services.subsumption.Mode.SYNC;
 
-import io.troupe.demo.evaluate.Claim.Finding;
+import io.troupe.demo.evaluate.PaperClaim.Finding;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.function.Function;
@@ -14,9 +14,9 @@ final class Claims {
     static final String WANDERER_TAKES_LESS =
             "Space Wanderer service takes very less time than Wall Follower in covering 1000 loops of the service.";
 
-    private final ClaimSheet sheet;
+    private final ClaimsBuilder sheet;
 
-    private Claims(ClaimSheet sheet) {
+    private Claims(ClaimsBuilder sheet) {
         this.sheet = sheet;
     }
 
@@ -25,11 +25,11 @@ final class Claims {
      *
      * @param modes those measured
      */
-    static List<Claim> of(Measurements measurements, List<Mode> modes, List<Integer> cores, boolean realTime) {
+    static List<PaperClaim> of(Measurements measurements, List<Mode> modes, List<Integer> cores, boolean realTime) {
         Mode alone = Plan.modeAlone(modes);
-        var claims = new Claims(new ClaimSheet(
+        var claims = new Claims(new ClaimsBuilder(
                 cores.stream()
-                        .map(count -> new Findings(measurements, alone, count))
+                        .map(count -> new CoreMeasurements(measurements, alone, count))
                         .toList(),
                 realTime));
         new TimeClaims(claims.sheet).add();
@@ -51,7 +51,7 @@ final class Claims {
                 SYNC,
                 PROMISE,
                 Quantity.TURN,
-                ClaimSheet.MUCH);
+                ClaimsBuilder.MUCH);
         sheet.ratio(
                 "3.6, Figure 21",
                 "services running on promise takes less time than callback.",
@@ -69,35 +69,36 @@ final class Claims {
                 "The time taken by the callback function to send messages to the main function is almost equal to 1-2 milliseconds.",
                 "delay of a message",
                 "the middle of a run's messages, with changes of state: 1000 to 2000 us",
-                ClaimSheet.has(CALLBACK),
+                ClaimsBuilder.has(CALLBACK),
                 in -> {
-                    double[] delays = in.both(Part.SWITCHES, CALLBACK, Quantity.DELAY);
+                    double[] delays = in.both(MeasurementKind.SWITCHES, CALLBACK, Quantity.DELAY);
                     return delays.length == 0
-                            ? new Finding(in.cores(), "no message was sent", Verdict.CANNOT_BE_TOLD)
+                            ? new Finding(in.cores(), "no message was sent", ClaimVerdict.CANNOT_BE_TOLD)
                             : new Finding(
                                     in.cores(),
-                                    Findings.micros(delays) + ", 99 of 100 within "
-                                            + Findings.micros(in.both(Part.SWITCHES, CALLBACK, Quantity.DELAY_P99)),
-                                    Verdict.within(delays, 1000, 2000));
+                                    CoreMeasurements.micros(delays) + ", 99 of 100 within "
+                                            + CoreMeasurements.micros(
+                                                    in.both(MeasurementKind.SWITCHES, CALLBACK, Quantity.DELAY_P99)),
+                                    ClaimVerdict.within(delays, 1000, 2000));
                 });
         perChange(
                 PROMISE,
                 "It sends a color only single time",
                 "messages for a change of state: 1, or 2 where both robots wander and see something",
-                each -> Verdict.within(each, 1, 2));
+                each -> ClaimVerdict.within(each, 1, 2));
         perChange(
                 CALLBACK,
                 "a callback sends the color repeatedly till the service is switched off.",
                 "messages for a change of state: more than 2",
-                each -> Verdict.above(each, 2));
+                each -> ClaimVerdict.above(each, 2));
     }
 
-    private void perChange(Mode mode, String words, String criterion, Function<double[], Verdict> verdict) {
-        sheet.add("3.6", words, "messages", criterion, ClaimSheet.has(mode), in -> {
+    private void perChange(Mode mode, String words, String criterion, Function<double[], ClaimVerdict> verdict) {
+        sheet.add("3.6", words, "messages", criterion, ClaimsBuilder.has(mode), in -> {
             double[] messages = in.messagesPerChange(mode);
             return messages.length == 0
-                    ? new Finding(in.cores(), "no state has changed", Verdict.CANNOT_BE_TOLD)
-                    : new Finding(in.cores(), Spread.of(messages).text(1), verdict.apply(messages));
+                    ? new Finding(in.cores(), "no state has changed", ClaimVerdict.CANNOT_BE_TOLD)
+                    : new Finding(in.cores(), SampleStatistics.of(messages).text(1), verdict.apply(messages));
         });
     }
 }

@@ -22,7 +22,7 @@ final class Durations {
     double quantile(double share, double unitNanos) {
         double[] sorted =
                 Arrays.stream(nanos, 0, count).sorted().asDoubleStream().toArray();
-        return Spread.quantile(sorted, share) / unitNanos;
+        return SampleStatistics.quantile(sorted, share) / unitNanos;
     }
 
     /**

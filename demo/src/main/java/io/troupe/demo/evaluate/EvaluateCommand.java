@@ -4,8 +4,8 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.TerminalLine;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -99,7 +99,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(names = "--out", paramLabel = "DIR", description = "where evaluation.csv and the pictures go")
     private Path out = Path.of("out");
@@ -110,12 +110,12 @@ public final class EvaluateCommand implements Callable<Integer> {
         var settings = settings();
         FileProblems.checkInput(spec, world, "a world file");
         prepare(settings.log());
-        var paperWorld = PaperWorld.of(reading.read(world), world);
+        var paperWorld = PaperWorld.of(loader.read(world), world);
         long begin = System.nanoTime();
         try (var interruption = Interruption.open()) {
             Measurements measurements;
             Evaluation evaluation;
-            try (var progress = new EvaluationProgress(TerminalLine.open())) {
+            try (var progress = new EvaluationProgress(ProgressLine.open())) {
                 evaluation = new Evaluation(settings, paperWorld, progress, interruption);
                 measurements = evaluation.measure();
             }
@@ -165,7 +165,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         EvaluationCsv.write(measurements, csv);
         terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
         terminal.flush();
-        var names = new Figures(settings, measurements).write(out);
+        var names = new EvaluationFigures(settings, measurements).write(out);
         terminal.println("and, as .svg and .png: "
                 + names.stream().map(name -> out.resolve(name).toString()).collect(Collectors.joining(", ")));
         terminal.flush();
@@ -217,7 +217,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "--out " + out + " is no directory that can be written to: " + FileProblems.words(log, e));
+                    "--out " + out + " is no directory that can be written to: " + FileProblems.message(log, e));
         }
     }
 }

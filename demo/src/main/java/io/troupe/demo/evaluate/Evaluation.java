@@ -96,14 +96,14 @@ final class Evaluation {
     private Result inRealTime(Job job, MeasuringProcess process) throws IOException {
         try (var server = RealTimeServer.open(world, job.seed(), progress::within)) {
             return process.measure(new Job(
-                    job.part(), job.mode(), job.subject(), job.loops(), job.seconds(), job.seed(), server.port()));
+                    job.kind(), job.mode(), job.subject(), job.loops(), job.seconds(), job.seed(), server.port()));
         }
     }
 
     private void keep(Result result, Job job, int cores) {
         for (var value : result.values()) {
             measurements.add(new Measurement(
-                    job.part(),
+                    job.kind(),
                     job.mode(),
                     cores,
                     Math.toIntExact(job.seed()),

@@ -20,7 +20,7 @@ final class EvaluationCsv {
     private static String line(Measurement each) {
         return String.join(
                 ",",
-                each.part().toString(),
+                each.kind().toString(),
                 each.mode().toString(),
                 Integer.toString(each.cores()),
                 Integer.toString(each.repetition()),

@@ -1,26 +1,26 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import java.util.Locale;
 
 /** Shows the progress of an evaluation and the estimated remaining time on the last line of a terminal. */
 final class EvaluationProgress implements AutoCloseable {
     private static final int WIDTH = 30;
 
-    private final TerminalLine line;
+    private final ProgressLine line;
     private final Clock clock;
     private final long beganNanos;
     private double expected = 1;
     private double done;
     private String doing = "";
 
-    EvaluationProgress(TerminalLine line) {
+    EvaluationProgress(ProgressLine line) {
         this(line, Clock.system());
     }
 
     /** @param clock for the estimate of the remaining time */
-    EvaluationProgress(TerminalLine line, Clock clock) {
+    EvaluationProgress(ProgressLine line, Clock clock) {
         this.line = line;
         this.clock = clock;
         this.beganNanos = clock.nanos();
@@ -32,11 +32,11 @@ final class EvaluationProgress implements AutoCloseable {
     }
 
     void warmsUp(int cores) {
-        show("warming up, told " + Findings.cores(cores));
+        show("warming up, told " + CoreMeasurements.cores(cores));
     }
 
     void begins(Job job, int cores) {
-        show(job.title() + ", told " + Findings.cores(cores));
+        show(job.title() + ", told " + CoreMeasurements.cores(cores));
     }
 
     /** Reports the completed part of the current job. May be called by any thread, one at a time. */

@@ -39,9 +39,9 @@ final class LoopMeter implements Meter {
     private final List<Track> tracks;
     private final int loops;
     private final boolean inTurn;
-    private final RobotTime time;
+    private final RobotClock time;
     private final AtomicInteger unfinished;
-    private final Turns turns = new Turns();
+    private final TurnTimer turns = new TurnTimer();
     private long beganNanos;
     private long lastEndNanos;
     private long processorBegan = -1;
@@ -52,7 +52,7 @@ final class LoopMeter implements Meter {
      *
      * @param loops at least 2
      */
-    LoopMeter(Mode mode, State state, int loops, RobotTime time) {
+    LoopMeter(Mode mode, State state, int loops, RobotClock time) {
         this.tracks = state.services().stream()
                 .map(service -> new Track(service.name()))
                 .toList();
@@ -99,7 +99,7 @@ final class LoopMeter implements Meter {
         long computed = System.nanoTime();
         Track track = tracks.get(robot);
         long end = time.endOfCycleNanos();
-        turns.goesOn(computed);
+        turns.extend(computed);
         if (track.loops < loops) {
             track.cycles.add(computed - track.beganComputing);
             // in turn: a loop starts where the other service's loop ended; concurrently: where the service's previous
@@ -129,7 +129,7 @@ final class LoopMeter implements Meter {
     public void colourReceived(int robot, int colour) {
         messages.received(robot);
         if (!isDone()) {
-            turns.goesOn(System.nanoTime());
+            turns.extend(System.nanoTime());
         }
     }
 

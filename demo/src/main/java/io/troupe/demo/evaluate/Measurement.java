@@ -9,6 +9,7 @@ import io.troupe.services.subsumption.Mode;
  * @param repetition from 1; measurements of one repetition were taken close together in time
  * @param subject a service, or {@value #BOTH}
  */
-record Measurement(Part part, Mode mode, int cores, int repetition, String subject, Quantity quantity, double value) {
+record Measurement(
+        MeasurementKind kind, Mode mode, int cores, int repetition, String subject, Quantity quantity, double value) {
     static final String BOTH = "both";
 }

@@ -24,14 +24,14 @@ final class Measurements {
         return some;
     }
 
-    boolean has(Part part, Mode mode, int cores, String subject, Quantity quantity) {
-        return values(part, mode, cores, subject, quantity).length > 0;
+    boolean has(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+        return values(kind, mode, cores, subject, quantity).length > 0;
     }
 
     /** Values by repetition; empty if not measured. */
-    double[] values(Part part, Mode mode, int cores, String subject, Quantity quantity) {
+    double[] values(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
         return all.stream()
-                .filter(each -> each.part() == part
+                .filter(each -> each.kind() == kind
                         && each.mode() == mode
                         && each.cores() == cores
                         && each.subject().equals(subject)
@@ -42,13 +42,13 @@ final class Measurements {
     }
 
     /** @throws IllegalArgumentException if not measured */
-    Spread spread(Part part, Mode mode, int cores, String subject, Quantity quantity) {
-        double[] values = values(part, mode, cores, subject, quantity);
+    SampleStatistics statistics(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+        double[] values = values(kind, mode, cores, subject, quantity);
         if (values.length == 0) {
             throw new IllegalArgumentException(
-                    quantity + " of " + subject + " in " + mode + " mode, " + part + ", was not measured");
+                    quantity + " of " + subject + " in " + mode + " mode, " + kind + ", was not measured");
         }
-        return Spread.of(values);
+        return SampleStatistics.of(values);
     }
 
     /** Ratios of values measured in the same repetition. */

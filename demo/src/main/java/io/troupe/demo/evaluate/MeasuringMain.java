@@ -23,14 +23,14 @@ final class MeasuringMain {
         PrintStream out = System.out;
         System.setOut(System.err); // keeps other output out of the protocol
         var world = PaperWorld.read(Path.of(arguments[0]));
-        var run = new MeasuredRun(world.scenario(), world.port());
+        var run = new JobRunner(world.scenario(), world.port());
         var in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
         for (String line = in.readLine(); line != null; line = in.readLine()) {
             answer(run, Job.parse(line), out);
         }
     }
 
-    private static void answer(MeasuredRun run, Job job, PrintStream out) throws InterruptedException {
+    private static void answer(JobRunner run, Job job, PrintStream out) throws InterruptedException {
         try {
             run.measure(job).values().forEach(value -> out.println(value.line()));
             out.println(END + Runtime.getRuntime().availableProcessors());

@@ -62,8 +62,8 @@ final class MeasuringProcess implements AutoCloseable {
             var value = Result.Value.parse(line);
             result.add(value.subject(), value.quantity(), value.value());
         }
-        throw new IOException(job.title() + ": the JVM that measures (told " + Findings.cores(cores) + ") has ended: "
-                + status() + ", see " + log);
+        throw new IOException(job.title() + ": the JVM that measures (told " + CoreMeasurements.cores(cores)
+                + ") has ended: " + status() + ", see " + log);
     }
 
     private void checkProcessors(String had) throws IOException {

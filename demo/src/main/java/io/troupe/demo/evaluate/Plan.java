@@ -22,7 +22,7 @@ final class Plan {
     List<Job> warmUp(int round) {
         return repetition(round).stream()
                 .map(job -> new Job(
-                        job.part(),
+                        job.kind(),
                         job.mode(),
                         job.subject(),
                         Math.max(WARM_UP_LOOPS, job.loops()),
@@ -32,18 +32,18 @@ final class Plan {
                 .toList();
     }
 
-    /** The jobs of a repetition: each part in each mode once. The order rotates between repetitions. */
+    /** The jobs of a repetition: each kind in each mode once. The order rotates between repetitions. */
     List<Job> repetition(int number) {
         var jobs = new ArrayList<Job>();
         for (Mode mode : settings.modes()) {
-            jobs.add(job(Part.LOOPS, mode, Measurement.BOTH, number));
-            jobs.add(job(Part.SWITCHES, mode, Measurement.BOTH, number));
+            jobs.add(job(MeasurementKind.LOOPS, mode, Measurement.BOTH, number));
+            jobs.add(job(MeasurementKind.SWITCHES, mode, Measurement.BOTH, number));
             if (settings.reconnect() && mode != Mode.SYNC) { // in the paper the synchronous program connects only once
-                jobs.add(job(Part.RECONNECTS, mode, Measurement.BOTH, number));
+                jobs.add(job(MeasurementKind.RECONNECTS, mode, Measurement.BOTH, number));
             }
         }
         for (Service service : List.of(Service.WALL_FOLLOWER, Service.SPACE_WANDERER)) {
-            jobs.add(job(Part.ALONE, modeAlone(settings.modes()), service.name(), number));
+            jobs.add(job(MeasurementKind.ALONE, modeAlone(settings.modes()), service.name(), number));
         }
         Collections.rotate(jobs, number);
         return jobs;
@@ -54,8 +54,8 @@ final class Plan {
         return modes.contains(Mode.PROMISE) ? Mode.PROMISE : modes.getLast();
     }
 
-    private Job job(Part part, Mode mode, String subject, int number) {
-        return new Job(part, mode, subject, settings.loops(), settings.seconds(), number, 0);
+    private Job job(MeasurementKind kind, Mode mode, String subject, int number) {
+        return new Job(kind, mode, subject, settings.loops(), settings.seconds(), number, 0);
     }
 
     /** Approximate duration of a job in robot time. */
@@ -63,7 +63,7 @@ final class Plan {
         if (!job.countsLoops()) {
             return job.seconds();
         }
-        boolean oneAfterTheOther = job.mode() == Mode.SYNC && job.part() == Part.LOOPS;
+        boolean oneAfterTheOther = job.mode() == Mode.SYNC && job.kind() == MeasurementKind.LOOPS;
         return job.loops() * CYCLE_SECONDS * (oneAfterTheOther ? 2 : 1);
     }
 }

@@ -17,7 +17,7 @@ final class SwitchMeter implements Meter {
     private record Moment(long machineNanos, long robotNanos) {}
 
     private final MessageMeter messages = new MessageMeter();
-    private final RobotTime time;
+    private final RobotClock time;
     private final long endNanos;
     private final Map<Integer, Moment> cycles = new HashMap<>();
     private final Set<Integer> awaited = new HashSet<>();
@@ -26,7 +26,7 @@ final class SwitchMeter implements Meter {
     private @Nullable Moment seen;
     private int changes;
 
-    SwitchMeter(double seconds, RobotTime time) {
+    SwitchMeter(double seconds, RobotClock time) {
         this.time = time;
         this.endNanos = time.nanos() + Math.round(seconds * 1e9);
     }

@@ -4,14 +4,14 @@ import static io.troupe.services.subsumption.Mode.CALLBACK;
 import static io.troupe.services.subsumption.Mode.PROMISE;
 import static io.troupe.services.subsumption.Mode.SYNC;
 
-import io.troupe.demo.evaluate.Claim.Finding;
+import io.troupe.demo.evaluate.PaperClaim.Finding;
 import io.troupe.services.subsumption.Mode;
 
 /** The paper's claims about elapsed robot time. */
 final class TimeClaims {
-    private final ClaimSheet sheet;
+    private final ClaimsBuilder sheet;
 
-    TimeClaims(ClaimSheet sheet) {
+    TimeClaims(ClaimsBuilder sheet) {
         this.sheet = sheet;
     }
 
@@ -21,8 +21,8 @@ final class TimeClaims {
         services();
     }
 
-    private static double[] time(Findings in, Mode mode) {
-        return in.both(Part.LOOPS, mode, Quantity.TIME);
+    private static double[] time(CoreMeasurements in, Mode mode) {
+        return in.both(MeasurementKind.LOOPS, mode, Quantity.TIME);
     }
 
     private void modes() {
@@ -31,30 +31,31 @@ final class TimeClaims {
                 "The total time taken is equal to a sum of the time taken by both the services.",
                 sheet.elapsed(),
                 "synchronous within 2 % or a cycle of the sum of both by themselves",
-                ClaimSheet.has(SYNC),
+                ClaimsBuilder.has(SYNC),
                 in -> {
-                    double[] follower = in.aloneMs(Findings.FOLLOWER);
-                    double[] wanderer = in.aloneMs(Findings.WANDERER);
+                    double[] follower = in.aloneMs(CoreMeasurements.FOLLOWER);
+                    double[] wanderer = in.aloneMs(CoreMeasurements.WANDERER);
                     return new Finding(
                             in.cores(),
-                            Findings.seconds(time(in, SYNC)) + ", the services by themselves "
-                                    + Findings.seconds(follower) + " and " + Findings.seconds(wanderer),
-                            ClaimSheet.same(time(in, SYNC), Findings.sum(follower, wanderer)));
+                            CoreMeasurements.seconds(time(in, SYNC)) + ", the services by themselves "
+                                    + CoreMeasurements.seconds(follower) + " and " + CoreMeasurements.seconds(wanderer),
+                            ClaimsBuilder.same(time(in, SYNC), CoreMeasurements.sum(follower, wanderer)));
                 });
-        for (Mode mode : Findings.asynchronous()) {
+        for (Mode mode : CoreMeasurements.asynchronous()) {
             sheet.add(
                     mode == CALLBACK ? "3.5, Figure 18" : "3.6, Figure 21",
                     "(both services run at once, so that " + mode + " takes as long as the longer one)",
                     sheet.elapsed(),
                     "within 2 % or a cycle of the longer one by itself",
-                    ClaimSheet.has(mode),
+                    ClaimsBuilder.has(mode),
                     in -> {
-                        double[] longer = Findings.longer(in.aloneMs(Findings.FOLLOWER), in.aloneMs(Findings.WANDERER));
+                        double[] longer = CoreMeasurements.longer(
+                                in.aloneMs(CoreMeasurements.FOLLOWER), in.aloneMs(CoreMeasurements.WANDERER));
                         return new Finding(
                                 in.cores(),
-                                Findings.seconds(time(in, mode)) + ", the longer one by itself "
-                                        + Findings.seconds(longer),
-                                ClaimSheet.same(time(in, mode), longer));
+                                CoreMeasurements.seconds(time(in, mode)) + ", the longer one by itself "
+                                        + CoreMeasurements.seconds(longer),
+                                ClaimsBuilder.same(time(in, mode), longer));
                     });
         }
         sheet.ratio(
@@ -72,7 +73,7 @@ final class TimeClaims {
                 SYNC,
                 PROMISE,
                 Quantity.TIME,
-                ClaimSheet.MUCH);
+                ClaimsBuilder.MUCH);
     }
 
     private void promise() {
@@ -102,13 +103,13 @@ final class TimeClaims {
                 "The switching is fast (200-300 milliseconds)",
                 sheet.elapsed(),
                 "from one cycle of a service to its next 200 to 300 ms; to the other service's it takes half as long",
-                ClaimSheet.has(SYNC),
+                ClaimsBuilder.has(SYNC),
                 in -> {
-                    double[] interval = in.service(SYNC, Findings.WANDERER, Quantity.INTERVAL);
+                    double[] interval = in.service(SYNC, CoreMeasurements.WANDERER, Quantity.INTERVAL);
                     return new Finding(
                             in.cores(),
-                            Spread.of(interval).text(0) + " ms",
-                            Verdict.within(interval, 200 - 1, 300 + 1));
+                            SampleStatistics.of(interval).text(0) + " ms",
+                            ClaimVerdict.within(interval, 200 - 1, 300 + 1));
                 });
     }
 }

@@ -4,7 +4,7 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;
@@ -69,7 +69,7 @@ public final class ReplayCommand implements Callable<Integer> {
     }
 
     private static long play(Replay replay, WorldSpec world, Travelled travelled, Interruption interruption) {
-        try (var line = TerminalLine.open()) {
+        try (var line = ProgressLine.open()) {
             return replay.play(world, snapshot -> {
                 interruption.check();
                 travelled.add(snapshot);

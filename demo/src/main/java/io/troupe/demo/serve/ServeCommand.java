@@ -1,7 +1,7 @@
 package io.troupe.demo.serve;
 
 import io.troupe.demo.terminal.FileProblems;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
 import java.io.IOException;
@@ -116,7 +116,7 @@ public final class ServeCommand implements Callable<Integer> {
         PrintWriter terminal = spec.commandLine().getOut();
         try {
             try (serving;
-                    var line = TerminalLine.open()) {
+                    var line = ProgressLine.open()) {
                 if (recording != null) {
                     serving.record(recording);
                 }

@@ -1,6 +1,6 @@
 package io.troupe.demo.serve;
 
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.sim.Pace;
@@ -192,7 +192,7 @@ final class Serving implements AutoCloseable {
      * @param clients number of clients required before the start
      * @throws RuntimeException the failure that ended the simulation
      */
-    void run(Pace pace, int clients, long endMicros, TerminalLine line) throws InterruptedException {
+    void run(Pace pace, int clients, long endMicros, ProgressLine line) throws InterruptedException {
         try (var runner =
                 SimulationRunner.start(simulation, clients, snapshot -> report(snapshot, endMicros, line), pace)) {
             runner.ended().whenComplete((end, failure) -> stop()); // a failure is rethrown when the runner is closed
@@ -208,7 +208,7 @@ final class Serving implements AutoCloseable {
         }
     }
 
-    private void report(Snapshot snapshot, long endMicros, TerminalLine line) {
+    private void report(Snapshot snapshot, long endMicros, ProgressLine line) {
         if (snapshot.timeMicros() % MICROS_PER_SECOND == 0) {
             line.show("", String.format(Locale.ROOT, "%d s simulated", snapshot.timeMicros() / MICROS_PER_SECOND));
         }

@@ -1,6 +1,6 @@
 package io.troupe.demo.serve;
 
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.scenario.CrowdWorld;
 import io.troupe.sim.scenario.Scenario;
 import java.nio.file.Path;
@@ -31,12 +31,12 @@ final class WorldOptions {
     private @Nullable Integer crowd;
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     /** Reads the world. */
     Scenario scenario() {
         if (crowd == null) {
-            return reading.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
+            return loader.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
         }
         if (world != null) {
             throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");

@@ -54,7 +54,7 @@ public final class Chart {
     public Chart(int width, int height, String title) {
         this.width = width;
         this.height = height;
-        this.svg = new StringBuilder(Svg.begin(width, height, 12, title));
+        this.svg = new StringBuilder(SvgElements.begin(width, height, 12, title));
     }
 
     public void line(double x1, double y1, double x2, double y2, int colour, double thick) {
@@ -117,7 +117,7 @@ public final class Chart {
     }
 
     public void text(double x, double y, int sizePx, Anchor anchor, int colour, String words) {
-        svg.append(Svg.text(
+        svg.append(SvgElements.text(
                 x,
                 y,
                 String.format(

@@ -1,6 +1,6 @@
 package io.troupe.demo.table;
 
-import io.troupe.demo.svg.Svg;
+import io.troupe.demo.svg.SvgElements;
 import java.util.Locale;
 
 /** Writes the SVG elements of diagrams. */
@@ -16,7 +16,7 @@ final class SvgText {
     private final StringBuilder text = new StringBuilder();
 
     SvgText(double width, double height, String title) {
-        text.append(Svg.begin(width, height, FONT_PX, title));
+        text.append(SvgElements.begin(width, height, FONT_PX, title));
     }
 
     /** Upper estimate of the width of a line. */
@@ -39,7 +39,7 @@ final class SvgText {
                 tip.x() - HEAD_PX / 2 * StrictMath.cos(direction), tip.y() - HEAD_PX / 2 * StrictMath.sin(direction));
         add("<path class=\"arrow\" d=\"" + start + number(end.x()) + "," + number(end.y())
                 + "\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\"/>");
-        text.append(Svg.head(tip.x(), tip.y(), direction, HEAD_PX, "#444"));
+        text.append(SvgElements.head(tip.x(), tip.y(), direction, HEAD_PX, "#444"));
     }
 
     void dot(double x, double y) {
@@ -54,7 +54,7 @@ final class SvgText {
                 x - width / 2 - 3, y - LINE_PX / 2, width + 6, LINE_PX);
         add(
                 "<rect x=\"%s\" y=\"%s\" width=\"12\" height=\"12\" fill=\"%s\" stroke=\"#444\"/>",
-                x - width / 2, y - 6, Svg.colour(colour));
+                x - width / 2, y - 6, SvgElements.colour(colour));
         line(words, x - width / 2 + 18, y + 5, "");
     }
 
@@ -65,8 +65,9 @@ final class SvgText {
     private void add(String format, Object... values) {
         var safe = new Object[values.length];
         for (int index = 0; index < values.length; index++) {
-            safe[index] =
-                    values[index] instanceof Double number ? number(number) : Svg.escape(values[index].toString());
+            safe[index] = values[index] instanceof Double number
+                    ? number(number)
+                    : SvgElements.escape(values[index].toString());
         }
         text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, safe))
                 .append('\n');

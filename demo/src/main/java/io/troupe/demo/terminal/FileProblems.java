@@ -17,13 +17,13 @@ public final class FileProblems {
     private FileProblems() {}
 
     /** The message without class names. It starts with the file if the exception names it. */
-    public static String words(IOException problem) {
+    public static String message(IOException problem) {
         return problem instanceof FileSystemException file ? file.getFile() + ": " + reason(file) : reason(problem);
     }
 
     /** The message with the name of the file; some system errors, such as a full disk, do not contain it. */
-    public static String words(Path file, IOException problem) {
-        String words = words(problem);
+    public static String message(Path file, IOException problem) {
+        String words = message(problem);
         return words.contains(file.toString()) ? words : file + ": " + words;
     }
 

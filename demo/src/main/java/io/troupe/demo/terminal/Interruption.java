@@ -16,7 +16,7 @@ public final class Interruption implements AutoCloseable {
     public static final int STATUS = 130;
 
     private static final long CLOSING_SECONDS = 30;
-    private static final long LAST_WORDS_MILLIS = 500;
+    private static final long LAST_OUTPUT_MILLIS = 500;
     private static final Runnable NOTHING = () -> {};
 
     /** Aborts the work of a command after Ctrl-C. The command catches it and prints its partial results. */
@@ -92,7 +92,7 @@ public final class Interruption implements AutoCloseable {
         try {
             if (closed.await(CLOSING_SECONDS, TimeUnit.SECONDS)) {
                 // the owner may still print an error; its call of exit blocks until this hook ends
-                owner.join(LAST_WORDS_MILLIS);
+                owner.join(LAST_OUTPUT_MILLIS);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

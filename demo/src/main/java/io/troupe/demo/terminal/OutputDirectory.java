@@ -25,7 +25,8 @@ public final class OutputDirectory {
                     "--out is " + directory + ", but " + file.getFile() + " is a file, expected a directory");
         } catch (IOException e) {
             throw new ParameterException(
-                    spec.commandLine(), "--out " + directory + " cannot be made a directory: " + FileProblems.words(e));
+                    spec.commandLine(),
+                    "--out " + directory + " cannot be made a directory: " + FileProblems.message(e));
         }
     }
 }

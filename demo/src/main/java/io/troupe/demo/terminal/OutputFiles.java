@@ -24,7 +24,7 @@ public final class OutputFiles {
             if (opened && Files.isRegularFile(file)) {
                 Files.deleteIfExists(file);
             }
-            throw new IOException(FileProblems.words(file, e), e);
+            throw new IOException(FileProblems.message(file, e), e);
         }
     }
 }

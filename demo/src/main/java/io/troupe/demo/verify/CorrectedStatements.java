@@ -11,11 +11,11 @@ import java.util.OptionalInt;
 /** The paper's statements about the corrected net, whose components stop together. */
 final class CorrectedStatements {
     private final NetStudy study;
-    private final StopWays ways;
+    private final StopPaths paths;
 
     CorrectedStatements(NetStudy study) {
         this.study = study;
-        ways = new StopWays(study.graph(), study.net().transition("Tstop"));
+        paths = new StopPaths(study.graph(), study.net().transition("Tstop"));
     }
 
     List<Statement> all() {
@@ -24,10 +24,10 @@ final class CorrectedStatements {
 
     private Statement inevitableStop() {
         var wantsToStop = study.net().marking("R10");
-        OptionalInt firings = ways.longest(wantsToStop);
+        OptionalInt firings = paths.longest(wantsToStop);
         List<State> before = study.graph().states().stream()
                 .filter(state -> state.successors().stream()
-                        .anyMatch(edge -> edge.transition().equals(ways.stop())))
+                        .anyMatch(edge -> edge.transition().equals(paths.stop())))
                 .toList();
         return new Statement(
                 "5.5.4",
@@ -50,7 +50,7 @@ final class CorrectedStatements {
 
     private Statement once() {
         var gives = List.of(study.net().transition("Trp2''"), study.net().transition("Tms2''"));
-        List<Transition> repeated = gives.stream().filter(ways::canRepeat).toList();
+        List<Transition> repeated = gives.stream().filter(paths::canRepeat).toList();
         boolean fire = study.graph().neverFired().stream().noneMatch(gives::contains);
         return new Statement(
                 "5.5.4",

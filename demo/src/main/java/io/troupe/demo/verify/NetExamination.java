@@ -31,7 +31,7 @@ final class NetExamination {
     static final int UNKNOWN = 3;
 
     private static final int MARKINGS_PER_REPORT = 10_000;
-    private static final int MOST_FIRINGS_TOLD = 200;
+    private static final int MAX_FIRINGS_PRINTED = 200;
 
     private final PetriNet net;
     private final Limits limits;
@@ -138,11 +138,13 @@ final class NetExamination {
 
     private static String firings(DeadlockSearch.Deadlock deadlock) {
         var trace = deadlock.trace();
-        var told =
-                trace.stream().limit(MOST_FIRINGS_TOLD).map(String::valueOf).collect(Collectors.joining(", ", "[", ""));
-        return told
-                + (trace.size() > MOST_FIRINGS_TOLD
-                        ? ", .. and " + (trace.size() - MOST_FIRINGS_TOLD) + " more]"
+        var printed = trace.stream()
+                .limit(MAX_FIRINGS_PRINTED)
+                .map(String::valueOf)
+                .collect(Collectors.joining(", ", "[", ""));
+        return printed
+                + (trace.size() > MAX_FIRINGS_PRINTED
+                        ? ", .. and " + (trace.size() - MAX_FIRINGS_PRINTED) + " more]"
                         : "]");
     }
 

@@ -5,7 +5,7 @@ import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
 import java.io.IOException;
@@ -90,7 +90,7 @@ public final class VerifyCommand implements Callable<Integer> {
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
         try (var interruption = Interruption.open();
-                var line = TerminalLine.open()) {
+                var line = ProgressLine.open()) {
             Consumer<String> progress = doing -> {
                 interruption.check();
                 line.show(doing);
@@ -153,7 +153,7 @@ public final class VerifyCommand implements Callable<Integer> {
             } catch (InterruptedCommand interrupted) {
                 throw interrupted;
             } catch (IOException e) {
-                err.println("troupe: the pictures cannot be written: " + FileProblems.words(e));
+                err.println("troupe: the pictures cannot be written: " + FileProblems.message(e));
             } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
                 err.println("troupe: after the verdict: " + e);
             }

@@ -3,7 +3,7 @@ package io.troupe.demo.evaluate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.time.ManualClock;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.services.subsumption.Mode;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -12,12 +12,12 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
 class EvaluationProgressTest {
-    private static final Job JOB = new Job(Part.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 0);
+    private static final Job JOB = new Job(MeasurementKind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 0);
 
     private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
     private final ManualClock clock = new ManualClock();
     private final EvaluationProgress progress = new EvaluationProgress(
-            TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
+            ProgressLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
 
     /** The output since the previous call. */
     private String shown() {
@@ -38,7 +38,7 @@ class EvaluationProgressTest {
         clock.advance(Duration.ofSeconds(10));
         progress.ended(50);
         progress.begins(JOB, 1);
-        String doing = JOB.title() + ", told " + Findings.cores(1);
+        String doing = JOB.title() + ", told " + CoreMeasurements.cores(1);
         assertThat(shown()).isEqualTo(bar(7) + "  25 %, 30 s left  " + doing);
         clock.advance(Duration.ofSeconds(10));
         progress.within(50);

@@ -15,7 +15,7 @@ class LoopMeterTest {
 
     private long millis;
 
-    private final RobotTime time = new RobotTime() {
+    private final RobotClock time = new RobotClock() {
         @Override
         public long nanos() {
             return millis * 1_000_000;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
@@ -78,7 +78,7 @@ class ServeCommandTest {
                     serving.stop();
                 }
             });
-            serving.run(new Pace.RealTime(50), 1, Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.RealTime(50), 1, Long.MAX_VALUE, ProgressLine.hidden());
             driver.join();
         }
         assertThat(failure.get()).isNull();
@@ -152,7 +152,7 @@ class ServeCommandTest {
                 robot.close();
                 serving.stop();
             });
-            serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, ProgressLine.hidden());
             driver.join();
         }
         assertThat(seen.get()).isEqualTo(9.9); // one frame per readAll, the first at time 0
@@ -176,7 +176,7 @@ class ServeCommandTest {
                     }
                 });
             }
-            serving.run(new Pace.OfAnswers(), 2, Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.OfAnswers(), 2, Long.MAX_VALUE, ProgressLine.hidden());
         }
         assertThat(seen).containsExactly(0.0, 0.0);
     }
@@ -211,7 +211,7 @@ class ServeCommandTest {
             }
         });
         try (serving) {
-            assertThatThrownBy(() -> serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden()))
+            assertThatThrownBy(() -> serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, ProgressLine.hidden()))
                     .isInstanceOf(UncheckedIOException.class)
                     .hasMessageContaining("/dev/full: ");
         }

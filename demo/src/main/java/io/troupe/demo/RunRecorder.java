@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * world. In lock step the two never call at the same time, and each tick publishes the writes of one thread to the
  * other.
  */
-final class Ledger implements ServiceObserver, Arbitrator.StateListener {
+final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
     /**
      * From this number of robots on, a run is reported as a crowd: the summary has sums and extremes, and the log has
      * poses once a second instead of at every tick.
@@ -45,7 +45,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     private int statesLogged;
     private Snapshot last;
 
-    Ledger(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
+    RunRecorder(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
         this.table = table;
         this.log = log;
         this.changes = changes;

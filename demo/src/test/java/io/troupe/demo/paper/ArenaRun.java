@@ -16,11 +16,11 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /** Runs main code in the paper's arena, for comparison with other main code. */
-final class Drives {
+final class ArenaRun {
     static final Path WORLD = Path.of("worlds", "paper-arena.world");
     static final int TICKS = 1_500;
 
-    private Drives() {}
+    private ArenaRun() {}
 
     static RobotServices services(ActorSpace space) {
         return space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));

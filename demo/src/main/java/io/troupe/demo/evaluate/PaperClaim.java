@@ -12,20 +12,20 @@ import java.util.stream.Collectors;
  * @param criterion when the claim counts as confirmed
  * @param findings one for each number of cores
  */
-record Claim(String source, String words, String measure, String criterion, List<Finding> findings) {
+record PaperClaim(String source, String words, String measure, String criterion, List<Finding> findings) {
     /**
      * The result for JVMs configured with one number of cores.
      *
      * @param ours the measured numbers, as text
      */
-    record Finding(int cores, String ours, Verdict verdict) {}
+    record Finding(int cores, String ours, ClaimVerdict verdict) {}
 
-    Claim {
+    PaperClaim {
         findings = List.copyOf(findings);
     }
 
-    Verdict verdict() {
-        return Verdict.agreed(findings.stream().map(Finding::verdict).toList());
+    ClaimVerdict verdict() {
+        return ClaimVerdict.agreed(findings.stream().map(Finding::verdict).toList());
     }
 
     /** The measured numbers; printed once if they are equal for all numbers of cores. */
@@ -34,7 +34,7 @@ record Claim(String source, String words, String measure, String criterion, List
             return findings.getFirst().ours();
         }
         return findings.stream()
-                .map(each -> Findings.cores(each.cores()) + ": " + each.ours())
+                .map(each -> CoreMeasurements.cores(each.cores()) + ": " + each.ours())
                 .collect(Collectors.joining("; "));
     }
 }

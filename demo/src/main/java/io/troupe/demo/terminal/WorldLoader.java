@@ -14,7 +14,7 @@ import picocli.CommandLine.Spec;
  * Reads worlds the same way in all commands. Warnings with their position go to standard error. Unknown names are
  * warnings only with {@code --lenient}.
  */
-public final class WorldReading {
+public final class WorldLoader {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 

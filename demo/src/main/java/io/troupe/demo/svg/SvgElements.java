@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 
 /** SVG elements that several pictures share; coordinates are pixels. */
-public final class Svg {
+public final class SvgElements {
     /** Minimum length of the scale bar, which shows 1, 2 or 5 times a power of ten metres. */
     private static final double LEAST_BAR_PX = 48;
     /** Letter width of a sans-serif font, relative to the font size. Generous, since fonts differ. */
@@ -13,7 +13,7 @@ public final class Svg {
 
     private static final int CALM_GREEN = 0x2E9F45;
 
-    private Svg() {}
+    private SvgElements() {}
 
     /** The root element on a white background. The title is also read by screen readers. */
     public static String begin(double width, double height, double fontPx, String title) {

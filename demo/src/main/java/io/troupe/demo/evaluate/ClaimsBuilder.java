@@ -1,6 +1,6 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.demo.evaluate.Claim.Finding;
+import io.troupe.demo.evaluate.PaperClaim.Finding;
 import io.troupe.services.subsumption.Mode;
 import java.util.ArrayList;
 import java.util.List;
@@ -8,23 +8,23 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 
 /** Collects the claims for which measurements exist, with methods for the frequent kinds of claim. */
-final class ClaimSheet {
+final class ClaimsBuilder {
     /** Our reading of "much": at least half as much again. */
     static final double MUCH = 1.5;
 
     private static final double CYCLE_MS = 100;
 
-    private final List<Findings> findings;
+    private final List<CoreMeasurements> findings;
     private final boolean realTime;
-    private final List<Claim> claims = new ArrayList<>();
+    private final List<PaperClaim> claims = new ArrayList<>();
 
     /** @param findings by number of cores */
-    ClaimSheet(List<Findings> findings, boolean realTime) {
+    ClaimsBuilder(List<CoreMeasurements> findings, boolean realTime) {
         this.findings = findings;
         this.realTime = realTime;
     }
 
-    List<Claim> claims() {
+    List<PaperClaim> claims() {
         return List.copyOf(claims);
     }
 
@@ -38,11 +38,11 @@ final class ClaimSheet {
             String words,
             String measure,
             String criterion,
-            Predicate<Findings> measured,
-            Function<Findings, Finding> finding) {
-        List<Findings> with = findings.stream().filter(measured).toList();
+            Predicate<CoreMeasurements> measured,
+            Function<CoreMeasurements, Finding> finding) {
+        List<CoreMeasurements> with = findings.stream().filter(measured).toList();
         if (!with.isEmpty()) {
-            claims.add(new Claim(
+            claims.add(new PaperClaim(
                     source,
                     words,
                     measure,
@@ -51,18 +51,19 @@ final class ClaimSheet {
         }
     }
 
-    static Predicate<Findings> has(Mode... modes) {
+    static Predicate<CoreMeasurements> has(Mode... modes) {
         return each -> each.has(modes);
     }
 
     /** Whether times are equal, up to the difference of starting in the middle of a cycle. */
-    static Verdict same(double[] millis, double[] expectedMillis) {
-        double tolerance = Math.max(0.02, CYCLE_MS / Spread.of(expectedMillis).least());
-        return Verdict.within(Measurements.ratios(millis, expectedMillis), 1 - tolerance, 1 + tolerance);
+    static ClaimVerdict same(double[] millis, double[] expectedMillis) {
+        double tolerance =
+                Math.max(0.02, CYCLE_MS / SampleStatistics.of(expectedMillis).least());
+        return ClaimVerdict.within(Measurements.ratios(millis, expectedMillis), 1 - tolerance, 1 + tolerance);
     }
 
     /** The verdict on ratios of a quantity. Only elapsed simulated time is conclusive without repetitions. */
-    static Verdict certain(Verdict verdict, Quantity quantity, double[] ratios) {
+    static ClaimVerdict certain(ClaimVerdict verdict, Quantity quantity, double[] ratios) {
         return quantity == Quantity.TIME ? verdict : verdict.ifRepeated(ratios.length);
     }
 
@@ -72,33 +73,35 @@ final class ClaimSheet {
                 source,
                 words,
                 measure,
-                Findings.format("%s more than %s times %s", more, limit == 1 ? "1" : limit, less),
+                CoreMeasurements.format("%s more than %s times %s", more, limit == 1 ? "1" : limit, less),
                 has(more, less),
                 in -> {
                     double[] ratios = in.ratio(more, less, quantity);
                     return new Finding(
                             in.cores(),
-                            more + " " + text(in.both(Part.LOOPS, more, quantity), quantity) + ", " + less + " "
-                                    + text(in.both(Part.LOOPS, less, quantity), quantity) + ": "
-                                    + Findings.times(ratios),
+                            more + " " + text(in.both(MeasurementKind.LOOPS, more, quantity), quantity) + ", " + less
+                                    + " "
+                                    + text(in.both(MeasurementKind.LOOPS, less, quantity), quantity) + ": "
+                                    + CoreMeasurements.times(ratios),
                             differs(in, more, less, quantity)
-                                    ? certain(Verdict.above(ratios, limit), quantity, ratios)
-                                    : Verdict.CANNOT_BE_TOLD);
+                                    ? certain(ClaimVerdict.above(ratios, limit), quantity, ratios)
+                                    : ClaimVerdict.CANNOT_BE_TOLD);
                 });
     }
 
     static String text(double[] values, Quantity quantity) {
-        return quantity == Quantity.TIME ? Findings.seconds(values) : Findings.micros(values);
+        return quantity == Quantity.TIME ? CoreMeasurements.seconds(values) : CoreMeasurements.micros(values);
     }
 
     /**
      * Whether a difference in time is significant. In real time it must exceed one cycle, since a run may start in the
      * middle of a cycle.
      */
-    private boolean differs(Findings in, Mode more, Mode less, Quantity quantity) {
+    private boolean differs(CoreMeasurements in, Mode more, Mode less, Quantity quantity) {
         return !realTime
                 || quantity != Quantity.TIME
-                || same(in.both(Part.LOOPS, more, quantity), in.both(Part.LOOPS, less, quantity)) != Verdict.HOLDS;
+                || same(in.both(MeasurementKind.LOOPS, more, quantity), in.both(MeasurementKind.LOOPS, less, quantity))
+                        != ClaimVerdict.HOLDS;
     }
 
     /** Adds the claim that callback and promise mode take about the same. */
@@ -113,8 +116,8 @@ final class ClaimSheet {
                     double[] ratios = in.ratio(Mode.CALLBACK, Mode.PROMISE, quantity);
                     return new Finding(
                             in.cores(),
-                            Findings.times(ratios),
-                            certain(Verdict.within(ratios, 0.9, 1.1), quantity, ratios));
+                            CoreMeasurements.times(ratios),
+                            certain(ClaimVerdict.within(ratios, 0.9, 1.1), quantity, ratios));
                 });
     }
 
@@ -123,17 +126,17 @@ final class ClaimSheet {
                 "4",
                 words,
                 measure,
-                Findings.format("wall follower more than %s times space wanderer, %s mode", MUCH, mode),
+                CoreMeasurements.format("wall follower more than %s times space wanderer, %s mode", MUCH, mode),
                 has(mode),
                 in -> {
-                    double[] follower = in.service(mode, Findings.FOLLOWER, quantity);
-                    double[] wanderer = in.service(mode, Findings.WANDERER, quantity);
+                    double[] follower = in.service(mode, CoreMeasurements.FOLLOWER, quantity);
+                    double[] wanderer = in.service(mode, CoreMeasurements.WANDERER, quantity);
                     double[] ratios = Measurements.ratios(follower, wanderer);
                     return new Finding(
                             in.cores(),
                             "wall follower " + text(follower, quantity) + ", space wanderer " + text(wanderer, quantity)
-                                    + ": " + Findings.times(ratios),
-                            certain(Verdict.above(ratios, MUCH), quantity, ratios));
+                                    + ": " + CoreMeasurements.times(ratios),
+                            certain(ClaimVerdict.above(ratios, MUCH), quantity, ratios));
                 });
     }
 }

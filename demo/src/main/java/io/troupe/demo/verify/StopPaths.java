@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.OptionalInt;
 
 /** Analyses the paths through a graph up to the firing of {@code stop}. */
-record StopWays(ReachabilityGraph graph, Transition stop) {
+record StopPaths(ReachabilityGraph graph, Transition stop) {
     /**
      * The largest number of other firings before {@code stop} fires, from any marking with {@code wanting} marked.
      * Empty if there is no such marking, or if some path avoids {@code stop}: by a cycle, a dead marking, or another
@@ -24,7 +24,7 @@ record StopWays(ReachabilityGraph graph, Transition stop) {
         return graph.states().stream()
                 .filter(state -> state.marking().covers(wanting))
                 .map(state -> longest(state, wanting, known))
-                .reduce(StopWays::longer)
+                .reduce(StopPaths::longer)
                 .orElse(OptionalInt.empty());
     }
 
@@ -37,7 +37,7 @@ record StopWays(ReachabilityGraph graph, Transition stop) {
         known.put(from, OptionalInt.empty()); // marks the state as in progress: reaching it again is a cycle
         var longest = from.successors().stream()
                 .map(edge -> rest(edge, wanting, known))
-                .reduce(StopWays::longer)
+                .reduce(StopPaths::longer)
                 .orElse(OptionalInt.empty());
         known.put(from, longest);
         return longest;

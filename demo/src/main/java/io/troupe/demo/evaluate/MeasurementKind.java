@@ -2,8 +2,8 @@ package io.troupe.demo.evaluate;
 
 import java.util.Locale;
 
-/** The part of the evaluation to which a run belongs; it decides which services run and until when. */
-enum Part {
+/** What a measured run executes, and until when; the column {@code part} of the CSV file. */
+enum MeasurementKind {
     /** Both services, until each has done its loops, in a state that nothing ends. */
     LOOPS,
     /** One service alone, until it has done its loops. */

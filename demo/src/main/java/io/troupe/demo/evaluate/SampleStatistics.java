@@ -9,13 +9,14 @@ import java.util.Locale;
  * <p><b>Units and shapes.</b> Values keep their unit. Quantiles are interpolated linearly between neighbouring sorted
  * values.
  */
-record Spread(double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
+record SampleStatistics(
+        double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
     /**
      * Computes the statistics of the values.
      *
      * @throws IllegalArgumentException if there are none, or one is not finite
      */
-    static Spread of(double... values) {
+    static SampleStatistics of(double... values) {
         if (values.length == 0) {
             throw new IllegalArgumentException("0 values, expected at least one");
         }
@@ -26,7 +27,7 @@ record Spread(double median, double lowerQuartile, double upperQuartile, double 
                 throw new IllegalArgumentException("a value is " + value + ", expected a finite number");
             }
         }
-        return new Spread(
+        return new SampleStatistics(
                 quantile(sorted, 0.5),
                 quantile(sorted, 0.25),
                 quantile(sorted, 0.75),

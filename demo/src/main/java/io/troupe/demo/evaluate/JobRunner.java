@@ -14,7 +14,7 @@ import java.util.List;
  * <p><b>Threads.</b> The calling thread advances the world if the job has a separate one. The services run on a
  * separate thread.
  */
-final class MeasuredRun {
+final class JobRunner {
     private static final long POLL_MILLIS = 20;
     /** More than any mode needs for a loop of both services; a run that exceeds it makes no progress. */
     private static final int MOST_TICKS_PER_LOOP = 4;
@@ -23,7 +23,7 @@ final class MeasuredRun {
     private final int port;
 
     /** @param port that offers the robots of the scenario */
-    MeasuredRun(Scenario scenario, int port) {
+    JobRunner(Scenario scenario, int port) {
         this.scenario = scenario;
         this.port = port;
     }
@@ -35,7 +35,7 @@ final class MeasuredRun {
     private Result inLockStep(Job job) throws InterruptedException {
         try (var simulation = Simulation.open(scenario, PaperWorld.settings(job.seed()))) {
             long intervalNanos = scenario.world().intervalMillis() * 1_000_000L;
-            var time = new RobotTime() {
+            var time = new RobotClock() {
                 @Override
                 public long nanos() {
                     return simulation.clock().nanos();
@@ -64,7 +64,7 @@ final class MeasuredRun {
 
     private static Result inRealTime(Job job) throws InterruptedException {
         var clock = Clock.system();
-        var time = new RobotTime() {
+        var time = new RobotClock() {
             @Override
             public long nanos() {
                 return clock.nanos();
@@ -87,17 +87,17 @@ final class MeasuredRun {
 
     private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
         return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter)
-                .withReconnection(job.part() == Part.RECONNECTS);
+                .withReconnection(job.kind() == MeasurementKind.RECONNECTS);
     }
 
-    private static Meter meter(Job job, RobotTime time) {
+    private static Meter meter(Job job, RobotClock time) {
         return job.countsLoops()
                 ? new LoopMeter(job.mode(), table(job).first(), job.loops(), time)
                 : new SwitchMeter(job.seconds(), time);
     }
 
     private static SubsumptionTable table(Job job) {
-        return switch (job.part()) {
+        return switch (job.kind()) {
             case LOOPS -> Tables.oneState();
             case ALONE -> Tables.alone(service(job.subject()));
             case SWITCHES, RECONNECTS -> SubsumptionTable.ofThePaper();

@@ -10,7 +10,7 @@ package io.troupe.demo.crowd;
  * @param retainedBytes heap retained by the whole crowd: world, connections, actors
  * @param states number of states that started in the measured ticks
  */
-record Trial(
+record TrialResult(
         int robots,
         long ticks,
         long intervalMicros,

@@ -1,7 +1,7 @@
 package io.troupe.demo.evaluate;
 
 /** The robots' clock, in nanoseconds. */
-interface RobotTime {
+interface RobotClock {
     long nanos();
 
     /**

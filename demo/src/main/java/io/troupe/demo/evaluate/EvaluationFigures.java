@@ -11,8 +11,9 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /** Draws the paper's figures from our measurements: elapsed robot time on the left, computing time on the right. */
-final class Figures {
-    private static final List<String> SUBJECTS = List.of(Findings.FOLLOWER, Findings.WANDERER, Measurement.BOTH);
+final class EvaluationFigures {
+    private static final List<String> SUBJECTS =
+            List.of(CoreMeasurements.FOLLOWER, CoreMeasurements.WANDERER, Measurement.BOTH);
     private static final List<String> PASSING = List.of("wall follower", "space wanderer", "both");
     private static final List<String> COMPUTING = List.of("wall follower", "space wanderer", "both, with messages");
     /** Colours that colour-blind readers can distinguish. */
@@ -21,7 +22,7 @@ final class Figures {
     private final EvaluationSettings settings;
     private final Measurements measurements;
 
-    Figures(EvaluationSettings settings, Measurements measurements) {
+    EvaluationFigures(EvaluationSettings settings, Measurements measurements) {
         this.settings = settings;
         this.measurements = measurements;
     }
@@ -58,15 +59,18 @@ final class Figures {
         List<Bars> series = new ArrayList<>();
         for (int cores : settings.cores()) {
             series.add(new Bars(
-                    "JVM with " + Findings.cores(cores), mode, cores, COLOURS.get(series.size() % COLOURS.size())));
+                    "JVM with " + CoreMeasurements.cores(cores),
+                    mode,
+                    cores,
+                    COLOURS.get(series.size() % COLOURS.size())));
         }
         Bars last = series.getLast();
-        String title = Findings.format(
+        String title = CoreMeasurements.format(
                 "%s: both services take %s, the wall follower %s and the space wanderer %s",
                 mode,
                 seconds(last, Measurement.BOTH),
-                seconds(last, Findings.FOLLOWER),
-                seconds(last, Findings.WANDERER));
+                seconds(last, CoreMeasurements.FOLLOWER),
+                seconds(last, CoreMeasurements.WANDERER));
         charts.put("evaluation-" + figure, chart(title, figure, "", series));
     }
 
@@ -81,11 +85,13 @@ final class Figures {
         String title = series.stream()
                 .map(bars -> bars.name() + " " + seconds(bars, Measurement.BOTH))
                 .collect(Collectors.joining(", ", "Both services take: ", ""));
-        charts.put("evaluation-" + figure, chart(title, figure, ", on a JVM with " + Findings.cores(cores), series));
+        charts.put(
+                "evaluation-" + figure,
+                chart(title, figure, ", on a JVM with " + CoreMeasurements.cores(cores), series));
     }
 
     private String seconds(Bars bars, String subject) {
-        return BarPanel.number(spread(bars, subject, Quantity.TIME).median() / 1000) + " s";
+        return BarPanel.number(statistics(bars, subject, Quantity.TIME).median() / 1000) + " s";
     }
 
     private Chart chart(String title, int figure, String machine, List<Bars> series) {
@@ -102,14 +108,14 @@ final class Figures {
                     bars.name,
                     bars.colour,
                     SUBJECTS.stream()
-                            .map(subject -> spread(bars, subject, Quantity.TIME))
+                            .map(subject -> statistics(bars, subject, Quantity.TIME))
                             .map(millis -> BarPanel.Bar.of(millis.median() / 1000))
                             .toList());
             computing.add(
                     bars.name,
                     bars.colour,
                     SUBJECTS.stream()
-                            .map(subject -> spread(
+                            .map(subject -> statistics(
                                     bars, subject, subject.equals(Measurement.BOTH) ? Quantity.TURN : Quantity.CYCLE))
                             .map(micros -> repeated() ? BarPanel.Bar.of(micros) : BarPanel.Bar.of(micros.median()))
                             .toList());
@@ -122,7 +128,7 @@ final class Figures {
         return settings.repetitions() > 1;
     }
 
-    private Spread spread(Bars bars, String subject, Quantity quantity) {
-        return measurements.spread(Part.LOOPS, bars.mode, bars.cores, subject, quantity);
+    private SampleStatistics statistics(Bars bars, String subject, Quantity quantity) {
+        return measurements.statistics(MeasurementKind.LOOPS, bars.mode, bars.cores, subject, quantity);
     }
 }

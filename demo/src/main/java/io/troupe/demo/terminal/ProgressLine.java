@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> Any thread, one at a time.
  */
-public final class TerminalLine implements AutoCloseable {
+public final class ProgressLine implements AutoCloseable {
     static final Duration REDRAW = Duration.ofMillis(250);
     /** Interval of plain lines, unless the system property {@value #SECONDS_PROPERTY} is set. */
     static final Duration PLAIN = Duration.ofSeconds(10);
@@ -47,7 +47,7 @@ public final class TerminalLine implements AutoCloseable {
     private String stage = "";
     private long nextNanos;
 
-    private TerminalLine(Kind kind, @Nullable PrintStream to, Clock clock, Duration interval, int columns) {
+    private ProgressLine(Kind kind, @Nullable PrintStream to, Clock clock, Duration interval, int columns) {
         this.kind = kind;
         this.to = to;
         this.clock = clock;
@@ -57,7 +57,7 @@ public final class TerminalLine implements AutoCloseable {
     }
 
     /** Opens the line on standard error. */
-    public static TerminalLine open() {
+    public static ProgressLine open() {
         Clock clock = Clock.system();
         return isTerminal() && knowsEscapes(System.getenv("TERM"))
                 ? onTerminal(System.err, clock, columns())
@@ -65,23 +65,23 @@ public final class TerminalLine implements AutoCloseable {
     }
 
     /** Creates a line on a terminal of the given width. */
-    static TerminalLine onTerminal(PrintStream terminal, Clock clock, int columns) {
-        return new TerminalLine(Kind.TERMINAL, terminal, clock, REDRAW, columns);
+    static ProgressLine onTerminal(PrintStream terminal, Clock clock, int columns) {
+        return new ProgressLine(Kind.TERMINAL, terminal, clock, REDRAW, columns);
     }
 
     /** Creates a line that prints plain text once per interval. */
-    static TerminalLine plain(PrintStream to, Clock clock, Duration interval) {
-        return new TerminalLine(Kind.PLAIN, to, clock, interval, Integer.MAX_VALUE);
+    static ProgressLine plain(PrintStream to, Clock clock, Duration interval) {
+        return new ProgressLine(Kind.PLAIN, to, clock, interval, Integer.MAX_VALUE);
     }
 
     /** Creates a line on a stream that is known to be a terminal, without a limit on its width. */
-    public static TerminalLine on(PrintStream terminal, Clock clock) {
+    public static ProgressLine on(PrintStream terminal, Clock clock) {
         return onTerminal(terminal, clock, Integer.MAX_VALUE);
     }
 
     /** Creates a line that prints nothing. */
-    public static TerminalLine hidden() {
-        return new TerminalLine(Kind.HIDDEN, null, Clock.system(), REDRAW, COLUMNS);
+    public static ProgressLine hidden() {
+        return new ProgressLine(Kind.HIDDEN, null, Clock.system(), REDRAW, COLUMNS);
     }
 
     public boolean isVisible() {
@@ -151,9 +151,9 @@ public final class TerminalLine implements AutoCloseable {
     }
 
     private static int columns() {
-        String told = System.getProperty(COLUMNS_PROPERTY, System.getenv("COLUMNS"));
-        return told != null && told.matches("[1-9]\\d{0,3}") // 0 if the terminal does not know its width
-                ? Math.max(LEAST_COLUMNS, Integer.parseInt(told))
+        String width = System.getProperty(COLUMNS_PROPERTY, System.getenv("COLUMNS"));
+        return width != null && width.matches("[1-9]\\d{0,3}") // 0 if the terminal does not know its width
+                ? Math.max(LEAST_COLUMNS, Integer.parseInt(width))
                 : COLUMNS;
     }
 

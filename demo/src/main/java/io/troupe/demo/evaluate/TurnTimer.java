@@ -1,7 +1,7 @@
 package io.troupe.demo.evaluate;
 
 /** Machine time of the work at each reading: from the first cycle to the last message that results from it. */
-final class Turns {
+final class TurnTimer {
     private final Durations durations = new Durations();
     private long readingNanos = Long.MIN_VALUE;
     private long began;
@@ -23,7 +23,7 @@ final class Turns {
     }
 
     /** Extends the current turn up to {@code now}, in machine time. */
-    void goesOn(long now) {
+    void extend(long now) {
         last = now;
     }
 

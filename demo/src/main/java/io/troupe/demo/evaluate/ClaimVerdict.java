@@ -3,7 +3,7 @@ package io.troupe.demo.evaluate;
 import java.util.List;
 
 /** Whether our measurements confirm a claim. */
-enum Verdict {
+enum ClaimVerdict {
     HOLDS("holds"),
     DOES_NOT_HOLD("DOES NOT HOLD"),
     CANNOT_BE_TOLD("cannot be told");
@@ -18,7 +18,7 @@ enum Verdict {
 
     private final String words;
 
-    Verdict(String words) {
+    ClaimVerdict(String words) {
         this.words = words;
     }
 
@@ -27,8 +27,8 @@ enum Verdict {
      * at or below it. With fewer than {@value #ENOUGH_REPETITIONS} values, the quartile must be beyond the limit by
      * {@value #PLAIN_DIFFERENCE} times the limit, unless all values equal the limit.
      */
-    static Verdict above(double[] ratios, double limit) {
-        Spread spread = Spread.of(ratios);
+    static ClaimVerdict above(double[] ratios, double limit) {
+        SampleStatistics spread = SampleStatistics.of(ratios);
         double margin = ratios.length < ENOUGH_REPETITIONS ? PLAIN_DIFFERENCE * limit : 0;
         boolean exactly = spread.least() == limit && spread.most() == limit;
         if (!exactly && spread.lowerQuartile() > limit + margin) {
@@ -42,8 +42,8 @@ enum Verdict {
      * fewer than {@value #ENOUGH_REPETITIONS} values, they must be outside by {@value #PLAIN_DIFFERENCE} of the bound
      * to reject the claim.
      */
-    static Verdict within(double[] values, double from, double to) {
-        Spread spread = Spread.of(values);
+    static ClaimVerdict within(double[] values, double from, double to) {
+        SampleStatistics spread = SampleStatistics.of(values);
         double margin = values.length < ENOUGH_REPETITIONS ? PLAIN_DIFFERENCE : 0;
         if (spread.lowerQuartile() >= from && spread.upperQuartile() <= to) {
             return HOLDS;
@@ -55,12 +55,12 @@ enum Verdict {
     /**
      * The verdict on values that vary from run to run: it requires at least {@value #ENOUGH_REPETITIONS} repetitions.
      */
-    Verdict ifRepeated(int repetitions) {
+    ClaimVerdict ifRepeated(int repetitions) {
         return repetitions < ENOUGH_REPETITIONS ? CANNOT_BE_TOLD : this;
     }
 
     /** The verdict on a claim measured under several conditions: the common one, if all agree. */
-    static Verdict agreed(List<Verdict> verdicts) {
+    static ClaimVerdict agreed(List<ClaimVerdict> verdicts) {
         return verdicts.stream().distinct().count() == 1 ? verdicts.getFirst() : CANNOT_BE_TOLD;
     }
 
