@@ -17,27 +17,40 @@ import io.troupe.services.component.application.ApplicationException;
 import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.services.subsumption.SubsumptionTableException;
+import io.troupe.services.text.Suggestions;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
+import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line {@code troupe}. */
 @Command(
@@ -190,5 +203,134 @@ public final class Main implements Callable<Integer> {
         }
         String message = thrown.getMessage();
         return message == null ? thrown.toString() : message;
+    }
+
+    /** picocli converters for numbers and paths, with plain error messages. */
+    private static final class Converters {
+        private Converters() {}
+
+        static CommandLine register(CommandLine commandLine) {
+            ITypeConverter<Integer> integers = number(Integer::valueOf, "a whole number");
+            ITypeConverter<Long> longs = number(Long::valueOf, "a whole number");
+            ITypeConverter<Double> doubles = number(Double::valueOf, "a number");
+            return commandLine
+                    .registerConverter(int.class, integers)
+                    .registerConverter(Integer.class, integers)
+                    .registerConverter(long.class, longs)
+                    .registerConverter(Long.class, longs)
+                    .registerConverter(double.class, doubles)
+                    .registerConverter(Double.class, doubles)
+                    .registerConverter(Path.class, Converters::path);
+        }
+
+        private static <T> ITypeConverter<T> number(Function<String, T> parse, String expected) {
+            return text -> {
+                try {
+                    return parse.apply(text);
+                } catch (NumberFormatException e) {
+                    throw new TypeConversionException("'" + text + "', expected " + expected);
+                }
+            };
+        }
+
+        private static Path path(String text) {
+            try {
+                return Path.of(text);
+            } catch (InvalidPathException e) {
+                String encoding = System.getProperty("sun.jnu.encoding", "unknown");
+                throw new TypeConversionException("'" + text + "' can be no file here, where names are in " + encoding
+                        + "; in another locale, such as LC_ALL=C.UTF-8, it may");
+            }
+        }
+    }
+
+    /** Error messages for wrong arguments: one line, with a suggestion for misspelled names. */
+    private static final class UsageProblems {
+        private static final String ERROR = "Error: ";
+        private static final String INVALID_VALUE = "Invalid value for ";
+        /** Message of picocli's help command. */
+        private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?");
+
+        private static final int FEWEST_LETTERS = 3; // shortest prefix of a name that gives a suggestion
+
+        private UsageProblems() {}
+
+        static String message(ParameterException wrong) {
+            String line = wrong.getMessage().lines().findFirst().orElse("wrong arguments");
+            if (wrong instanceof UnmatchedArgumentException unmatched) {
+                return unmatched(unmatched.getUnmatched(), wrong.getCommandLine());
+            }
+            var unknown = UNKNOWN_COMMAND.matcher(line);
+            if (unknown.matches()) {
+                return unmatched(List.of(unknown.group(1)), wrong.getCommandLine());
+            }
+            if (line.startsWith(INVALID_VALUE)) {
+                return line.substring(INVALID_VALUE.length())
+                        .replaceFirst("^option '([^']*)'(?: \\([^)]*\\))?: ", "$1 is ");
+            }
+            return line.startsWith(ERROR) ? line.substring(ERROR.length()) : line;
+        }
+
+        private static String unmatched(List<String> arguments, CommandLine commandLine) {
+            String first = arguments.getFirst();
+            CommandSpec spec = commandLine.getCommandSpec();
+            if (first.startsWith("-")) {
+                String option = first.replaceFirst("=.*", "");
+                List<String> known = spec.optionsMap().keySet().stream()
+                        .filter(each -> each.startsWith("--"))
+                        .toList();
+                return "there is no option " + option + meant(option, known);
+            }
+            return spec.subcommands().isEmpty()
+                    ? "'" + first + "' is one argument too many"
+                    : "there is no command '" + first + "'"
+                            + meant(first, spec.subcommands().keySet());
+        }
+
+        /** The known name closest to the one given, by edit distance or as a prefix. */
+        private static String meant(String written, Collection<String> known) {
+            return Suggestions.nearest(written, known)
+                    .or(() -> known.stream()
+                            .filter(each -> written.length() >= FEWEST_LETTERS && each.startsWith(written))
+                            .findFirst())
+                    .map(name -> "; did you mean " + name + "?")
+                    .orElseGet(() -> written.startsWith("-") ? "" : "; there are " + String.join(", ", known));
+        }
+    }
+
+    /**
+     * Standard output that records the last write error. The print streams above it swallow exceptions, so that a
+     * command would report success.
+     */
+    private static final class StandardOutput extends FilterOutputStream {
+        /** A reader that stops early, such as {@code head}, is no error. */
+        private static final String READER_GONE = "Broken pipe";
+
+        private volatile @Nullable String lost;
+
+        StandardOutput(OutputStream to) {
+            super(to);
+        }
+
+        @Override
+        public void write(int single) throws IOException {
+            write(new byte[] {(byte) single}, 0, 1);
+        }
+
+        @Override
+        public void write(byte[] bytes, int offset, int length) throws IOException {
+            try {
+                out.write(bytes, offset, length);
+            } catch (IOException e) {
+                lost = e.getMessage();
+                throw e;
+            }
+        }
+
+        /** The error of the last failed write; null if there was none, or if only the reader has closed the pipe. */
+        @Nullable
+        String lost() {
+            return READER_GONE.equals(lost) ? null : lost;
+        }
     }
 }

@@ -8,6 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
 /**
@@ -24,9 +25,9 @@ record RunResult(
         RunRecorder.Messages messages) {
     private static final int TITLE_WIDTH = 38;
 
-    static final String SERVICES_TITLE = "readings with no or several services";
-    static final String NO_CYCLE_TITLE = "readings without a cycle";
-    static final String STAY_TITLE = "longest stay within 5 cm";
+    private static final String SERVICES_TITLE = "readings with no or several services";
+    private static final String NO_CYCLE_TITLE = "readings without a cycle";
+    private static final String STAY_TITLE = "longest stay within 5 cm";
 
     /** How often a state started. */
     long visits(State state) {
@@ -143,12 +144,12 @@ record RunResult(
         return String.format(Locale.ROOT, "%.1f s", micros / 1e6);
     }
 
-    static String loopsTitle(Service service) {
+    private static String loopsTitle(Service service) {
         return "cycles of " + service;
     }
 
     /** Format of the first column: as wide as the longest title, which may contain the name of a service. */
-    static String titleFormat(SubsumptionTable table) {
+    private static String titleFormat(SubsumptionTable table) {
         int longest = table.services().stream()
                 .mapToInt(service -> loopsTitle(service).length())
                 .max()
@@ -190,5 +191,65 @@ record RunResult(
 
     private static void line(StringBuilder text, String format, Object... values) {
         text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
+    }
+
+    /** The summary of a run with many robots: sum, mean, minimum and maximum of each figure. */
+    private static final class CrowdSummary {
+        private final List<RobotRecord> robots;
+        private final String columns;
+        private final StringBuilder text = new StringBuilder();
+
+        private CrowdSummary(List<RobotRecord> robots, SubsumptionTable table) {
+            this.robots = robots;
+            this.columns = titleFormat(table) + "%12s%12s%24s%24s";
+        }
+
+        static String of(List<RobotRecord> robots, SubsumptionTable table) {
+            var summary = new CrowdSummary(robots, table);
+            summary.line(robots.size() + " robots", "all", "mean", "least", "most");
+            summary.row("distance driven, m", 1, RobotRecord::distanceM);
+            summary.extremes("closest approach to a wall, m", 3, "", RobotRecord::closestM);
+            summary.row("contacts with walls and boxes", 0, RobotRecord::wallContacts);
+            summary.row("  while following a wall", 0, RobotRecord::followingContacts);
+            summary.row("contacts with a robot", 0, RobotRecord::robotContacts);
+            for (Service service : table.services()) {
+                summary.row(loopsTitle(service), 0, robot -> robot.loops().getOrDefault(service.name(), 0L));
+            }
+            summary.row(SERVICES_TITLE, 0, RobotRecord::chargeFaults);
+            summary.row(NO_CYCLE_TITLE, 0, RobotRecord::ticksWithoutCycle);
+            summary.extremes(
+                    STAY_TITLE + ", s", 1, "", robot -> robot.longestStay().micros() / 1e6);
+            return summary.text.toString();
+        }
+
+        private void row(String title, int decimals, ToDoubleFunction<RobotRecord> figure) {
+            double sum = robots.stream().mapToDouble(figure).sum();
+            extremes(title, decimals, number(sum, decimals), figure);
+        }
+
+        private void extremes(String title, int decimals, String all, ToDoubleFunction<RobotRecord> figure) {
+            double mean = robots.stream().mapToDouble(figure).average().orElse(0);
+            var least = robots.stream().min(Comparator.comparingDouble(figure)).orElseThrow();
+            var most = robots.stream().max(Comparator.comparingDouble(figure)).orElseThrow();
+            boolean same = figure.applyAsDouble(least) == figure.applyAsDouble(most);
+            line(
+                    title,
+                    all,
+                    number(mean, Math.max(1, decimals)),
+                    number(figure.applyAsDouble(least), decimals) + (same ? "" : whose(least)),
+                    number(figure.applyAsDouble(most), decimals) + (same ? "" : whose(most)));
+        }
+
+        private static String whose(RobotRecord robot) {
+            return " (robot " + (robot.index() + 1) + ")";
+        }
+
+        private static String number(double value, int decimals) {
+            return String.format(Locale.ROOT, "%,." + decimals + "f", value);
+        }
+
+        private void line(Object... values) {
+            text.append(String.format(Locale.ROOT, columns, values)).append(System.lineSeparator());
+        }
     }
 }

@@ -144,7 +144,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
         if (!measurements.all().isEmpty()) {
             Path csv = out.resolve("evaluation.csv");
-            EvaluationCsv.write(measurements, csv);
+            measurements.writeCsv(csv);
             terminal.println("wrote " + Plural.of(measurements.all().size(), "number") + ", all that was measured, to "
                     + csv + "; there are no new pictures");
         }
@@ -162,7 +162,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             terminal.println("\nwhat was logged meanwhile is in " + settings.log());
         }
         Path csv = out.resolve("evaluation.csv");
-        EvaluationCsv.write(measurements, csv);
+        measurements.writeCsv(csv);
         terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
         terminal.flush();
         var names = new EvaluationFigures(settings, measurements).write(out);

@@ -1,6 +1,7 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -98,8 +99,8 @@ final class JobRunner {
 
     private static SubsumptionTable table(Job job) {
         return switch (job.kind()) {
-            case LOOPS -> Tables.oneState();
-            case ALONE -> Tables.alone(service(job.subject()));
+            case LOOPS -> oneState();
+            case ALONE -> alone(service(job.subject()));
             case SWITCHES, RECONNECTS -> SubsumptionTable.ofThePaper();
         };
     }
@@ -109,5 +110,23 @@ final class JobRunner {
                 .filter(each -> each.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("there is no service " + name));
+    }
+
+    /**
+     * One state that never ends: robot 1 follows walls, robot 2 wanders. Blue is the only colour with a state, and
+     * leads to this one.
+     */
+    static SubsumptionTable oneState() {
+        return SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
+                .build();
+    }
+
+    /** Robot 1 alone, in one state that never ends. */
+    private static SubsumptionTable alone(Service service) {
+        return SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, service)
+                .allowFinal()
+                .build();
     }
 }

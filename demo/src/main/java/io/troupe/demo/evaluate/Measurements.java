@@ -1,12 +1,19 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.subsumption.Mode;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** All measured numbers of an evaluation. */
 final class Measurements {
+    private static final String CSV_HEADER = "part,mode,cores_told,repetition,subject,quantity,unit,value";
+
     private final List<Measurement> all = new ArrayList<>();
 
     void add(Measurement measurement) {
@@ -62,5 +69,24 @@ final class Measurements {
             ratios[index] = numerators[index] / denominators[index];
         }
         return ratios;
+    }
+
+    /** Writes all measurements as CSV, one number per line. */
+    void writeCsv(Path file) throws IOException {
+        var lines = Stream.concat(Stream.of(CSV_HEADER), all.stream().map(Measurements::csvLine));
+        OutputFiles.write(file, lines.collect(Collectors.joining("\n", "", "\n")));
+    }
+
+    private static String csvLine(Measurement each) {
+        return String.join(
+                ",",
+                each.kind().toString(),
+                each.mode().toString(),
+                Integer.toString(each.cores()),
+                Integer.toString(each.repetition()),
+                each.subject(),
+                each.quantity().toString(),
+                each.quantity().unit(),
+                Double.toString(each.value()));
     }
 }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 class LoopMeterTest {
     private static final int FOLLOWER = 0;
     private static final int WANDERER = 1;
-    private static final State STATE = Tables.oneState().first();
+    private static final State STATE = JobRunner.oneState().first();
 
     private long millis;
 
